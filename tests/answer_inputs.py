@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 from intervals import between_multiples
 
-from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 
 CONFIDENCE = 0.95

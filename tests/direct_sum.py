@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from hardcontact.adhesion.pull_off import gaps_and_totals
 from hardcontact.contact.geometry import flattened_gaps
+from hardcontact.contact.pull_off import gaps_and_totals
 
 
 def direct_total(gap, contact_pixels, rho):

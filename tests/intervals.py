@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hardcontact.numbers.statistics import with_interval
+from hardcontact.base.statistics import with_interval
 
 
 def between_multiples(name, dimensions, value, multiples, confidence, **attributes):

@@ -25,7 +25,7 @@ LEFT_OUT = {
 
 def new(folder, *arguments):
     """Run `hardcontact new` in a copy of the repository."""
-    program = "import sys; from hardcontact.commands.new import main; sys.exit(main())"
+    program = "import sys; from hardcontact.own.new import main; sys.exit(main())"
     return subprocess.run(
         [sys.executable, "-c", program, "new", *map(str, arguments)],
         cwd=folder, env=environment(folder), text=True, capture_output=True,

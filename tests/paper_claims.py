@@ -3,8 +3,8 @@
 import pandas as pd
 from repository import ROOT
 
-from hardcontact.claims.evaluation import read_statements
-from hardcontact.records import published
+from hardcontact.base import published
+from hardcontact.paper.evaluation import read_statements
 
 TABLES = ROOT / "resources/paper"
 INSIGHT_STATEMENTS = read_statements(TABLES / "insight_claims.csv")

@@ -17,11 +17,11 @@ from paper_datasets import (
 )
 from repository import ROOT
 
-from hardcontact.answer.captions import Caption
-from hardcontact.answer.paper_answer import paper_answer, paper_page
-from hardcontact.claims.evaluation import COLUMNS
-from hardcontact.claims.verdicts import VERDICTS
-from hardcontact.figures.listing import OF_PAPER
+from hardcontact.paper.evaluation import COLUMNS
+from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.report.captions import Caption
+from hardcontact.report.figures.listing import OF_PAPER
+from hardcontact.report.paper_answer import paper_answer, paper_page
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 

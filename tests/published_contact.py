@@ -4,7 +4,7 @@ import numpy as np
 from paper_numbers import TABLE1
 
 from hardcontact.contact.smooth_sphere import effective_modulus
-from hardcontact.inference.classical_models import ElasticSphere, Roughness
+from hardcontact.paper.classical_models import ElasticSphere, Roughness
 
 RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
 MODULUS = effective_modulus(

@@ -7,7 +7,7 @@ import pandas as pd
 import xarray as xr
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
-from hardcontact.sets.judged_sets import Sources
+from hardcontact.paper.judged_sets import Sources
 from hardcontact.surfaces.height_map import METRICS, table1_variables
 from hardcontact.surfaces.roughness_table import averages
 

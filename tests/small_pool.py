@@ -4,9 +4,9 @@ from functools import cache
 
 from random_scans import uncd
 
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.numbers.random import generator
-from hardcontact.sets.pool import PoolSettings, PoolSources, compute_pool, pool_heights
+from hardcontact.paper.pool import PoolSettings, PoolSources, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan

@@ -20,10 +20,10 @@ from repository import ROOT
 
 import hardcontact as hc
 from hardcontact import api
-from hardcontact.commands.predict import predict, predict_arguments
+from hardcontact.base.number import plain
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.numbers.number import plain
-from hardcontact.numbers.random import generator
+from hardcontact.own.predict import predict, predict_arguments
 
 DOCS = ROOT / "resources/docs"
 FUNCTIONS = [name for name in hc.API if inspect.isfunction(getattr(hc, name))]

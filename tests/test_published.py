@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from hardcontact.records import published
+from hardcontact.base import published
 
 PAPER = Path(__file__).parents[1] / "resources" / "paper"
 
@@ -51,5 +51,5 @@ def test_table1_has_a_row_a_number():
 
 
 def test_importing_does_not_load_xarray():
-    code = "import sys, hardcontact.records.published; sys.exit('xarray' in sys.modules)"
+    code = "import sys, hardcontact.base.published; sys.exit('xarray' in sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -4,7 +4,7 @@ import hashlib
 
 import numpy as np
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 
 
 def drawn(*arguments):

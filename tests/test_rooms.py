@@ -29,7 +29,7 @@ def test_the_docstring_names_every_room():
 
 @pytest.mark.parametrize("room", ROOMS)
 def test_a_room_imports_from_those_before_it(room):
-    modules = list((LIBRARY / room).glob("*.py")) or [LIBRARY / f"{room}.py"]
+    modules = list((LIBRARY / room).rglob("*.py")) or [LIBRARY / f"{room}.py"]
     before = set(ROOMS[: ROOMS.index(room) + 1])
     for path in modules:
         names = [name for name in imported(path) if name.startswith("hardcontact.")]

@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact.numbers import statistics
-from hardcontact.numbers.statistics import bounds
+from hardcontact.base import statistics
+from hardcontact.base.statistics import bounds
 
 
 def ends(dataset, name="value"):

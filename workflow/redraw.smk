@@ -2,7 +2,7 @@
 
 from hardcontact.config import start
 from hardcontact.config.configuration import available_targets
-from hardcontact.records.code import write_pins
+from hardcontact.base.code import write_pins
 
 start.prepare(workflow)
 

@@ -29,13 +29,13 @@ sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the m
 
 from direct_sum import direct_total
 
-from hardcontact.adhesion.pull_off import gaps_and_totals
-from hardcontact.adhesion.sphere_sums import outside_sums
+from hardcontact.base.random import generator
 from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
-from hardcontact.numbers.random import generator
+from hardcontact.contact.pull_off import gaps_and_totals
+from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces import height_map, spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.substitute_scans import substitute_scan

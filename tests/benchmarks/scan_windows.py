@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.pull_off import FORCE, mean_pull_off_of_pair
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, window_pixels
-from hardcontact.numbers.random import generator
+from hardcontact.contact.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Density, Floats

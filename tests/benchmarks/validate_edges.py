@@ -15,11 +15,11 @@ import pandas as pd
 from validate_prediction import SURFACES, TOLERANCE, WORK, design, spectrum_of
 
 from hardcontact.contact.contact import Contact, contact_of_area
-from hardcontact.insight.closed_form import closed_form
-from hardcontact.insight.closed_form_errors import spectrum_of_grid
-from hardcontact.insight.edge_formulas import formula_edges
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, roll_off
 from hardcontact.surfaces.substitute_spectra import from_description
+from hardcontact.theory.closed_form import closed_form
+from hardcontact.theory.closed_form_errors import spectrum_of_grid
+from hardcontact.theory.edge_formulas import formula_edges
 
 RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/edges.csv"

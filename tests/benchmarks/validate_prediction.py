@@ -17,15 +17,15 @@ import numpy as np
 import pandas as pd
 from scipy.stats import qmc
 
+from hardcontact.band.critical_band import Curve, described_edge, logarithmic_limits
+from hardcontact.band.filtered_masters import Filters, filtered_pull_off
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact, contact_of_area
-from hardcontact.insight.closed_form import closed_form, edges
-from hardcontact.insight.closed_form_errors import spectrum_of_grid
-from hardcontact.insight.prediction import coordinates
-from hardcontact.numbers.random import generator
-from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
-from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
+from hardcontact.theory.closed_form import closed_form, edges
+from hardcontact.theory.closed_form_errors import spectrum_of_grid
+from hardcontact.theory.prediction import coordinates
 
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1

@@ -30,13 +30,13 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scan_windows import WindowFilters, Windows, filtered_window_forces, window_forces
 
+from hardcontact.band.critical_band import logarithmic_limits
+from hardcontact.base import dataset, published
+from hardcontact.base.dataset import stack
+from hardcontact.base.random import generator
+from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
-from hardcontact.numbers.random import generator
-from hardcontact.numbers.statistics import student_log_interval
-from hardcontact.own_surfaces.open_edges import edges_of_curves
-from hardcontact.records import dataset, published
-from hardcontact.records.dataset import stack
-from hardcontact.scales.critical_band import logarithmic_limits
+from hardcontact.own.open_edges import edges_of_curves
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Floats,

@@ -20,16 +20,16 @@ import xarray as xr
 from scipy import special, stats
 from validate_prediction import HARDNESS, drawn, spectrum_of
 
-from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.base import dataset
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.contact.smooth_sphere import dmt_pull_off
-from hardcontact.insight.closed_form_errors import spectrum_of_grid
-from hardcontact.insight.pull_off_statistics import SHARES, force_statistics
-from hardcontact.numbers.random import generator
-from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.theory.closed_form_errors import spectrum_of_grid
+from hardcontact.theory.pull_off_statistics import SHARES, force_statistics
 
 DATASET = Path(__file__).parents[2] / "resources/validation/statistics.nc"
 SEED, PLACES = 20261124, 400

@@ -10,9 +10,9 @@ from random_scans import PIXEL, UNCD, levelled_scan, uncd
 from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
+from hardcontact.base import published
+from hardcontact.base.random import generator
 from hardcontact.config.grids import realization_pixels
-from hardcontact.numbers.random import generator
-from hardcontact.records import published
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap, level, metrics

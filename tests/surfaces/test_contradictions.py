@@ -8,7 +8,7 @@ from measurements import line_of, map_of
 from random_scans import uncd
 from refusals import assert_says
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import BIN_CENTRES

@@ -5,7 +5,7 @@ import pytest
 from measurements import measurement
 from random_scans import uncd
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 from hardcontact.surfaces.extrapolated_spectrum import (
     ATOMIC,
     GRADIENT,

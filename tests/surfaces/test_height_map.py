@@ -5,7 +5,7 @@ import pytest
 from refusals import assert_says, refusal
 from scan_files import cut
 
-from hardcontact.records import dataset
+from hardcontact.base import dataset
 from hardcontact.surfaces.height_map import (
     HeightMap,
     flat_map,

@@ -7,9 +7,9 @@ from measurements import line_of, map_of, measurement
 from random_scans import uncd
 from refusals import assert_says, refusal
 
-from hardcontact.answer.artificial import artificial_bands
-from hardcontact.numbers.random import generator
-from hardcontact.records import dataset
+from hardcontact.base import dataset
+from hardcontact.base.random import generator
+from hardcontact.report.artificial import artificial_bands
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.joined_spectrum import (
     HURST_SCATTER,

@@ -6,7 +6,7 @@ from measurements import line_of, map_of, measurement, profile_of
 from random_scans import PIXEL, uncd
 from scipy.ndimage import gaussian_filter1d
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,

@@ -6,7 +6,7 @@ from measurements import line_of, map_of, measurement
 from random_scans import uncd
 from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import smooth_rolloff

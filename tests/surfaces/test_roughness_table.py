@@ -8,8 +8,8 @@ import xarray as xr
 from measurements import measurement
 from random_scans import PIXEL, UNCD, levelled_scan
 
-from hardcontact.numbers.random import generator
-from hardcontact.numbers.statistics import bounds
+from hardcontact.base.random import generator
+from hardcontact.base.statistics import bounds
 from hardcontact.surfaces.height_map import METRICS, flat_map, metrics
 from hardcontact.surfaces.roughness_table import averages, measured_roughness, roughness_table
 from hardcontact.surfaces.scans import prepared

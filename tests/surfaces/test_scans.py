@@ -16,7 +16,7 @@ from scan_files import (
 )
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
-from hardcontact.records import dataset
+from hardcontact.base import dataset
 from hardcontact.surfaces.scan_heights import stated_tip_radius
 from hardcontact.surfaces.scans import (
     list_measurements,

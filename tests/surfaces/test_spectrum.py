@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from random_scans import levelled_scan, uncd
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, measured_psds
 

@@ -10,11 +10,11 @@ from repository import ROOT
 from scipy.ndimage import grey_dilation, grey_erosion, maximum_filter
 from scipy.stats import skew
 
-from hardcontact.adhesion.pull_off import pull_off_force
+from hardcontact.base import dataset
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
-from hardcontact.numbers.random import generator
-from hardcontact.records import dataset
+from hardcontact.contact.pull_off import pull_off_force
 from hardcontact.surfaces.height_map import HeightMap, flat_map, level, mirror_stitch
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds

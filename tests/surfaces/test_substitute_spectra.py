@@ -9,8 +9,8 @@ from paper_numbers import SUBSTRATES, SURFACES
 from random_scans import PIXEL, UNCD, uncd
 from repository import ROOT
 
-from hardcontact.numbers.random import generator
-from hardcontact.records import published
+from hardcontact.base import published
+from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments

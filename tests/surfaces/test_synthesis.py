@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from random_scans import UNCD, levelled_scan, uncd
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.synthesis import (

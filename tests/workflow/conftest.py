@@ -10,7 +10,7 @@ from repository import copy_repository
 from scan_files import container, scan, write_coordinates
 from SurfaceTopography import UniformLineScan
 
-from hardcontact.numbers.random import generator
+from hardcontact.base.random import generator
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ from refusals import assert_says
 from repository import ROOT
 from scipy import stats
 
-from hardcontact.insight.closed_form import gaussian_share
+from hardcontact.theory.closed_form import gaussian_share
 
 pytestmark = pytest.mark.study
 

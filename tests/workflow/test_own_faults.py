@@ -19,7 +19,7 @@ from refusals import assert_says
 from repository import ROOT, environment
 from scan_files import cut
 
-from hardcontact.records.whole_file import PART
+from hardcontact.base.whole_file import PART
 
 pytestmark = pytest.mark.study
 
@@ -157,8 +157,8 @@ def fill(folder, room):
 
 JOB = """
 import numpy, xarray
-from hardcontact.records import dataset
-from hardcontact.records.job import job_log
+from hardcontact.base import dataset
+from hardcontact.base.job import job_log
 heights = (("y", "x"), numpy.ones((512, 512)), {})
 with job_log("a.log"):
     dataset.write(xarray.Dataset({"heights": heights}), "made/a.nc")

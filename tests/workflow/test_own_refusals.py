@@ -6,8 +6,8 @@ from own_studies import LEFT_OUT, changed, new, quick, rough, spm
 from refusals import assert_says
 from scan_files import cut
 
+from hardcontact.base.random import generator
 from hardcontact.config.configuration import NONE, left_out
-from hardcontact.numbers.random import generator
 
 pytestmark = pytest.mark.study
 

@@ -175,7 +175,7 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
     tried = {}
     for path, rule in graph.rule.items():
         (script,) = (Path(one).name for one in graph.inputs[path] if "workflow/scripts/" in one)
-        figure = [f"hardcontact.figures.{rule[5:]}"] if script == "draw_figure.py" else []
+        figure = [f"hardcontact.report.figures.{rule[5:]}"] if script == "draw_figure.py" else []
         library = {one for one in graph.inputs[path] if one.startswith("workflow/hardcontact/")}
         if script in ("answer_paper.py", "answer_insight.py"):  # They read captions there alone.
             library = {one for one in library if "/figures/fig" not in one}
@@ -316,8 +316,8 @@ def with_line(path):
         "resources/paper/pull_off.csv",
         "resources/spectra/mcd.csv",
         "workflow/scripts/solve_elastic_contact.py",
-        "workflow/hardcontact/adhesion/sphere_sums.py",
-        "workflow/hardcontact/numbers/statistics.py",
+        "workflow/hardcontact/contact/sphere_sums.py",
+        "workflow/hardcontact/base/statistics.py",
     ],
 )
 def test_a_file_makes_again_what_is_made_from_it(dry, graph, path):

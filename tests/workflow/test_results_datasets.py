@@ -6,8 +6,8 @@ import xarray as xr
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
 
+from hardcontact.base import dataset
 from hardcontact.contact.contact import Contact
-from hardcontact.records import dataset
 
 
 @pytest.fixture(scope="module")

@@ -12,11 +12,11 @@ from matplotlib.text import Text
 from paper_numbers import LABELS, SUBSTRATES
 from repository import PAPER, ROOT
 
-from hardcontact.answer.captions import caption
+from hardcontact.base import dataset
 from hardcontact.config.patterns import PUBLISHED
-from hardcontact.figures import drawing, style
-from hardcontact.figures.listing import FIGURES, describe
-from hardcontact.records import dataset
+from hardcontact.report.captions import caption
+from hardcontact.report.figures import drawing, style
+from hardcontact.report.figures.listing import FIGURES, describe
 
 #: Figures with values of the paper, and the words by which their captions name these.
 PUBLISHED_IN = {
@@ -40,7 +40,7 @@ def drawn(results):
 
     @cache
     def draw(name):
-        module = importlib.import_module(f"hardcontact.figures.{name}")
+        module = importlib.import_module(f"hardcontact.report.figures.{name}")
         inputs = {
             source: drawing.READERS[source](ROOT / PUBLISHED[source])
             if source in PUBLISHED

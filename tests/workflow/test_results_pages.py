@@ -10,13 +10,13 @@ from jsonschema import Draft202012Validator
 from paper_numbers import SUBSTRATES
 from repository import ROOT, run_snakemake
 
-from hardcontact.answer.paper_answer import ANSWERS
-from hardcontact.answer.quantities import in_words, number_of
-from hardcontact.claims.evaluation import COLUMNS
-from hardcontact.claims.verdicts import VERDICTS
+from hardcontact.base import dataset
 from hardcontact.config.configuration import PAGES
-from hardcontact.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
-from hardcontact.records import dataset
+from hardcontact.paper.evaluation import COLUMNS
+from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.report.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
+from hardcontact.report.paper_answer import ANSWERS
+from hardcontact.report.quantities import in_words, number_of
 
 
 def test_claims(results):

@@ -7,9 +7,9 @@ import pytest
 import xarray as xr
 from repository import OTHERWISE, run_snakemake
 
+from hardcontact.base import dataset
+from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import Contact
-from hardcontact.numbers.statistics import bounds
-from hardcontact.records import dataset
 
 
 @pytest.fixture(scope="module")

@@ -1,9 +1,8 @@
 """Adhesion of hard, rough contacts: from height maps to pull-off forces and the scales that matter.
 
-Its rooms, each importing only from those before it: `records`, `numbers`, `surfaces`, `contact`,
-`adhesion`, `scales`, `inference`, `insight`, `own_surfaces`, `claims`, `sets`, `figures`, `answer`,
-`config`, `commands` and `api`, whose functions are those of this package, too. They are loaded when
-one is first used: no job of the study depends on them.
+Its rooms, each importing only from those before it: `base`, `surfaces`, `contact`, `band`,
+`theory`, `paper`, `config`, `own`, `report` and `api`, whose functions are those of this package,
+too. They are loaded when one is first used: no job of the study depends on them.
 """
 
 import importlib

@@ -14,26 +14,26 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import stacked_forces
-from hardcontact.adhesion.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
+from hardcontact.band.critical_band import logarithmic_limits
+from hardcontact.band.filtered_masters import Filters, filtered_pull_off
+from hardcontact.base.number import Number
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import limits_of_scan
 from hardcontact.config.model import NONE
 from hardcontact.config.own_spectrum import own_spectrum
+from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight.prediction import prediction, too_wide
-from hardcontact.numbers.number import Number
-from hardcontact.own_surfaces.open_edges import edges_of_curves
-from hardcontact.scales.critical_band import logarithmic_limits
-from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
+from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
+from hardcontact.own.open_edges import edges_of_curves
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.scans import flattened, height_map, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.theory.prediction import prediction, too_wide
 
 
 def read_scan(

@@ -1,6 +1,6 @@
 # The page on what decides the band: question, numbers and figure of each part.
 
-from hardcontact.figures.listing import OF_INSIGHT, describe
+from hardcontact.report.figures.listing import OF_INSIGHT, describe
 
 #: The dataset of each figure, and the band.
 INSIGHT_SOURCES = ["band", *(describe(name).inputs[0] for name in OF_INSIGHT)]
@@ -13,7 +13,7 @@ rule answer_insight:
         claims=PATTERNS.result("insight_claims.csv"),
         statements="resources/paper/insight_claims.csv",
         figures=[PATTERNS.figure(name, "svg") for name in OF_INSIGHT],
-        captions=[f"workflow/hardcontact/figures/{name}.py" for name in OF_INSIGHT],
+        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in OF_INSIGHT],
         templates=template_inputs(
             "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in OF_INSIGHT)
         ),

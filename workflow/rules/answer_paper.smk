@@ -20,7 +20,7 @@ rule answer_paper:
         published_constants=PUBLISHED["published_constants"],
         published_table1=PUBLISHED["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in OF_PAPER],
-        captions=[f"workflow/hardcontact/figures/{name}.py" for name in OF_PAPER],
+        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in OF_PAPER],
         citation="CITATION.cff",
         templates=template_inputs("paper.html", "verdicts.html"),
         code=code_inputs("answer_paper.py"),

@@ -1,6 +1,6 @@
 # Claims: each statement of the paper beside what was computed.
 
-from hardcontact.claims.evaluation import DATASETS, INSIGHT_DATASETS
+from hardcontact.paper.evaluation import DATASETS, INSIGHT_DATASETS
 
 
 rule evaluate_claims:

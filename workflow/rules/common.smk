@@ -1,7 +1,7 @@
 # What every rule needs: the configuration, the paths, the code that a script really uses.
 
-from hardcontact.records.code import PINS, code_inputs, template_inputs
-from hardcontact.records.origin import canonical
+from hardcontact.base.code import PINS, code_inputs, template_inputs
+from hardcontact.base.origin import canonical
 from hardcontact.config import start
 from hardcontact.config.patterns import PUBLISHED, Patterns
 from hardcontact.config.model import PAPER

@@ -1,7 +1,7 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.answer.captions import caption
-from hardcontact.figures.listing import FIGURES, OF_PAPER, describe
+from hardcontact.report.captions import caption
+from hardcontact.report.figures.listing import FIGURES, OF_PAPER, describe
 
 for name in FIGURES:
 
@@ -14,7 +14,7 @@ for name in FIGURES:
                 source: PUBLISHED.get(source, PATTERNS.dataset(source))
                 for source in describe(name).inputs
             },
-            code=code_inputs("draw_figure.py", f"hardcontact.figures.{name}"),
+            code=code_inputs("draw_figure.py", f"hardcontact.report.figures.{name}"),
         output:
             pdf=PATTERNS.figure(name, "pdf"),
             png=report(

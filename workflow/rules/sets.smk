@@ -1,6 +1,6 @@
 # Sets: many equally good sets of substitute scans, drawn from pools, and the numbers of each.
 
-from hardcontact.claims.evaluation import replicated_statements
+from hardcontact.paper.evaluation import replicated_statements
 from hardcontact.config.patterns import STUDY_VARIANT
 
 

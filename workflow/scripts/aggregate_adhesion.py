@@ -1,8 +1,8 @@
 """Pull-off forces of all surfaces, pairs of scans, contact models and ranges of adhesion."""
 
-from hardcontact.adhesion.all_surfaces import stacked_pull_off_forces
-from hardcontact.records.dataset import read_all
-from hardcontact.records.job import job
+from hardcontact.base.dataset import read_all
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import stacked_pull_off_forces
 
 with job(snakemake) as this:
     given = this.parameters

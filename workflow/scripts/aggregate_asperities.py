@@ -1,8 +1,8 @@
 """Asperities that carry the force, of all surfaces and scans."""
 
-from hardcontact.adhesion.all_surfaces import with_names
-from hardcontact.records.dataset import read_all, stack
-from hardcontact.records.job import job
+from hardcontact.base.dataset import read_all, stack
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import with_names
 
 with job(snakemake) as this:
     scans = read_all(this.parameters["scans"], this.input.scans)

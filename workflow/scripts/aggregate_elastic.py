@@ -1,8 +1,8 @@
 """Elastic contacts of all surfaces and scans."""
 
-from hardcontact.adhesion.all_surfaces import stacked_elastic_contacts
-from hardcontact.records.dataset import read_all
-from hardcontact.records.job import job
+from hardcontact.base.dataset import read_all
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import stacked_elastic_contacts
 
 with job(snakemake) as this:
     this.write(

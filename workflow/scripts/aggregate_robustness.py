@@ -1,9 +1,9 @@
 """Range and work of adhesion and the critical band under every variant of the study's choices."""
 
-from hardcontact.inference.robustness import Choices, robustness
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.paper.robustness import Choices, robustness
 
 SETTINGS = "sphere_radius", "range", "count", "pixels_small", "pixels_large"
 

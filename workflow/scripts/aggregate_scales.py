@@ -1,14 +1,14 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered one."""
 
-from hardcontact.adhesion.all_surfaces import (
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import (
     single_masters,
     stacked_forces,
     with_names,
     with_spectrum_shifts,
     with_transitions,
 )
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
 
 with job(snakemake) as this:
     params = this.parameters

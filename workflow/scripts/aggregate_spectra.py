@@ -1,7 +1,7 @@
 """Spectra of all surfaces: joined of the scans of measured ones, of substitutes as described."""
 
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.base import dataset
+from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import described_spectrum, stacked_spectra
 
 with job(snakemake) as this:

@@ -2,15 +2,15 @@
 
 from pathlib import Path
 
-from hardcontact.answer.captions import caption
-from hardcontact.answer.insight import insight_page
-from hardcontact.claims.evaluation import read_statements
-from hardcontact.claims.verdicts import read_verdicts
-from hardcontact.figures.listing import OF_INSIGHT, describe
-from hardcontact.insight.prediction import validated_errors
-from hardcontact.records import published
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
+from hardcontact.base import published
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.paper.evaluation import read_statements
+from hardcontact.paper.verdicts import read_verdicts
+from hardcontact.report.captions import caption
+from hardcontact.report.figures.listing import OF_INSIGHT, describe
+from hardcontact.report.insight import insight_page
+from hardcontact.theory.prediction import validated_errors
 
 with job(snakemake) as this:
     figures = {}

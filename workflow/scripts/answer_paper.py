@@ -4,18 +4,18 @@ from pathlib import Path
 
 import yaml
 
-from hardcontact.answer.captions import caption
-from hardcontact.answer.paper_answer import (
+from hardcontact.base import published
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.paper.verdicts import read_verdicts
+from hardcontact.report.captions import caption
+from hardcontact.report.paper_answer import (
     paper_answer,
     paper_head,
     paper_page,
     paper_quantities,
 )
-from hardcontact.answer.quantities import answer_json
-from hardcontact.claims.verdicts import read_verdicts
-from hardcontact.records import published
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
+from hardcontact.report.quantities import answer_json
 
 DATASETS = ("topography", "scales", "band", "sets", "leave_one_out", "protruded", "scan_size")
 

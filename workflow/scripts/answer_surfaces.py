@@ -2,11 +2,11 @@
 
 import pandas as pd
 
-from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.answer.own_answer import own_answer, own_head, own_page, own_quantities
-from hardcontact.answer.quantities import answer_json
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.report.datasets import Datasets, Setting
+from hardcontact.report.own_answer import own_answer, own_head, own_page, own_quantities
+from hardcontact.report.quantities import answer_json
 
 with job(snakemake) as this:
     paths = {name: getattr(this.input, name, None) for name in Datasets._fields}

@@ -1,10 +1,10 @@
 """Effective work of adhesion and classical models of rough adhesion, beside the pull-off forces."""
 
-from hardcontact.inference.classical_comparison import apply_classical_models
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import published
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
+from hardcontact.base import published
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.paper.classical_comparison import apply_classical_models
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,10 +1,10 @@
 """Mean rigid and plastic pull-off of the scans of a surface, at several loads."""
 
-from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+from hardcontact.base.dataset import stack
+from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.records.dataset import stack
-from hardcontact.records.job import job, progress
+from hardcontact.contact.pull_off import mean_pull_off_of_pair
 
 with job(snakemake) as this:
     params = this.parameters

@@ -1,7 +1,7 @@
 """C_iso of a substitute surface, from its description and the published Table 1."""
 
-from hardcontact.records import published
-from hardcontact.records.job import job
+from hardcontact.base import published
+from hardcontact.base.job import job
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 
 with job(snakemake) as this:

@@ -1,11 +1,11 @@
 """The closed form of the pull-off force beside forces computed on random surfaces."""
 
-from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.base import published
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import with_names
 from hardcontact.contact.contact import Contact
-from hardcontact.insight.closed_form_errors import Trial, closed_form_errors
-from hardcontact.records import published
-from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.theory.closed_form_errors import Trial, closed_form_errors
 
 with job(snakemake) as this:
     params = this.parameters

@@ -1,10 +1,10 @@
 """The short edge of the critical band for plastic and rigid contact at two ranges of adhesion."""
 
-from hardcontact.adhesion.all_surfaces import Described, single_masters, stacked_forces, with_names
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import dataset
-from hardcontact.records.job import job
-from hardcontact.scales.enhancement import bands_by_contact
+from hardcontact.band.enhancement import bands_by_contact
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.contact.all_surfaces import Described, single_masters, stacked_forces, with_names
 
 with job(snakemake) as this:
     params = this.parameters

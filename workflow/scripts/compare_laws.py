@@ -1,12 +1,12 @@
 """Fits, ratios and critical band of every law of attraction: laws.nc."""
 
-from hardcontact.adhesion.all_surfaces import stacked_forces, with_names
-from hardcontact.inference.inference import Pair
-from hardcontact.insight.law_comparison import compare_laws
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import published
-from hardcontact.records.dataset import read_all, stack
-from hardcontact.records.job import job
+from hardcontact.base import published
+from hardcontact.base.dataset import read_all, stack
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.contact.all_surfaces import stacked_forces, with_names
+from hardcontact.paper.inference import Pair
+from hardcontact.paper.law_comparison import compare_laws
 from hardcontact.surfaces.synthesis import SIDES
 
 with job(snakemake) as this:

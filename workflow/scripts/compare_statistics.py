@@ -2,13 +2,13 @@
 
 import pandas as pd
 
-from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.base import published
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import with_names
 from hardcontact.contact.contact import Contact
-from hardcontact.insight.pull_off_statistics import MEAN_ERROR, force_scatter, with_comparison
-from hardcontact.records import published
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.theory.pull_off_statistics import MEAN_ERROR, force_scatter, with_comparison
 
 with job(snakemake) as this:
     params = this.parameters

@@ -1,14 +1,14 @@
 """Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
 
+from hardcontact.band.filtered_masters import Filters
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.insight.interaction_laws import range_grid
-from hardcontact.insight.law_forces import MIXED_RANGES, filtered_range_forces, scan_range_forces
-from hardcontact.numbers.random import generator
-from hardcontact.records.job import job
-from hardcontact.scales.filtered_masters import Filters
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import SIDES, synthesized_master
+from hardcontact.theory.interaction_laws import range_grid
+from hardcontact.theory.law_forces import MIXED_RANGES, filtered_range_forces, scan_range_forces
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,8 +1,8 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
-from hardcontact.sets.pool import compute_pool, pool_sources
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.paper.pool import compute_pool, pool_sources
 
 with job(snakemake) as this:
     params = this.parameters

@@ -1,9 +1,9 @@
 """Pull-off forces on some surfaces with rare protrusions."""
 
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
-from hardcontact.sets.pool import pool_sources
-from hardcontact.sets.protruded_sets import compute_protruded
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.paper.pool import pool_sources
+from hardcontact.paper.protruded_sets import compute_protruded
 
 with job(snakemake) as this:
     params = this.parameters

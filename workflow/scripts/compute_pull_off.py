@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from hardcontact.adhesion.all_surfaces import over_sphere_scans
-from hardcontact.adhesion.pull_off import finer_pixel_change, pull_off_of_pair, window_change
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import over_sphere_scans
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.records.job import job
+from hardcontact.contact.pull_off import finer_pixel_change, pull_off_of_pair, window_change
 
 with job(snakemake) as this:
     given = this.parameters

@@ -2,9 +2,9 @@
 
 from functools import partial
 
-from hardcontact.numbers.random import generator
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import conditioned_group, scan_targets
 from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import rows_of_surface

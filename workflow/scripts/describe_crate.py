@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from hardcontact.records import crate
-from hardcontact.records.job import job
-from hardcontact.records.origin import pinned_versions
+from hardcontact.base import crate
+from hardcontact.base.job import job
+from hardcontact.base.origin import pinned_versions
 
 with job(snakemake) as this:
     this.write_text(

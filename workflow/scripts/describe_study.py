@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from hardcontact.answer.report_pages import pages
-from hardcontact.claims.verdicts import read_verdicts, with_open_ends
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
-from hardcontact.records.origin import pinned_versions
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.base.origin import pinned_versions
+from hardcontact.paper.verdicts import read_verdicts, with_open_ends
+from hardcontact.report.report_pages import pages
 
 with job(snakemake) as this:
     chapters = [Path(path) for path in this.input if path.endswith(".md")]

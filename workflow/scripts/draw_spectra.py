@@ -1,7 +1,7 @@
 """Spectra drawn within what the measurements of a surface leave open, one a realization."""
 
-from hardcontact.numbers.random import generator
-from hardcontact.records.job import job
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.surfaces.joined_spectrum import drawn_spectra
 from hardcontact.surfaces.scans import flat_measurements
 from hardcontact.surfaces.spectrum import spectrum_dataset

@@ -1,9 +1,9 @@
 """Statements of the paper, each beside what was computed, with its verdict."""
 
-from hardcontact.claims.evaluation import evaluate, read_statements
-from hardcontact.records import published
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
+from hardcontact.base import published
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.paper.evaluation import evaluate, read_statements
 
 with job(snakemake) as this:
     params = this.parameters

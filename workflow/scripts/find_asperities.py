@@ -1,10 +1,10 @@
 """Which asperities carry the force of some plastic contacts on one scan, by range of adhesion."""
 
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.contact.asperities import SHARE, asperities_of_pair
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
-from hardcontact.numbers.random import generator
-from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, settings = this.parameters, this.parameters["asperities"]

@@ -1,9 +1,9 @@
 """The edges of the band of own surfaces, found or open, with their intervals."""
 
-from hardcontact.own_surfaces.master_forces import Masters
-from hardcontact.own_surfaces.open_edges import band_edges
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.own.master_forces import Masters
+from hardcontact.own.open_edges import band_edges
 
 with job(snakemake) as this:
     given = this.parameters

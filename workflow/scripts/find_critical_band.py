@@ -1,9 +1,9 @@
 """The wavelengths whose removal changes the pull-off force, with their intervals."""
 
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import dataset
-from hardcontact.records.job import job
-from hardcontact.scales.critical_band import critical_band
+from hardcontact.band.critical_band import critical_band
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
 
 with job(snakemake) as this:
     given, scales = this.parameters, dataset.read(this.input.scales)

@@ -1,9 +1,9 @@
 """Mean pressure of elastic contact over the hardness, by the shortest wavelength of a surface."""
 
-from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import with_names
 from hardcontact.contact.elastic_limit import slope_index
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS
-from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:

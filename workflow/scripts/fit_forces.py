@@ -1,10 +1,10 @@
 """Range and work of adhesion that the user's own forces allow."""
 
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
 from hardcontact.config.tables import measured_forces
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.own_surfaces.own_fit import fit_measured, with_continued_work
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.own.own_fit import fit_measured, with_continued_work
 
 with job(snakemake) as this:
     given = this.parameters

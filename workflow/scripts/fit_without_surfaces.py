@@ -2,9 +2,9 @@
 
 import xarray as xr
 
-from hardcontact.inference.leave_one_out import leave_one_out_fits
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.paper.leave_one_out import leave_one_out_fits
 
 with job(snakemake) as this:
     measured = published.pull_off(this.input.published_pull_off)["mean_force"]

@@ -1,9 +1,9 @@
 """Range and work of adhesion and force statistics of every contact model."""
 
-from hardcontact.inference.inference import Pair, Published, infer
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.paper.inference import Pair, Published, infer
 
 with job(snakemake) as this:
     given = this.parameters

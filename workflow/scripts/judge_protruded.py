@@ -2,10 +2,10 @@
 
 import xarray as xr
 
-from hardcontact.inference.inference import Pair, Published
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
-from hardcontact.sets.protruded_sets import CONTACT_MODEL, judge_protruded
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.paper.inference import Pair, Published
+from hardcontact.paper.protruded_sets import CONTACT_MODEL, judge_protruded
 
 with job(snakemake) as this:
     constants = published.constants(this.input.published_constants)

@@ -1,7 +1,7 @@
 """How large a scan must be: the validation table, of the surfaces of the study."""
 
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.base import dataset
+from hardcontact.base.job import job
 
 with job(snakemake) as this:
     params = this.parameters

@@ -2,12 +2,12 @@
 
 import pandas as pd
 
-from hardcontact.adhesion.all_surfaces import single_masters, stacked_forces
-from hardcontact.inference.inference import Pair, Published
-from hardcontact.records import published
-from hardcontact.records.dataset import read, read_all
-from hardcontact.records.job import job
-from hardcontact.sets.judged_sets import SetSettings, gathered_sources, judge_sets
+from hardcontact.base import published
+from hardcontact.base.dataset import read, read_all
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import single_masters, stacked_forces
+from hardcontact.paper.inference import Pair, Published
+from hardcontact.paper.judged_sets import SetSettings, gathered_sources, judge_sets
 
 with job(snakemake) as this:
     given = this.parameters

@@ -2,7 +2,7 @@
 
 import yaml
 
-from hardcontact.records.job import job
+from hardcontact.base.job import job
 
 with job(snakemake) as this:
     this.write_text(yaml.safe_dump(this.parameters, allow_unicode=True), "configuration")

@@ -1,8 +1,8 @@
 """Substitute scans that are conditioned together: as files that scan readers know, and prepared."""
 
-from hardcontact.numbers.random import generator
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import amplified
 from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_measurement
 from hardcontact.surfaces.spectrum import read_spectrum

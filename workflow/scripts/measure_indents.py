@@ -1,8 +1,8 @@
 """Indents that plastic contact leaves in the sphere: the size of all, and one drawn."""
 
+from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.indents import indents_of_scans
-from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
 

@@ -1,6 +1,6 @@
 """C_iso of a measured surface: all its measurements joined, continued beyond their band."""
 
-from hardcontact.records.job import job
+from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.scans import flat_measurements
 

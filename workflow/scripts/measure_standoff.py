@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from hardcontact.inference.standoff import CONTACT_MODEL, standoff
-from hardcontact.records import dataset, published
-from hardcontact.records.job import job
+from hardcontact.base import dataset, published
+from hardcontact.base.job import job
+from hardcontact.paper.standoff import CONTACT_MODEL, standoff
 
 with job(snakemake) as this:
     topography = dataset.read(this.input.topography)

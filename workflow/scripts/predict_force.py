@@ -1,10 +1,10 @@
 """The pull-off forces that a work and a range of adhesion predict."""
 
+from hardcontact.base import dataset
+from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
-from hardcontact.own_surfaces.master_forces import Masters
-from hardcontact.own_surfaces.predicted_force import own_force
-from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.own.master_forces import Masters
+from hardcontact.own.predicted_force import own_force
 
 with job(snakemake) as this:
     params = this.parameters

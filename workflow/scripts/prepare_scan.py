@@ -1,6 +1,6 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
-from hardcontact.records.job import job
+from hardcontact.base.job import job
 from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_stored
 
 with job(snakemake) as this:

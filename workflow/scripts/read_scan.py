@@ -1,6 +1,6 @@
 """A measured scan as its file has it, in nm: a map on square pixels, or a line scan."""
 
-from hardcontact.records.job import job
+from hardcontact.base.job import job
 from hardcontact.surfaces.scans import read_measurement
 
 with job(snakemake) as this:

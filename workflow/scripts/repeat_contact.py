@@ -1,5 +1,7 @@
 """How far indents overlap where one place of the sphere meets many places of a surface."""
 
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.repeated_contact import (
@@ -7,8 +9,6 @@ from hardcontact.contact.repeated_contact import (
     large_surface,
     mean_over_surfaces,
 )
-from hardcontact.numbers.random import generator
-from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 

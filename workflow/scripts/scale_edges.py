@@ -2,14 +2,14 @@
 
 import pandas as pd
 
-from hardcontact.adhesion.all_surfaces import single_masters
-from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.contact.all_surfaces import single_masters
 from hardcontact.contact.contact import contact_of_area
-from hardcontact.insight.edge_scaling import designed_edges, edge_scaling, stacked_scaling
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records.dataset import read
-from hardcontact.records.job import job
+from hardcontact.contact.pull_off import WORK_OF_ADHESION
 from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.theory.edge_scaling import designed_edges, edge_scaling, stacked_scaling
 
 with job(snakemake) as this:
     params = this.parameters

@@ -1,7 +1,7 @@
 """Masters of Fig. 6: a scan with artificial roughness below its pixels, and beyond its size."""
 
-from hardcontact.numbers.random import generator
-from hardcontact.records.job import job
+from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import synthesized_master

@@ -1,10 +1,10 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
-from hardcontact.adhesion.traced_contact import traced_contact
+from hardcontact.base import published
+from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.records import published
-from hardcontact.records.job import job
+from hardcontact.contact.traced_contact import traced_contact
 
 NAMED = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 

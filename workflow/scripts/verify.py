@@ -2,8 +2,8 @@
 
 import sys
 
-from hardcontact.records import crate, provenance
-from hardcontact.records.job import job
+from hardcontact.base import crate, provenance
+from hardcontact.base.job import job
 
 with job(snakemake) as this:
     folder = this.parameters["results"]

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from hardcontact.base import published
 from hardcontact.config.configuration import get_key
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
 from hardcontact.config.grids import PIXEL_SIZES, Grid, alike
@@ -15,7 +16,6 @@ from hardcontact.config.model import NONE, PAPER, SMOOTH
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
-from hardcontact.records import published
 from hardcontact.surfaces.scans import read_measurement, read_scan
 from hardcontact.surfaces.spectrum import is_calibrated
 from hardcontact.surfaces.substitute_spectra import described_rms_height

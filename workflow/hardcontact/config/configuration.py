@@ -8,10 +8,10 @@ from typing import Any
 
 import yaml
 
+from hardcontact.base.code import LIBRARY
+from hardcontact.base.units import printed
 from hardcontact.config.faults import plain
 from hardcontact.config.model import NONE, PAPER, Study
-from hardcontact.numbers.units import printed
-from hardcontact.records.code import LIBRARY
 
 #: Targets of a study that is compared with the paper.
 OF_PAPER = (

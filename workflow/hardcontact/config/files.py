@@ -7,11 +7,11 @@ from functools import cached_property
 from itertools import cycle, product
 from typing import Any
 
+from hardcontact.base.units import token
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
-from hardcontact.numbers.units import token
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with

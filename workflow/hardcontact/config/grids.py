@@ -4,8 +4,8 @@ import math
 import os
 from typing import NamedTuple
 
+from hardcontact.base.printing import print_length
 from hardcontact.config.faults import Limit
-from hardcontact.numbers.printing import print_length
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)

@@ -12,8 +12,8 @@ from typing import Annotated, Any
 from pydantic import Field, GetCoreSchemaHandler, WrapValidator
 from pydantic_core import CoreSchema, core_schema
 
+from hardcontact.base.units import magnitude
 from hardcontact.config.faults import shortened
-from hardcontact.numbers.units import magnitude
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from hardcontact.base.printing import print_quantity
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
 from hardcontact.config.grids import (
@@ -27,7 +28,6 @@ from hardcontact.config.model import PAPER
 from hardcontact.config.variants import study_contact
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.numbers.printing import print_quantity
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Contact pixels of one indent, which are compared with each other.

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.units import magnitude
 from hardcontact.config.tables import Row, UserTable, found, number, user_table
-from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile

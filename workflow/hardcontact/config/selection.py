@@ -9,12 +9,12 @@ import pandas as pd
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
+from hardcontact.base.units import magnitude
 from hardcontact.config.faults import validated
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.model import Keys
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.tables import user_table
-from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.spectrum import is_calibrated
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.

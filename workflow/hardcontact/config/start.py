@@ -17,15 +17,15 @@ from typing import Any, NoReturn
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
+from hardcontact.base import published
+from hardcontact.base.code import LIBRARY, write_pins
+from hardcontact.base.origin import digests, refuse_changed
+from hardcontact.base.whole_file import refuse_future
 from hardcontact.config.configuration import refuse_repeated_keys
 from hardcontact.config.faults import refuse_all
 from hardcontact.config.model import configuration as numbers_of
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
-from hardcontact.records import published
-from hardcontact.records.code import LIBRARY, write_pins
-from hardcontact.records.origin import digests, refuse_changed
-from hardcontact.records.whole_file import refuse_future
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from hardcontact.base.units import printed, token
 from hardcontact.config.patterns import STUDY_VARIANT
 from hardcontact.config.selection import Selection
 from hardcontact.contact.contact import Contact
-from hardcontact.numbers.units import printed, token
 
 #: What rms slope and curvature of Table 1 are read as; the paper defines neither.
 TABLE1_DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}

@@ -10,9 +10,9 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from hardcontact.base.job import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
-from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
 

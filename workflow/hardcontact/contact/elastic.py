@@ -18,6 +18,7 @@ from scipy.optimize import minimize_scalar
 from SurfaceTopography import Topography
 from threadpoolctl import threadpool_limits
 
+from hardcontact.base.job import progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
     Bodies,
@@ -26,7 +27,6 @@ from hardcontact.contact.geometry import (
     window_pixels,
 )
 from hardcontact.contact.smooth_sphere import hertz_contact
-from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
 

@@ -11,11 +11,11 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
+from hardcontact.base.dataset import stack
+from hardcontact.base.job import progress
 from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, bodies
-from hardcontact.records.dataset import stack
-from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest in the height map of one contact.

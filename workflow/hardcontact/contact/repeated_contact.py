@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from hardcontact.base.statistics import student_interval
 from hardcontact.contact.bearing_area import (
     TILE,
     LowestGaps,
@@ -21,7 +22,6 @@ from hardcontact.contact.bearing_area import (
     lowest_gaps,
 )
 from hardcontact.contact.geometry import Bodies, window_pixels
-from hardcontact.numbers.statistics import student_interval
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface

@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.records.published import rows_met
+from hardcontact.base.published import rows_met
 from hardcontact.surfaces.height_map import DEFINITIONS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, Density, Floats, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan

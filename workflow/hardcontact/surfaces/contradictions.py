@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hardcontact.numbers.printing import print_length
+from hardcontact.base.printing import print_length
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION,
     bias_of_log,

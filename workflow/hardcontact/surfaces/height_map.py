@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from hardcontact.records import dataset
+from hardcontact.base import dataset
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography

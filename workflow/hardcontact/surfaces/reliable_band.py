@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.numbers.printing import print_length
+from hardcontact.base.printing import print_length
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.numbers.statistics import student_interval, with_interval
-from hardcontact.records.dataset import stack
-from hardcontact.records.origin import canonical
+from hardcontact.base.dataset import stack
+from hardcontact.base.origin import canonical
+from hardcontact.base.statistics import student_interval, with_interval
 from hardcontact.surfaces.height_map import METRICS, HeightMap, metrics, table1_variables
 from hardcontact.surfaces.spectrum import Floats, all_scales_moments, measured_psds, spectrum_from
 

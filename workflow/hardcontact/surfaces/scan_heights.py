@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.numbers.printing import print_length
+from hardcontact.base.printing import print_length
 from hardcontact.surfaces.limited_process import RefusedFile
 
 Floats = NDArray[np.float64]

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from hardcontact.records import dataset as labelled
+from hardcontact.base import dataset as labelled
 from hardcontact.surfaces.height_map import LEVELLING, HeightMap, flat_map, mirror_stitch
 from hardcontact.surfaces.limited_process import read_in_child
 

@@ -14,7 +14,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.records import dataset
+from hardcontact.base import dataset
 from hardcontact.surfaces.height_map import HeightMap, library_map
 
 if TYPE_CHECKING:

@@ -1,0 +1,31 @@
+"""Bands of plastic and rigid contact: each of the load and the range that it is named by."""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.band.enhancement import CONTACTS, bands_by_contact
+from hardcontact.base.statistics import Sampling
+
+CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
+
+
+def test_every_contact_has_the_edge_of_its_own_forces():
+    """Forces that grow in proportion to the cutoff reach 10 % at an edge that is put in."""
+    edges = xr.DataArray(
+        [[100.0, 50.0], [30.0, 25.0]], {"area": ("load", [400.0, 1.0]), "rho": [5.6, 1.0]},
+        ["load", "rho"],
+    )  # fmt: skip
+    cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, ["cutoff_wavelength"])
+    ratio = 1.1 ** (np.log(cutoff / 2) / np.log(edges / 2))  # ln F is linear in ln c from 2 nm on
+    forces = xr.Dataset(
+        {
+            "ratio": ratio.expand_dims(
+                surface=["a"], realization=[1, 2], side=["small"], radius=[1.0]
+            )
+        }
+    ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
+    bands = bands_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
+    found = bands["critical_wavelength"].sel(group="a", side="small")
+    assert bands["contact_model"].values.tolist() == CONTACTS
+    for model, expected in {"plastic": edges[0], "rigid": edges[1]}.items():
+        np.testing.assert_allclose(found.sel(contact_model=model), expected, rtol=1e-9)

@@ -1,0 +1,85 @@
+"""Forces at cutoffs: a wave counts until the cutoff passes its length, on either side."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from hardcontact.band.filtered_masters import Filters, forces_at_cutoffs
+from hardcontact.contact.all_surfaces import stacked_forces
+from hardcontact.surfaces.height_map import HeightMap
+
+#: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
+WAVELENGTH, AMPLITUDE = 80.0, 2.0
+CUTOFFS = [40.0, 60.0, 120.0, 240.0]
+
+
+def curves(side):
+    x = np.arange(64) * 10.0
+    wave = AMPLITUDE * np.cos(2 * np.pi * x / WAVELENGTH)
+    master = HeightMap(np.tile(wave, (64, 1)), 10.0, periodic=True, basis="substitute")
+    moments = (("moment",), [2, 4], {})
+    return forces_at_cutoffs(
+        master,
+        Filters(side, 64, CUTOFFS),
+        lambda surface: np.array([(surface.heights**power).mean() for power in (2, 4)]),
+        {"moment": moments},
+    )
+
+
+@pytest.mark.parametrize(
+    ("side", "kept", "end"), [("small", [1, 1, 0, 0], 20.0), ("large", [0, 0, 1, 1], 640.0)]
+)
+def test_a_wave_is_kept_on_its_side_of_the_cutoffs(side, kept, end):
+    found = curves(side)
+    force = found["pull_off_force"]
+    # The mean of cos² is 1/2, that of cos⁴ is 3/8.
+    whole = np.array([AMPLITUDE**2 / 2, 3 * AMPLITUDE**4 / 8])
+    assert force.dims == ("cutoff_wavelength", "moment") and force.attrs["units"] == "N"
+    np.testing.assert_allclose(force, np.outer(kept, whole), atol=1e-4)
+    np.testing.assert_allclose(found["unfiltered_pull_off_force"].values, whole, rtol=1e-6)
+    assert found["unfiltered_wavelength"].values == end
+    assert list(found["cutoff_wavelength"].values) == CUTOFFS
+
+
+def of_master(forces, whole, cutoffs, end):
+    """Forces (cutoff, load, contact, contact), the same at all contacts but for their spread."""
+    spread = np.array([[0.5, 1.5], [1.0, 1.0]])
+    return xr.Dataset(
+        {
+            "pull_off_force": (
+                ("cutoff_wavelength", "load", "contact_y", "contact_x"),
+                np.multiply.outer(forces, spread),
+            ),
+            "unfiltered_pull_off_force": (
+                ("load", "contact_y", "contact_x"),
+                np.multiply.outer(whole, spread),
+            ),
+            "unfiltered_wavelength": ((), end),
+        },
+        {"cutoff_wavelength": cutoffs, "load": ["light", "heavy"]},
+    )
+
+
+def test_ratios_of_masters_are_those_of_means_over_contacts_each_in_its_place():
+    masters = {
+        (surface, realization, side): of_master(
+            [[2.0, 9.0], [realization, 9.0]], [4.0, 1.0], cutoffs, end
+        )
+        for surface, count in (("a", 1), ("b", 2))
+        for realization in range(1, count + 1)
+        for side, cutoffs, end in (("small", [43.0, 20.0], 1.2), ("large", [500.0, 1e3], 2e4))
+    }
+    scales = stacked_forces(masters)
+    assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
+    missing = [np.nan, np.nan]
+    of_b = scales.ratio.sel(surface="b", load="light").transpose("side", "realization", ...)
+    np.testing.assert_array_equal(
+        of_b.sel(side="small"), [[0.25, 0.5, *missing], [0.5, 0.5, *missing]]
+    )
+    np.testing.assert_array_equal(
+        of_b.sel(side="large"), [[*missing, 0.5, 0.25], [*missing, 0.5, 0.5]]
+    )
+    np.testing.assert_array_equal(scales.ratio.sel(load="heavy").max(), 9.0)
+    assert scales.ratio.sel(surface="a", realization=2).isnull().all()
+    assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
+    assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]

@@ -1,0 +1,125 @@
+"""The tracer of code against small libraries, and against what Python itself loads."""
+
+import ast
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from repository import ROOT
+
+from hardcontact.base import code
+
+
+@pytest.fixture
+def library(tmp_path, monkeypatch):
+    """Give a function that writes a script, and modules of a library with two packages."""
+    top = tmp_path / "workflow"
+    for folder in ("hardcontact", "hardcontact/surfaces", "hardcontact/contact", "scripts"):
+        (top / folder).mkdir(parents=True)
+    for package in ("", "surfaces", "contact"):
+        (top / "hardcontact" / package / "__init__.py").touch()
+    monkeypatch.setattr(code, "LIBRARY", top / "hardcontact")
+    monkeypatch.setattr(code, "SCRIPTS", top / "scripts")
+    monkeypatch.chdir(tmp_path)
+    code.code_inputs.cache_clear()
+
+    def write(script, modules):
+        (top / "scripts/script.py").write_text(script)
+        for name, text in modules.items():
+            (top / "hardcontact" / f"{name}.py").write_text(text)
+
+    yield write
+    code.code_inputs.cache_clear()
+
+
+def traced(*modules):
+    """Return what a script uses, without the folder that all lies in, itself and the pins."""
+    *files, direct, transitive = code.code_inputs("script.py", *modules)
+    assert (direct, transitive) == ("results/environment.txt", "results/constraints.txt")
+    assert files == sorted(files)
+    files.remove("workflow/scripts/script.py")
+    return [file.removeprefix("workflow/hardcontact/").removesuffix(".py") for file in files]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "from hardcontact.surfaces import scans",
+        "from hardcontact.surfaces.scans import read as door",
+        "import os, hardcontact.surfaces.scans as door",
+        "def read():\n    from hardcontact.surfaces import scans",
+        "try:\n    import hardcontact.surfaces.scans\nexcept ImportError:\n    pass",
+    ],
+)
+def test_every_way_to_import_a_module_is_followed(library, text):
+    library(text, {"surfaces/scans": "read = None"})
+    assert traced() == ["__init__", "surfaces/__init__", "surfaces/scans"]
+
+
+def test_modules_that_modules_import_are_followed(library):
+    """Also a module that a rule names, and modules that import each other."""
+    library(
+        "from hardcontact.surfaces.scans import read",
+        {
+            "random": "",
+            "surfaces/scans": "from hardcontact.surfaces import spectrum",
+            "surfaces/spectrum": "from hardcontact.contact.hertz import radius",
+            "contact/__init__": "from hardcontact import random",
+            "contact/hertz": "import hardcontact.surfaces.scans",
+            "contact/named": "",
+            "contact/unused": "",
+        },
+    )
+    assert traced("hardcontact.contact.named") == [
+        "__init__", "contact/__init__", "contact/hertz", "contact/named", "random",
+        "surfaces/__init__", "surfaces/scans", "surfaces/spectrum",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "import numpy",
+        "import hardcontactless.surfaces.scans",
+        "import typing\nif typing.TYPE_CHECKING:\n    from hardcontact.surfaces import scans",
+    ],
+)
+def test_what_is_not_imported_from_the_library_is_left_out(library, text):
+    library(text, {"surfaces/scans": ""})
+    assert traced() == []
+
+
+def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "workflow").mkdir()
+    constraints = tmp_path / "workflow/constraints.txt"
+    constraints.write_text("attrs==25.1\n")
+    for text in ("numpy==2.0\n", "# arrays (BSD)\n\nnumpy==2.0  # and more\n"):
+        (tmp_path / "environment.txt").write_text(text)
+        code.write_pins()
+        assert [Path(path).read_text() for path in code.PINS] == ["numpy==2.0\n", "attrs==25.1\n"]
+    written = [Path(path).stat().st_mtime_ns for path in code.PINS]
+    constraints.write_text("attrs==25.2\n")
+    code.write_pins()
+    assert Path(code.PINS[1]).read_text() == "attrs==25.2\n"
+    assert Path(code.PINS[0]).stat().st_mtime_ns == written[0]
+
+
+@pytest.mark.parametrize("script", ["compute_pull_off.py", "infer.py", "prepare_scan.py"])
+def test_all_that_python_loads_for_a_script_is_traced(script, at_root):
+    tree = ast.parse((ROOT / "workflow/scripts" / script).read_text())
+    imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
+    program = ast.unparse(ast.Module(imports, [])) + (
+        "\nimport sys\nfor name, module in sys.modules.items():"
+        "\n    if name.split('.')[0] == 'hardcontact': print(module.__file__)"
+    )
+    loaded = subprocess.run(
+        [sys.executable, "-c", program],
+        env=os.environ | {"PYTHONPATH": str(ROOT / "workflow")},
+        stdout=subprocess.PIPE,
+        text=True,
+        check=True,
+    ).stdout.split()
+    assert {os.path.relpath(path) for path in loaded} <= set(code.code_inputs(script))

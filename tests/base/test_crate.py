@@ -1,0 +1,108 @@
+"""A study described for archives, and redrawn from what an archive keeps."""
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+import yaml
+from refusals import assert_says, refusal
+from repository import ROOT, copy_repository, run_snakemake, snakemake
+from rocrate.rocrate import ROCrate
+from scan_files import cut
+
+from hardcontact.base import crate
+from hardcontact.base.origin import digest, pinned_versions
+from hardcontact.report.figures.listing import FIGURES
+
+REDRAW = ("-s", "workflow/redraw.smk", "--forceall", "--config", "study=quick")
+REPORT = ("--report", "results/quick/report.html", "--report-after-run")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Make a folder of results with a table, a log and a hidden file, and its crate."""
+    folder = tmp_path / "results" / "small"
+    for name in ("claims.csv", "figures/fig1.csv", "logs/a.log", ".lock"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(name)
+    text = crate.describe(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
+    (folder / crate.NAME).write_text(text)
+    return folder
+
+
+def test_outputs_are_described_and_logs_are_not(folder):
+    files = [folder / "claims.csv", folder / "figures/fig1.csv"]
+    assert crate.described_files(folder) == {path.as_posix(): digest(path) for path in files}
+
+
+@pytest.mark.parametrize("content", ["", "[]", '{"@graph": [{"@type": "File"}]}'])
+def test_a_damaged_crate_is_refused(folder, content):
+    (folder / crate.NAME).write_text(content)
+    assert_says(
+        refusal(crate.described_files, folder), crate.NAME, "expected a whole RO-Crate, found: "
+    )
+
+
+# The quick study
+
+
+@pytest.mark.study
+def test_a_damaged_crate_is_named(finished_copy):
+    cut(finished_copy / "results/quick" / crate.NAME, 0.5)
+    run = run_snakemake(finished_copy, "verify")
+    assert run.returncode == 1
+    expected = f"error: results/quick/{crate.NAME}: expected a whole RO-Crate, found: "
+    assert expected in run.stdout and "Traceback" not in run.stdout
+
+
+@pytest.mark.study
+def test_the_crate_says_what_an_archive_asks(finished, monkeypatch):
+    monkeypatch.chdir(finished)
+    folder = Path("results/quick")
+    read = ROCrate(str(folder))
+    root = read.root_dataset
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    assert root["name"].startswith(citation["title"]) and root["license"]["name"] == "MIT"
+    assert root["author"][0]["name"] == citation["authors"][0]["name"]
+    assert root["citation"].id == "https://doi.org/10.1007/s11340-021-00733-6"
+    action = read.get("#study")
+    results = {folder / entity.id: entity["sha256"] for entity in action["result"]}
+    assert {path.suffix for path in results} >= {".nc", ".csv", ".pdf", ".png", ".html", ".yaml"}
+    assert {folder / "answer.html", folder / "answer.json"} <= results.keys()
+    assert all(digest(path) == value for path, value in results.items())
+    inputs = {entity["name"]: entity["sha256"] for entity in action["object"]}
+    assert "resources/spectra/uncd.csv" in inputs and "config/surfaces.tsv" in inputs
+    assert all(digest(path) == value for path, value in inputs.items())
+    required = action["instrument"]["softwareRequirements"]
+    versions = {package["name"]: package["version"] for package in required}
+    assert versions == pinned_versions(ROOT / "environment.txt")
+
+
+# Figures without the data
+
+
+@pytest.mark.study
+def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_path):
+    study = copy_repository(tmp_path / "downloaded")
+    results = study / "results/quick"
+    results.mkdir(parents=True)
+    for path in (finished / "results/quick").iterdir():
+        if path.is_file() and path.suffix in (".nc", ".csv", ".yaml"):
+            shutil.copyfile(path, results / path.name)
+    run = snakemake(study, *REDRAW, *REPORT, "--verbose")
+    assert run.returncode == 0, run.stdout[-3000:]
+    jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
+    assert jobs == {f"draw_{name}" for name in FIGURES} | {
+        "describe_study",
+        "answer_paper",
+        "answer_insight",
+    }
+    # Nothing is computed: no store, only the lists of packages.
+    made = {path.name for path in (study / "results").iterdir()}
+    assert made == {"quick", "environment.txt", "constraints.txt"}
+    drawn = finished / "results/quick"
+    for path in [*(drawn / "figures").glob("[!.]*"), *(drawn / "report").glob("*.html"),
+                 drawn / "answer.html", drawn / "answer.json", drawn / "insight.html"]:  # fmt: skip
+        assert (results / path.relative_to(drawn)).read_bytes() == path.read_bytes(), path
+    assert "fig6" in (results / "report.html").read_text()

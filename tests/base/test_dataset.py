@@ -1,0 +1,43 @@
+"""Labelled datasets: whole or not there, joined along new dimensions."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from refusals import assert_says, refusal
+from scan_files import cut, heights
+
+from hardcontact.base import dataset
+
+
+@pytest.mark.parametrize("file_format", ["NETCDF4", "NETCDF3_64BIT"])
+def test_what_is_written_is_read_back(tmp_path, file_format):
+    values = xr.Dataset({"heights": (("y", "x"), heights(8, 8))}, attrs={"title": "a"})
+    dataset.write(values, tmp_path / "a.nc", file_format)
+    xr.testing.assert_identical(dataset.read(tmp_path / "a.nc"), values)
+
+
+def test_equal_datasets_make_equal_files(tmp_path):
+    for name in ("a.nc", "b.nc"):
+        dataset.write(xr.Dataset({"texts": ("x", ["a", "ü"]), "n": ("x", [1, 2])}), tmp_path / name)
+    assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
+
+
+@pytest.mark.parametrize("content", [b"", b"CDF", b"no netCDF", 0.01, 0.5, 0.999, None])
+def test_what_is_no_whole_dataset_is_refused(tmp_path, content):
+    """Another file, a dataset that is cut to a share of its length, and no file."""
+    path = tmp_path / "a.nc"
+    if isinstance(content, float):
+        dataset.write(xr.Dataset({"heights": (("y", "x"), heights(64, 64))}), path)
+        cut(path, content)
+    elif content is not None:
+        path.write_bytes(content)
+    assert_says(refusal(dataset.read, path), "a.nc: expected a complete netCDF file, found: ")
+
+
+def test_parts_are_joined_in_the_order_of_their_keys_and_missing_ones_are_nan():
+    labels = [("uncd", 2), ("uncd", 1), ("mcd", 2)]
+    parts = {label: xr.Dataset({"force": ("contact", [*label[1:]])}) for label in labels}
+    joined = dataset.stack(parts, ("surface", "scan"))["force"]
+    assert joined.dims == ("surface", "scan", "contact")
+    assert joined["surface"].values.tolist() == ["uncd", "mcd"]
+    np.testing.assert_array_equal(joined.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])

@@ -1,0 +1,141 @@
+"""A job writes whole files that say what they were made from, and keeps its log."""
+
+import json
+import logging
+import os
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+import xarray as xr
+from refusals import assert_says
+from repository import ROOT, environment
+
+from hardcontact.base import dataset
+from hardcontact.base.job import job, job_log, progress
+from hardcontact.base.origin import canonical, digest, read_record
+
+PARAMETERS = {"surface": "uncd", "range": 5.6}
+
+
+class Named(list):
+    """A list with names for some of its entries, as Snakemake gives it."""
+
+    def __init__(self, **entries):
+        super().__init__()
+        for name, entry in entries.items():
+            setattr(self, name, entry)
+            self.extend(entry if isinstance(entry, list) else [entry])
+
+    def __getitem__(self, place):
+        return getattr(self, place) if isinstance(place, str) else super().__getitem__(place)
+
+
+@pytest.fixture
+def snakemake(tmp_path, monkeypatch):
+    """Return what a script is given: a scan, code, and two outputs."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("scan.txt", "script.py"):
+        (tmp_path / name).write_text(name)
+    return SimpleNamespace(
+        input=Named(scan="scan.txt", code=["script.py"]),
+        output=Named(data="made/data.nc", text="made/text.txt"),
+        params=SimpleNamespace(canonical=canonical(PARAMETERS)),
+        log=["a.log"],
+    )
+
+
+def test_a_dataset_is_written_with_its_origin(snakemake):
+    with job(snakemake) as this:
+        this.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data")
+    written = dataset.read("made/data.nc")
+    assert written.a.values.tolist() == [1.0] and written.attrs["basis"] == "measured"
+    assert written.attrs["title"] == "a title" and written.attrs["Conventions"].startswith("CF-")
+    assert json.loads(written.attrs["parameters"]) == PARAMETERS
+    assert json.loads(written.attrs["input_digests"]).keys() == {"scan.txt", "script.py"}
+    assert len(written.attrs["code_digest"]) == 64
+
+
+def test_every_file_has_a_record(snakemake, tmp_path):
+    with job(snakemake) as this:
+        this.write_text("µ\n", "text")
+        this.copy(this.input.scan, "data")
+    assert (tmp_path / "made/text.txt").read_bytes() == "µ\n".encode()
+    assert (tmp_path / "made/data.nc").read_text() == "scan.txt"
+    for path in snakemake.output:
+        record = read_record(path)
+        assert record["sha256"] == digest(path)
+        assert record["input_digests"].keys() == {"scan.txt", "script.py"}
+        assert json.loads(record["parameters"]) == PARAMETERS
+
+
+def test_an_input_that_was_changed_after_it_was_made_stops_the_job(
+    snakemake, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr(os, "_exit", sys.exit)
+    logger = logging.getLogger("hardcontact")
+    monkeypatch.setattr(logger, "handlers", [])
+    with job(snakemake) as this:
+        this.write_text("made", "text")
+    snakemake.input, snakemake.output = Named(text="made/text.txt"), Named(data="made/data.nc")
+    (tmp_path / "made/text.txt").write_text("madf")
+    with pytest.raises(SystemExit), job(snakemake):
+        pytest.fail("computed with a changed input")
+    for handler in logger.handlers:
+        handler.close()
+    assert_says(capsys.readouterr().err, "error: made/text.txt: expected", "run again")
+
+
+SCRIPT = """
+import atexit, types
+from hardcontact.base.job import job
+atexit.register(print, "taken down")
+snakemake = types.SimpleNamespace(
+    input=[], output=["made.txt"], params=types.SimpleNamespace(canonical="{}"),
+    log=["a.log"],
+)
+with job(snakemake) as this:
+    this.write_text("made")
+    print("printed", end="")
+"""
+
+
+def test_the_process_of_a_script_ends_with_its_job(tmp_path):
+    (tmp_path / "script.py").write_text(SCRIPT)
+    run = subprocess.run(
+        [sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert (run.returncode, run.stdout, run.stderr) == (0, "printed", "")
+    assert (tmp_path / "made.txt").read_text() == "made"
+
+
+@pytest.mark.parametrize(
+    ("block", "path", "code", "message"),
+    [
+        ("pass", "a.log", 0, ""),
+        ("raise ValueError('a\\n b')", "a.log", 1, "error: a b (see a.log)\n"),
+        ("raise KeyboardInterrupt", "a.log", 130, ""),
+        ("pass", "none/a.log", 1, "error: [Errno 2] No such file or directory: 'none/a.log'\n"),
+    ],
+)
+def test_an_error_is_one_line_that_names_the_log(tmp_path, block, path, code, message):
+    program = f"from hardcontact.base.job import job_log\nwith job_log({path!r}):\n    {block}\n"
+    run = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=tmp_path, env=environment(ROOT), capture_output=True, text=True,
+    )  # fmt: skip
+    assert (run.returncode, run.stdout) == (code, "")
+    assert run.stderr.replace(str(tmp_path) + "/", "") == message
+    if "ValueError" in block:
+        text = (tmp_path / "a.log").read_text()
+        assert "Traceback" in text and "ValueError: a\n b" in text
+
+
+@pytest.mark.parametrize(("total", "lines"), [(25, 10), (2, 2)])
+def test_progress_passes_steps_on_and_is_logged_about_ten_times(tmp_path, total, lines):
+    with job_log(tmp_path / "a.log"):
+        assert list(progress(range(total), total, "contacts")) == list(range(total))
+    logged = (tmp_path / "a.log").read_text().splitlines()
+    assert logged[-1].endswith(f"contacts: {total} of {total}") and len(logged) == lines
+    assert logging.getLogger("hardcontact").handlers == []

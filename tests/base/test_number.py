@@ -1,0 +1,19 @@
+"""The record of a number, and what JSON can say of it."""
+
+import json
+import math
+
+from hardcontact.base.number import Number, plain
+
+
+def test_what_is_not_known_is_none_in_json():
+    given = {"edges": [Number("short", 37.0, "nm", 30.0, math.inf), Number("long", math.nan, "nm")]}
+    short, long = json.loads(json.dumps(plain(given), allow_nan=False))["edges"]
+    assert list(short) == ["name", "value", "unit", "low", "high", "status", "source"]
+    assert (short["value"], short["low"], short["high"]) == (37.0, 30.0, None)
+    assert (short["status"], long["status"], long["value"]) == ("known", "not_known", None)
+    assert plain(Number("force", math.nan, status="open_above"))["status"] == "open_above"
+
+
+def test_what_is_no_number_stays():
+    assert plain([1, "a", True, None, 0.1, -math.inf]) == [1, "a", True, None, 0.1, None]

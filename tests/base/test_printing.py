@@ -1,0 +1,81 @@
+"""Numbers with units as they are printed: the fitting prefix, few digits, no exponents."""
+
+from math import inf, nan
+
+import pytest
+
+from hardcontact.base.printing import (
+    is_boundless,
+    print_as_paper,
+    print_formatted,
+    print_number,
+    print_quantity,
+)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "ends", "printed"),
+    [
+        (0.0, "nm", (nan, nan), "0 nm"),
+        (0.3, "nm", (nan, nan), "0.3 nm"),
+        (999.4, "nm", (nan, nan), "999 nm"),
+        (999.9, "nm", (nan, nan), "1 µm"),
+        (2.5e6, "nm", (nan, nan), "2.5 mm"),
+        (3e-13, "N", (nan, nan), "0.3 pN"),
+        (0.0463, "J m-2", (nan, nan), "46.3 mJ/m²"),
+        (900.0, "nm", (450.0, 1800.0), "900 [450, 1800] nm"),
+        (3.0, "nm", (nan, 3.0), "3 nm"),
+        (3.0, "nm", (3.0, inf), "3 nm"),
+        (3.0, "nm", (0.0, 5.0), "3 [0, 5] nm"),
+        (3.0, "nm", (0.0, inf), "3 nm [not bounded]"),
+        (1.5e-4, "N", (1.2e-7, 7.8e17), "150 µN [not bounded]"),
+    ],
+)
+def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, ends, printed):
+    assert print_quantity(value, unit, *ends) == printed
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "ends", "printed"),
+    [
+        (-2500.0, "nm", (nan, nan), "-2.5 µm"),
+        (0.06e-6, "N", (nan, nan), "0.06 µN"),
+        (0.0463, "J/m2", (nan, nan), "46.3 mJ/m²"),
+        (135e6, "Pa", (nan, nan), "135 MPa"),
+        (0.0479, "nm-1", (nan, nan), "0.0479 nm⁻¹"),
+        (1234.5, "1", (nan, nan), "1230"),
+        (3.0, "furlong", (nan, nan), "3 furlong"),
+        (nan, "nm", (nan, nan), ""),
+        (1664.0, "nm", (876.0, 2841.0), "1.66 [0.876, 2.84] µm"),
+        (0.18, "1", (0.15, 0.29), "0.18 [0.15, 0.29]"),
+        (1.5, "nm", (1.0, nan), "1.5 nm"),
+    ],
+)
+def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
+    assert print_as_paper(value, unit, ends) == printed
+
+
+def test_digits_are_as_asked_and_without_exponent():
+    assert print_as_paper(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"
+    assert print_formatted({"value": 0.0561, "low": 0.045, "high": 0.0684}, ".2g") == (
+        "0.056 [0.045, 0.068]"
+    )
+    assert print_formatted({"value": 1.8, "low": nan, "high": nan}, ".2f") == "1.80"
+    assert [print_number(length) for length in (99594.5, 0.1953)] == ["99600", "0.195"]
+
+
+@pytest.mark.parametrize(
+    ("value", "low", "high", "unit", "boundless"),
+    [
+        (5.9, 2.2, 350, "1", False),
+        (5.9, -4e3, 4e3, "1", True),
+        (5.9, 0.01, 7, "1", True),
+        # A number near zero is bounded by an interval that is narrow beside one, a length is not.
+        (0.005, -0.6, 0.6, "1", False),
+        (5.0, -1e3, 1e3, "nm", True),
+    ],
+)
+def test_an_interval_that_reaches_far_beyond_its_number_bounds_nothing(
+    value, low, high, unit, boundless
+):
+    assert is_boundless(value, low, high, unit) == boundless

@@ -1,0 +1,140 @@
+"""What a file was made from: traced to its sources, compared with what is at hand."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from repository import run_snakemake
+
+from hardcontact.base import crate, dataset, provenance
+from hardcontact.base.origin import Origin, digest, digests, keep_records
+
+# A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
+
+
+def make(path, inputs):
+    """Make a file from others; what it holds does not matter."""
+    Path(path).parent.mkdir(exist_ok=True)
+    Path(path).write_text(path)
+    keep_records([path], Origin("{}", digests(inputs), []))
+
+
+@pytest.fixture
+def study(tmp_path, monkeypatch):
+    """Work in a folder with the small study."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "source.txt").write_text("source")
+    (tmp_path / "code.py").write_text("code")
+    make("store/a.nc", ["source.txt", "code.py"])
+    make("store/of_another_study.nc", ["source.txt"])
+    make("results/final.nc", ["store/a.nc", "code.py"])
+    make("results/table.csv", ["results/final.nc"])
+    return tmp_path
+
+
+def test_files_are_traced_to_their_sources(study):
+    traced = provenance.traced_records("results")
+    assert traced.keys() == {"results/final.nc", "results/table.csv", "store/a.nc"}
+    assert provenance.sources(traced) == {
+        "code.py": digest("code.py"),
+        "source.txt": digest("source.txt"),
+    }
+
+
+def test_a_study_as_it_was_made_has_no_faults(study):
+    counts = "results: 3 files checked, 0 faults, 0 inputs not at hand"
+    assert provenance.check("results", {}) == ([], counts)
+
+
+@pytest.mark.parametrize(
+    ("path", "changed", "made"),
+    [
+        ("source.txt", [], ["store/a.nc"]),
+        ("code.py", [], ["results/final.nc", "store/a.nc"]),
+        ("results/final.nc", ["results/final.nc"], ["results/table.csv"]),
+        ("results/table.csv", ["results/table.csv"], []),
+    ],
+)
+def test_another_file_is_a_fault_of_what_was_made_from_it(study, path, changed, made):
+    (study / path).write_text("other")
+    expected = {f"{output}: does not match its input {path}" for output in made}
+    expected |= {f"{output}: is not the file that the study wrote" for output in changed}
+    assert set(provenance.check("results", {})[0]) == expected
+
+
+def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
+    (study / "store/a.nc").unlink()
+    (study / "results/table.csv").unlink()
+    faults, counts = provenance.check("results", {})
+    assert counts == "results: 3 files checked, 1 faults, 1 inputs not at hand"
+    assert faults == ["results/table.csv: expected a file of the study, found none"]
+
+
+def test_the_crate_says_what_a_file_without_a_record_was(study):
+    (study / "results/page.html").write_text("page")
+    faults, _ = provenance.check("results", {"results/page.html": "0" * 64})
+    assert faults == ["results/page.html: is not the file that the study wrote"]
+
+
+# The quick study
+
+
+@pytest.mark.study
+def test_a_finished_study_has_no_faults(finished):
+    run = run_snakemake(finished, "verify")
+    assert run.returncode == 0, run.stdout
+    checked, faults, absent = map(
+        int, re.search(r"(\d+) files checked, (\d+) faults, (\d+) inputs not", run.stdout).groups()
+    )
+    made = len(list((finished / "results/store-quick").rglob("*.nc")))
+    assert faults == absent == 0 and checked > made  # all of the store, and the results
+
+
+FINAL, STITCHED = "results/quick", "results/store-quick/stitched/ncd/study/scan-2-flat.nc"
+#: Files that are changed, and what was made from each.
+CHANGED = {
+    f"{FINAL}/adhesion.nc": [f"{FINAL}/inference.nc", f"{FINAL}/claims.csv"],
+    f"{FINAL}/band.nc": [f"{FINAL}/figures/fig6.csv"],
+    f"{FINAL}/figures/fig6.csv": [],
+    STITCHED: [f"{FINAL}/indent.nc"],
+    "resources/paper/table1.csv": [f"{FINAL}/answer.html"],
+    "workflow/hardcontact/contact/indents.py": [f"{FINAL}/indent.nc"],
+}
+
+
+@pytest.mark.study
+def test_changed_and_missing_files_are_named_by_all_that_was_made_from_them(finished_copy):
+    for path in CHANGED:
+        if path.endswith(".nc"):
+            other = dataset.read(finished_copy / path).assign_attrs(comment="another")
+            dataset.write(other, finished_copy / path)
+        else:
+            with open(finished_copy / path, "a") as file:
+                file.write("\n")
+    (finished_copy / FINAL / "figures/fig1.png").unlink()
+    run = run_snakemake(finished_copy, "verify")
+    assert run.returncode == 1 and "Traceback" not in run.stdout
+    assert f"{FINAL}/figures/fig1.png: expected a file of the study, found none" in run.stdout
+    for path, made in CHANGED.items():
+        if path.startswith("results/"):
+            assert f"{path}: is not the file that the study wrote" in run.stdout
+        for output in made:
+            faults = re.findall(rf"^{output}: does not match its input (.*)$", run.stdout, re.M)
+            assert [path in fault.split(", ") for fault in faults] == [True], (output, path)
+
+
+@pytest.mark.study
+def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch):
+    monkeypatch.chdir(finished)
+    records = provenance.traced_records("results/quick")
+    described = crate.described_files("results/quick")
+    of_study = {path for path in records if path.startswith("results/quick/")}
+    assert described.keys() == of_study - {f"results/quick/{crate.NAME}"}
+    for path, record in records.items():
+        inputs = record["input_digests"]
+        assert inputs and all(digest(name) == value for name, value in inputs.items())
+        assert json.loads(record["versions"])["numpy"]
+        assert len(record["code_digest"]) == 64
+        json.loads(record["parameters"])
+        assert "results/environment.txt" in inputs, path

@@ -1,0 +1,56 @@
+"""Quantities of the configuration: a number and a unit, and nothing else."""
+
+import pytest
+
+from hardcontact.base import units
+
+
+@pytest.mark.parametrize(
+    "text, unit, value",
+    [
+        ("10 uN", "N", 1e-5),
+        ("10 µN", "N", 1e-5),
+        ("25GPa", "Pa", 25e9),
+        ("1 Å", "nm", 0.1),
+        ("1 bar", "Pa", 1e5),
+        ("72 erg/cm2", "J/m2", 0.072),
+        ("-3 nm", "nm", -3),
+        ("46.3 mJ/m^2", "J/m2", 0.0463),
+        ("46.3 mJ/m²", "J/m2", 0.0463),
+        ("50 mN/m", "J/m2", 0.05),
+    ],
+)
+def test_magnitude(text, unit, value):
+    assert units.magnitude(text, unit) == value
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["10", "nm", "", "ten nm", "10 N", "nan nm", "inf nm", "9**9**9 nm", "1e999 nm", "2*3 nm",
+     "10 foo", "10 Nm", "10 nm2", "10 mmm", "١ nm", 10, None, ["1 nm"], "__import__('os') nm"],
+)  # fmt: skip
+def test_what_is_no_length_is_refused_in_one_line(text):
+    with pytest.raises(
+        ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
+    ) as refused:
+        units.magnitude(text, "nm")
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "expected"),
+    [
+        (250e3, "nm", "250 µm"),
+        (0.35, "nm", "350 pm"),
+        (1e-5, "N", "10 µN"),
+        (25e9, "Pa", "25 GPa"),
+        (0.0463, "J/m2", "46.3 mJ/m²"),
+    ],
+)
+def test_quantities_are_printed_with_the_fitting_prefix(value, unit, expected):
+    assert units.printed(value, unit) == expected
+
+
+def test_token_is_the_same_for_equal_quantities():
+    assert units.token(units.magnitude("0.01 mN", "N"), "uN") == units.token(1e-5, "uN") == "10uN"
+    assert units.token(5.6, "nm") == "5.6nm"

@@ -1,0 +1,53 @@
+"""Files are whole or not there."""
+
+import os
+import time
+from pathlib import Path
+
+import pytest
+from refusals import assert_says, refusal
+
+from hardcontact.base.whole_file import PART, refuse_future, whole_file
+
+
+def test_a_file_appears_when_the_block_has_ended(tmp_path):
+    path = tmp_path / "made" / "a.txt"
+    with whole_file(path) as temporary:
+        Path(temporary).write_text("whole")
+        assert not path.exists() and Path(temporary).suffix == ".txt"
+    assert path.read_text() == "whole"
+    assert [entry.name for entry in path.parent.iterdir()] == ["a.txt"]
+
+
+def test_a_failing_write_leaves_what_was_there(tmp_path):
+    (tmp_path / "old.nc").write_text("whole")
+    (tmp_path / f"{PART}old.nc").write_text("half of an earlier file, of a killed process")
+    for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
+        with pytest.raises(RuntimeError), whole_file(target) as temporary:
+            Path(temporary).write_text("half")
+            raise RuntimeError
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
+
+
+def test_what_the_system_refuses_is_said_in_one_line(tmp_path):
+    (tmp_path / "file").touch()
+    path = tmp_path / "file" / "a.nc"  # a folder cannot be made where a file is
+    with pytest.raises(ValueError) as caught, whole_file(path):
+        pass
+    message = str(caught.value)
+    assert_says(
+        message, f"{path}: expected a file to be written, found:", "MB of the disk are free"
+    )
+    assert len(message.splitlines()) == 1
+
+
+def test_files_of_the_future_are_refused_all_at_once(tmp_path):
+    for name, age in (("new.nc", 0), ("old.nc", 9e8), ("a/wrong.nc", -9e6), ("wrong.nc", -9e6)):
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        path.touch()
+        os.utime(path, (time.time() - age,) * 2)
+    lines = refusal(refuse_future, tmp_path).splitlines()
+    assert [line.partition(": ")[0] for line in lines] == [
+        str(tmp_path / name) for name in ("a/wrong.nc", "wrong.nc")
+    ]

@@ -1,0 +1,45 @@
+"""The datasets of all surfaces: every number in its place, missing ones missing."""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.contact import all_surfaces
+
+DESCRIBED = {"labels": {"a": "A", "b": "B"}, "basis": {"a": "measured", "b": "substitute"}}
+CONTACTS = ("contact_y", "contact_x")
+
+
+def of_pair(value, pixels):
+    """Forces of one pair, whose contacts lie at positions of its own."""
+    return xr.Dataset(
+        {
+            "pull_off_force": (CONTACTS, np.full((2, 2), value)),
+            "contact_pixels": ("contact_model", [1, pixels], {"units": "1"}),
+        },
+        {axis: (axis, [1.5 * pixels, 2.5 * pixels]) for axis in CONTACTS},
+        {"work_of_adhesion": 1.0},
+    )
+
+
+def test_pull_off_forces_of_pairs():
+    keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
+    pairs = {key: of_pair(float(k), 10 + k) for k, key in enumerate(keys)}
+    changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
+    scans = {
+        scan: all_surfaces.over_sphere_scans(
+            {key[2]: pair for key, pair in pairs.items() if key[:2] == scan}
+        ).assign(window_change=((), change, {"units": "1"}))
+        for scan, change in changes.items()
+    }
+    forces = all_surfaces.stacked_pull_off_forces(scans, DESCRIBED)
+    for k, (surface, scan, sphere_scan) in enumerate(keys):
+        place = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
+        np.testing.assert_array_equal(forces.pull_off_force.sel(place), k)
+    assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
+    assert forces.contact_x.values.tolist() == [0, 1]
+    assert forces.contact_pixels.values.tolist() == [1, 13]
+    assert forces.window_change.dims == ("surface", "scan")
+    np.testing.assert_array_equal(forces.window_change, [[0.1, np.nan], [0.2, 0.3]])
+    assert forces.label.values.tolist() == ["A", "B"]
+    assert forces.basis.values.tolist() == ["measured", "substitute"]
+    assert forces.attrs["work_of_adhesion"] == 1.0

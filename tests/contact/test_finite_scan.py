@@ -1,0 +1,80 @@
+"""Forces on mirrored windows of synthetic surfaces, against the surfaces they are cut out of."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.finite_scan import (
+    LARGE_ENOUGH,
+    RATIOS,
+    finite_scan_ratio,
+    with_sizes,
+)
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.surfaces.height_map import level, mirror_stitch
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
+from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.theory.summits import banded, draw_size, moment
+
+RADIUS, PIXEL = 250e3, 10e3 / 256
+
+
+def mean_force(surface):
+    contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=10e3, count=4)
+    pair = bodies(surface, None, contact)
+    return pull_off_of_pair(pair, contact, [5.6])["pull_off_force"].values[1].mean()
+
+
+def force_ratio(rms_height, pixels):
+    """Mean force on windows over that on the surfaces of 10 µm they are cut out of."""
+    large, small = [], []
+    for draw in range(20):
+        surface = random_surface(
+            generator(5, draw), 256, PIXEL, lambda q: smooth_rolloff(q, 1.0, 930.0, 0.84)
+        )
+        factor = rms_height / surface.heights.std()
+        surface = replace(surface, heights=factor * surface.heights)
+        large.append(mean_force(surface))
+        small.append(mean_force(mirror_stitch(level(substitute_scan(surface, pixels)))))
+    return np.mean(small) / np.mean(large)
+
+
+@pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
+def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
+    spectrum = Spectrum(WAVEVECTORS, smooth_rolloff(WAVEVECTORS, 1.0, 930.0, 0.84))
+    known = banded(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
+    scaled = Spectrum(known.wavevector, known.density * rms_height**2 / moment(known, 0))
+    least, greatest = finite_scan_ratio(pixels * PIXEL, draw_size(scaled, RADIUS, 400.0))
+    # Twenty windows, whose forces scatter by a factor of two about their mean.
+    assert 0.75 * least < force_ratio(rms_height, pixels) < 1.25 * greatest
+
+
+def test_a_large_scan_is_large_enough():
+    assert finite_scan_ratio(LARGE_ENOUGH * 3e3, 3e3) == finite_scan_ratio(100.0, 0) == (1, 1)
+    assert finite_scan_ratio(0.9 * LARGE_ENOUGH * 3e3, 3e3) == RATIOS[LARGE_ENOUGH]
+
+
+def test_a_window_holds_what_a_sum_over_its_pixels_finds():
+    rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
+    contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
+    sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
+    found = with_sizes(
+        xr.Dataset(coords={"rho": rhos, "surface": ["a"]}),
+        xr.Dataset(sizes, {"surface": ["a"]}),
+        contact,
+        {"a": 3000.0},
+    )
+    np.testing.assert_array_equal(found.finite_scan_ratio, [RATIOS[0.5]])
+    assert (found.pixel_area.item(), found.attrs["contact_area"]) == (100.0, contact.area)
+    place = (np.arange(-40e3, 40e3, 20) + 10) ** 2
+    inside = np.abs(place) < (window / 2) ** 2
+    for rho, share in zip(rhos, found.window_share.values, strict=True):
+        weight = np.exp(-place / (2 * RADIUS * rho))
+        assert share == pytest.approx((weight[inside].sum() / weight.sum()) ** 2, rel=1e-3)
+    assert found.window_share[0] > 0.99 > 0.2 > found.window_share[-1]

@@ -1,0 +1,77 @@
+"""Mean forces over scans, their samples, and forces between the ranges computed."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from known_forces import RHOS, power_curves, power_forces
+from repository import PAPER
+
+from hardcontact.base.statistics import Sampling, percentile_interval, student_log_interval
+from hardcontact.contact import force_curves
+
+
+def test_means_are_sampled_by_scans_that_know_their_contacts():
+    forces = power_forces(spread=0.3, scans=5)
+    means, sampled = force_curves.mean_forces(forces, Sampling(0, 20000, 0.95))
+    scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(means, scans.mean("scan"))
+    computed = percentile_interval(sampled, 0.95)
+    expected = student_log_interval(scans, 0.95, "scan").transpose("surface", "rho", "bound")
+    np.testing.assert_allclose(computed, expected, rtol=0.02)
+
+
+def test_missing_scans_do_not_count():
+    forces = power_forces(spread=0.3, scans=5)
+    missing = forces.copy()
+    missing[0, 3:] = np.nan
+    means, sampled = force_curves.mean_forces(missing, Sampling(0, 10, 0.95))
+    expected = forces.isel(surface=[0], scan=slice(3))
+    known, of_known = force_curves.mean_forces(expected, Sampling(0, 10, 0.95))
+    np.testing.assert_allclose(means[0], known[0])
+    np.testing.assert_allclose(sampled[:, 0], of_known[:, 0])
+
+
+def test_contact_models_share_the_random_numbers_and_surfaces_do_not():
+    forces = power_forces(spread=0.3)
+    _, sampled = force_curves.mean_forces(forces, Sampling(0, 20, 0.95))
+    _, doubled = force_curves.mean_forces(2 * forces[1:], Sampling(0, 20, 0.95))
+    np.testing.assert_allclose(doubled, 2 * sampled[:, 1:])
+    assert abs(np.corrcoef(np.log(sampled[:, :2, 0]).T)[0, 1]) < 0.9
+
+
+def test_power_laws_are_followed_between_the_ranges_computed():
+    forces = power_forces(rho=4.0, work=0.05)
+    at_four = force_curves.at_range(forces, 4.0)
+    np.testing.assert_allclose(
+        at_four.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0) * 0.05,
+        power_curves(4.0, 1.0)[:, 4] * (4 / 5) ** np.array([2, 1.3, 0.7, 0.4]),
+    )
+    assert force_curves.at_range(forces, 0.49).isnull().all()
+    fine = np.geomspace(0.5, 10, 33)
+    expected = power_curves()[:, :1] * (fine / 0.5) ** np.array([2, 1.3, 0.7, 0.4])[:, None]
+    np.testing.assert_allclose(force_curves.on_fine_grid(power_curves(), RHOS, fine), expected)
+    two = force_curves.on_fine_grid(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
+    np.testing.assert_allclose(
+        two[:, 0], power_curves()[:, 0] * 1.4 ** np.array([2, 1.3, 0.7, 0.4])
+    )
+
+
+def sphere_on_steps(rhos):
+    """Force (rho) of a smooth sphere on pixels at a few heights: it rises at both ends of rho."""
+    gaps = np.array([0.0, 0.05, 0.3, 2.0, 9.0, 40.0, 90.0])
+    pixels = np.array([17, 40, 90, 600, 8e3, 9e4, 2e5])
+    return (pixels * np.exp(-gaps / np.asarray(rhos)[:, None])).sum(axis=1) / rhos
+
+
+def test_the_study_s_ranges_are_close_enough_to_interpolate_between():
+    """Against the sum itself, between all ranges and up to both ends of the sweep."""
+    ranges = np.array([float(rho.removesuffix(" nm")) for rho in PAPER["adhesion"]["ranges"]])
+    assert (ranges[0], ranges[-1]) == (0.05, 40.0) and 5.6 in ranges
+    fine = np.geomspace(ranges[0], ranges[-1], 801)
+    computed = force_curves.on_fine_grid(sphere_on_steps(ranges), ranges, fine)
+    np.testing.assert_allclose(computed, sphere_on_steps(fine), rtol=0.02)
+    assert computed[[0, -1]] == pytest.approx(sphere_on_steps(ranges)[[0, -1]])
+    forces = xr.DataArray(sphere_on_steps(ranges), {"rho": ranges}, "rho")
+    for rho in (0.05, 0.07, 5.6, 13.3, 39.0, 40.0):
+        expected = sphere_on_steps(np.array([rho]))[0]
+        assert float(force_curves.at_range(forces, rho)) == pytest.approx(expected, rel=0.02)

@@ -1,0 +1,121 @@
+"""The force sum: against the direct sum over every pixel pair, and against closed forms."""
+
+import numpy as np
+import pytest
+from direct_sum import direct_total, plastic_totals
+from periodic_maps import RADIUS, over, periodic_noise
+from scipy.special import ive
+
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.geometry import gap_map
+from hardcontact.contact.pull_off import opened_total, pull_off_force
+from hardcontact.contact.sphere_sums import outside_sums
+
+CASES = [
+    # pixels, pixel size, rms, roughness pixels, window: tiles that fit and tiles that do not
+    (128, 40.0, 20.0, 128, 320),
+    (100, 50.0, 3.0, 100, 250),
+    (96, 50.0, 60.0, 70, 200),
+    (256, 20.0, 10.0, 256, 200),
+]
+
+
+def bodies_of(case, seed, rough=True):
+    pixels, pixel_size, rms, period, window = case
+    roughness = periodic_noise(period, 0.7, seed + 1) if rough else None
+    return over(periodic_noise(pixels, rms, seed), roughness, pixel_size, window, 3)
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("contact_pixels", [1, 17])
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
+    bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
+    contacts = all_lowest_gaps(bodies, contact_pixels)
+    outside = outside_sums(bodies, contacts, rhos)
+    for place, (gaps, _) in contacts.items():
+        gap = gap_map(bodies, place)
+        for sums, rho in zip(outside, rhos, strict=True):
+            for count in {1, contact_pixels}:
+                assert opened_total(sums[place], gaps, count, rho) == pytest.approx(
+                    direct_total(gap, count, rho), rel=1e-9
+                )
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_keeps_its_digits_where_little_is_outside(case, rough):
+    # At a small range what the contact pixels leave is many orders below them.
+    bodies, rho = bodies_of(case, 3, rough), 0.1
+    contacts = all_lowest_gaps(bodies, 17)
+    (outside,) = outside_sums(bodies, contacts, [rho])
+    for place in contacts:
+        ordered = np.sort(gap_map(bodies, place), axis=None)
+        expected = np.exp((ordered[16] - ordered[17:]) / rho).sum()
+        assert outside[place] == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
+    bodies, rhos = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
+    contacts = all_lowest_gaps(bodies, 17)
+    for rho, sums in zip(rhos, outside_sums(bodies, contacts, rhos), strict=True):
+        np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("rough", [False, True])
+def test_several_loads_at_once_are_each_load_alone(case, rough):
+    bodies, rho, loads = bodies_of(case, 12, rough), 5.6, [9, 1, 40]
+    totals = plastic_totals(bodies, loads, rho)
+    assert totals.shape == (3, 3, 3)
+    for contact_pixels, of_load in zip(loads, totals, strict=True):
+        for place, total in np.ndenumerate(of_load):
+            expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
+            assert total == pytest.approx(expected, rel=1e-9)
+
+
+def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin():
+    # 2 pi R W, 72.7 µN at the paper's work of adhesion, whatever the range.
+    work, pixel_size = 46.3e-3, 50.0
+    for rho, window in ((2.0, 300), (5.6, 400)):
+        flat = over(np.zeros((250, 250)), None, pixel_size, window, 1)
+        (total,) = plastic_totals(flat, [1], rho)
+        force = pull_off_force(total, rho, pixel_size, work).item()
+        assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
+        assert force == pytest.approx(72.7e-6, rel=1e-3)
+
+
+def mean_attraction(heights, rho, rough):
+    """Mean of exp((h - h_max)/rho) over one period, from the sum over a sphere of huge radius.
+
+    In one period the sphere leaves the plane by 1e-13 nm: its own factor is 1.
+    """
+    pixels = len(heights)
+    roughness = np.zeros_like(heights) if rough else None
+    bodies = over(heights, roughness, 1.0, pixels, 1, radius=1e18)
+    (total,) = plastic_totals(bodies, [1], rho)
+    return total.item() / pixels**2
+
+
+@pytest.mark.parametrize("rough", [False, True])
+@pytest.mark.parametrize("amplitude", [1.0, 20.0])
+@pytest.mark.parametrize("rho", [0.5, 5.6])
+def test_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
+    # The mean of exp(a cos x/rho) is I0(a/rho); taken from the crest, times exp(-a/rho).
+    phase = 2 * np.pi * np.arange(256) / 256
+    heights = amplitude * np.cos(phase) + np.zeros((256, 1))
+    mean = mean_attraction(heights, rho, rough)
+    assert mean == pytest.approx(ive(0, amplitude / rho), rel=1e-9)
+
+
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
+    # The mean of exp(h/rho) is exp(sigma²/2rho²). Of n independent heights its relative standard
+    # error is sqrt(exp(sigma²/rho²) - 1)/sqrt(n).
+    sigma, pixels = 3.0, 512
+    heights = np.random.default_rng(11).normal(0, sigma, (pixels, pixels))
+    for rho in (2.0, 5.6, 10.0):
+        mean = mean_attraction(heights, rho, rough) * np.exp(heights.max() / rho)
+        error = np.sqrt(np.expm1(sigma**2 / rho**2)) / pixels
+        assert mean * np.exp(-(sigma**2) / (2 * rho**2)) == pytest.approx(1, abs=4 * error)

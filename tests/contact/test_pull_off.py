@@ -1,0 +1,125 @@
+"""Pull-off of pairs of scans and of filtered masters against the direct sum over every pixel."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from direct_sum import direct_total
+from periodic_maps import RADIUS, height_map, over, periodic_noise
+
+from hardcontact.band.filtered_masters import Filters, filtered_pull_off
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies, gap_map
+from hardcontact.contact.pull_off import (
+    finer_pixel_change,
+    mean_pull_off_of_pair,
+    pull_off_of_pair,
+    window_change,
+)
+from hardcontact.contact.traced_contact import traced_contact
+from hardcontact.surfaces.filters import filtered_series
+
+LOAD = Contact(
+    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, range=5.6, work=46.3e-3
+)
+LOADS = [LOAD, replace(LOAD, preload=40e-6)]
+RHOS = [1.0, 5.6]
+
+
+def pair(seed=1):
+    return over(periodic_noise(128, 20.0, seed), periodic_noise(128, 0.5, seed + 1), 8.0, 320, 3)
+
+
+def direct_force(gap, contact_pixels, rho, pixel_size, work=1.0):
+    """Eq. 3 in SI units."""
+    pressure = work / (rho * 1e-9)
+    return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixels, rho)
+
+
+def test_pull_off_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
+    arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
+    forces = arrays["pull_off_force"].values
+    approaches = arrays["closest_approach"].values
+    count = LOAD.pixels(8.0)
+    assert forces.shape == (2, 2, 3, 3) and count == 7
+    assert arrays["contact_pixels"].values.tolist() == [1, count]
+    for place in np.ndindex(3, 3):
+        gap = gap_map(bodies_of_pair, place)
+        for model, contact_pixels in enumerate((1, count)):
+            ordered = np.sort(gap, axis=None)
+            assert approaches[model][place] == pytest.approx(ordered[contact_pixels - 1], abs=1e-9)
+            for k, rho in enumerate(RHOS):
+                expected = direct_force(gap, contact_pixels, rho, 8.0)
+                assert forces[model, k][place] == pytest.approx(expected, rel=1e-9)
+
+
+def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts_at_each_load():
+    means = mean_pull_off_of_pair(pair(), LOADS, RHOS)["pull_off_force"].values
+    for load, of_load in zip(LOADS, means, strict=True):
+        forces = pull_off_of_pair(pair(), load, RHOS)["pull_off_force"].values
+        np.testing.assert_allclose(of_load, forces[1].mean(axis=(1, 2)), rtol=1e-12)
+
+
+def test_window_change_is_that_of_the_direct_sum():
+    pairs = [pair(seed) for seed in (1, 3)]
+    count, rho, changes = LOAD.pixels(8.0), 5.6, []
+    for one in pairs:
+        wider = replace(one, geometry=replace(one.geometry, window=320 + 2 * 128))
+        for place in np.ndindex(3, 3):
+            narrow, wide = (
+                direct_total(gap_map(bodies_of_pair, place), count, rho)
+                for bodies_of_pair in (one, wider)
+            )
+            changes.append(abs(wide / narrow - 1))
+    arrays = window_change(iter(pairs), LOAD)
+    assert arrays["window_change"].values == pytest.approx(max(changes), rel=1e-6)
+
+
+@pytest.mark.parametrize(("pixels", "expected"), [(1, 1 / 4), (4, 1), (40, 1)])
+def test_at_a_small_range_finer_pixels_change_the_area_in_contact_alone(pixels, expected):
+    """One pixel of any size touches at least; a larger area is the same on all pixels."""
+    load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
+    change = finer_pixel_change(pair(), load)["finer_pixel_change"]
+    assert change == pytest.approx(expected, rel=0.05)
+
+
+SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
+
+
+@pytest.mark.parametrize("sphere", SPHERES)
+@pytest.mark.parametrize("side, end", [("small", 12.8), ("large", 1024.0)])
+def test_filtered_pull_off_is_the_direct_sum_over_every_filtered_master(sphere, side, end):
+    master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
+    found = filtered_pull_off(
+        master,
+        Filters(side, 160, cutoffs),
+        LOADS,
+        sphere,
+    )
+    assert found["unfiltered_wavelength"].item() == pytest.approx(end)
+    found = found.isel(radius=0, rho=0)
+    of_cutoffs = [found["unfiltered_pull_off_force"], *found["pull_off_force"]]
+    for cutoff, forces in zip([None, *cutoffs], of_cutoffs, strict=True):
+        (surface,) = filtered_series(master, side, [cutoff], 160)
+        under = bodies(surface, sphere, LOAD)
+        pixel_size = under.geometry.pixel_size
+        for load in LOADS:
+            count = load.pixels(pixel_size)
+            for place in np.ndindex(3, 3):
+                expected = direct_force(gap_map(under, place), count, 5.6, pixel_size)
+                force = forces.sel(load=load.load).values[place]
+                assert force == pytest.approx(expected, rel=1e-9)
+
+
+def test_traced_contact_is_one_of_the_pair():
+    traced = traced_contact(pair(), (1, 2), LOAD)
+    arrays = pull_off_of_pair(pair(), LOAD, [5.6])
+    force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
+    assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
+    gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))
+    assert gap.shape == pressure.shape == (320, 320)
+    assert np.count_nonzero(gap <= 0) == 7
+    # Where pixels touch the pressure is the largest there is, W/rho; it adds up to the force.
+    assert pressure.max() == pytest.approx(46.3e-3 / 5.6e-9)
+    assert pressure.sum(dtype=float) * 64e-18 == pytest.approx(force, rel=1e-5)
+    assert traced["force"].values[0] == -traced.attrs["pull_off_force"]

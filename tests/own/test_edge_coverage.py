@@ -1,0 +1,149 @@
+"""How often intervals from one scan hold the edges of the mean over many surfaces of a spectrum."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from hardcontact.band.filtered_masters import Filters, filtered_pull_off
+from hardcontact.base.random import generator
+from hardcontact.contact.all_surfaces import stacked_forces, with_spectrum_shifts
+from hardcontact.contact.contact import Contact
+from hardcontact.own.master_forces import Masters
+from hardcontact.own.open_edges import band_edges
+from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
+from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
+from hardcontact.surfaces.scans import Measurement
+from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_from
+from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
+
+SIZE = 2500.0
+CONTACT = Contact(radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, count=4, range=5.6)
+
+
+def forces(masters, contact):
+    """Return the forces on masters by realization and side, (filters, map), as in scales.nc."""
+    filtered = {
+        ("a", number, filters.side): filtered_pull_off(master, filters, [contact]).isel(
+            radius=0, load=0, rho=0, drop=True
+        )
+        for number, filters, master in masters
+    }
+    scales = stacked_forces(filtered)
+    named = scales.assign(label=("surface", ["A"]), basis=("surface", ["measured"]))
+    return named.assign_attrs(rho=contact.range, sphere_radius=contact.radius)
+
+
+def assert_held(low, high, edge, finite):
+    """Expect 18 of 20 intervals to hold an edge, and so many ends to be no infinity."""
+    assert (~(low > edge) & ~(high < edge)).sum() >= 18
+    # An interval that is open on both sides would hold anything.
+    assert np.isfinite(low).sum() + np.isfinite(high).sum() >= finite
+
+
+# Both edges, of a spectrum that is known
+
+#: A factor of sqrt(2) apart, and farther than one of three from both edges: ends of intervals are
+#: cutoffs, so that fewer of them would widen every interval, or bound it where they end.
+SMALL = Filters("small", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
+LARGE = Filters("large", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
+#: Edges in nm of the mean over 300 other scans, by `band_edges` of the draws 1000 to 1299;
+#: 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
+TRUTH = {"small": 137.0, "large": 688.0}
+
+
+def known_density(wavevector):
+    """C_iso in nm4: rms height 2.5 nm."""
+    return smooth_rolloff(wavevector, 1e6, 740.0, 0.9)
+
+
+@cache
+def edges_of_draw(draw):
+    """Return the edges from the masters of one scan."""
+    rng = generator(11, draw)
+    surface = random_surface(rng, 256, SIZE / 64, known_density)
+    stitched = mirror_stitch(level(substitute_scan(surface, 64)))
+    small = small_scale_master(rng, stitched, 256, 160.0, known_density)
+    large = large_scale_master(rng, stitched, 1, 1000.0, known_density)
+    scales = forces([(1, SMALL, small), (1, LARGE, large)], CONTACT)
+    return band_edges(scales, Masters({"a": 1}, 1), 0.1, 0.95).isel(surface=0)
+
+
+@pytest.mark.parametrize("filters", [SMALL, LARGE], ids=TRUTH)
+def test_the_interval_of_one_scan_holds_the_edge_of_the_mean(filters):
+    truth = TRUTH[filters.side]
+    edges = [edges_of_draw(draw).sel(side=filters.side) for draw in range(20)]
+    low, high = np.array([edge.edge_interval.values for edge in edges]).T
+    assert_held(low, high, truth, finite=24)
+    assert np.nanmedian(high) < 3 * truth and np.nanmedian(low) > truth / 3
+    # No end lies outside the cutoffs, and none is the edge itself.
+    ends = np.array([[edge.edge.item(), *edge.edge_interval.values] for edge in edges])
+    known = ends[np.isfinite(ends)]
+    assert (known >= filters.cutoffs[0]).all() and (known <= filters.cutoffs[-1]).all()
+    assert not (ends[:, 1:] == ends[:, :1]).any()
+
+
+# The long edge, of a spectrum that is measured on the scan
+
+PIXELS, TILES, REALIZATIONS = 64, 4, 4
+PIXEL_SIZE = SIZE / PIXELS
+LONG = Filters("large", 2 * TILES * PIXELS, np.geomspace(300, 14_000, 12).tolist())
+WIDE = replace(CONTACT, window=5000.0, count=8)
+#: Roll-off wavelengths, a third and three times the size of a scan, with the plateau in nm⁴.
+SURFACES = {SIZE / 3: 1.2e6, 3 * SIZE: 6e8}
+
+
+def long_edges(scales, scans):
+    return band_edges(scales, Masters({"a": scans}, TILES), 0.1, 0.95).sel(side="large")
+
+
+def true_edge(density):
+    """The edge of the mean over many surfaces as large as a master, each of the true spectrum."""
+    surfaces = (
+        (number, LONG, random_surface(generator(1, number - 1), LONG.pixels, PIXEL_SIZE, density))
+        for number in range(1, 61)
+    )
+    return long_edges(forces(surfaces, WIDE), 60).edge.item()
+
+
+def interval_of_one_scan(density, number):
+    """The interval of the long edge in nm from one scan of a surface; open ends are NaN."""
+    surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, density)
+    heights = surface.heights[:PIXELS, :PIXELS].astype(float)
+    scan = level(HeightMap(heights, PIXEL_SIZE, False, "measured"))
+    measured = [
+        Measurement("a", "", "", "nm", "map", scan.heights, PIXEL_SIZE, 1.0, notes=(), undefined=0)
+    ]
+    spectrum = spectrum_from(joined_spectrum(measured, [None]))
+    rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
+
+    def scales(spectra):
+        """Return the forces on masters of spectra, each with a factor on the heights."""
+        masters = (
+            large_scale_master(
+                generator(4, number, draw),
+                mirror_stitch(replace(scan, heights=scan.heights * factor)),
+                TILES, 0.4 * SIZE, master_spectrum,
+            )
+            for draw, (master_spectrum, (factor,)) in enumerate(spectra)
+        )  # fmt: skip
+        return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
+
+    as_measured = scales([(spectrum, np.ones(1))] * REALIZATIONS)
+    drawn = scales(drawn_spectra(rngs, measured, [None]))
+    edges = long_edges(with_spectrum_shifts(as_measured, drawn), 1)
+    return edges.edge_interval.values.ravel()
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("rolloff", SURFACES)
+def test_the_interval_of_one_scan_and_its_spectrum_holds_the_long_edge(rolloff):
+    def density(wavevector):
+        return self_affine(wavevector, SURFACES[rolloff], rolloff, 0.8)
+
+    edge = true_edge(density)
+    assert np.isfinite(edge)
+    low, high = np.array([interval_of_one_scan(density, number) for number in range(20)]).T
+    assert_held(low, high, edge, finite=20)

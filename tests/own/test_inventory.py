@@ -1,0 +1,90 @@
+"""What files hold: heights of scans whose truth is known, and all that cannot be used."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from refusals import assert_says
+from scan_files import container, scan
+
+from hardcontact.own import inventory as module
+from hardcontact.own.inventory import inventory, table_rows
+from hardcontact.own.request import Source
+
+
+def source(path, **others):
+    """A file of the surface `a`."""
+    return Source("a", "A", str(path), path.name, **others)
+
+
+def only_entry(path, tip_radius=None, **others):
+    """The entry of a file that holds one topography."""
+    ((entry,), unreadable, problems) = inventory([source(path, **others)], tip_radius)
+    assert not unreadable and not problems
+    return entry
+
+
+def wave(pixels=64, size=640.0, height=2.0, slope=0.05):
+    """Heights (x, y) in nm of eight waves along x on a tilted plane."""
+    x = (np.arange(pixels) + 0.5) / pixels
+    return height * np.cos(16 * np.pi * x)[:, None] + slope * size * np.ones((pixels, 1)) * x
+
+
+def test_roughness_is_without_the_tilt_and_the_shape_of_the_sphere(tmp_path):
+    entry = only_entry(scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
+    assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
+    assert entry.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
+    assert entry.relief > 30  # with the tilt, as the study sees it
+    x = (np.arange(64) - 31.5) * 10.0
+    ball = -(x[:, None] ** 2 + x**2) / 2000 + wave(slope=0)
+    entry = only_entry(scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
+    assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
+
+
+def test_a_member_of_a_container_that_cannot_be_read_stops_nothing(tmp_path):
+    good = scan(tmp_path / "good.nc")
+    (tmp_path / "bad.txt").write_text("nothing")
+    members = [
+        {"name": name, "datafile": {"original": name}, "unit": "nm", "size": [320.0, 320.0]}
+        for name in ("good.nc", "bad.txt")
+    ]
+    files = {"good.nc": good, "bad.txt": tmp_path / "bad.txt"}
+    twin = container(tmp_path / "twin.zip", members, files)
+    ((entry,), (line,), problems) = inventory([source(twin)], None)
+    assert entry.dataset == "good.nc" and not problems
+    assert_says(line, "twin.zip: bad.txt: expected")
+    alone = container(tmp_path / "bad.zip", members[1:], files)
+    entries, unreadable, problems = inventory([source(alone)], None)
+    assert not entries and not unreadable and len(problems) == 1
+
+
+def test_all_problems_are_told_at_once_and_twins_among_them(tmp_path):
+    (tmp_path / "text.txt").write_text("no scan")
+    paths = [
+        tmp_path / "none.di",
+        scan(tmp_path / "flat.nc", np.zeros((32, 32))),
+        tmp_path / "text.txt",
+        scan(tmp_path / "first.nc", wave(), (640.0, 640.0)),
+        # In another unit, with the rounding of another format.
+        scan(tmp_path / "again.nc", np.float32(wave() / 1e3), (0.64, 0.64), "um"),
+        scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
+    ]
+    _, _, problems = inventory([source(path) for path in paths], None)
+    missing, flat, text, twin = problems
+    assert_says(missing, "none.di", "no such file")
+    assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
+    assert_says(text, "text.txt", "expected")
+    assert_says(twin, "again.nc", "expected each scan once", "first.nc")
+
+
+@pytest.mark.parametrize(("stated", "used", "in_table"), [(None, 12.0, "12 nm"), (30.0, 30.0, "")])
+def test_what_a_file_states_of_its_tip_counts_before_what_is_given(
+    tmp_path, monkeypatch, stated, used, in_table
+):
+    path, read = scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)), module.read_measurement
+    monkeypatch.setattr(
+        module, "read_measurement", lambda *choices: replace(read(*choices), tip_radius=stated)
+    )
+    entry = only_entry(path, 12.0)
+    assert entry.tip_radius == used
+    assert table_rows([entry], [entry], "12 nm")[0]["tip_radius"] == in_table

@@ -1,0 +1,238 @@
+"""The command `hardcontact new`, from files to a study that its checks accept."""
+
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import yaml
+from refusals import assert_says
+from repository import PAPER, ROOT, merged
+from scan_files import container, nanoscope, scan
+
+from hardcontact.config import checks
+from hardcontact.config.model import configuration
+from hardcontact.config.selection import surface_table
+from hardcontact.own import new, request
+from hardcontact.own.new import nested, overlay_text, write_files
+from hardcontact.own.proposal import Choice
+
+NAME = "a-test.of_new"
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A top folder whose configuration is the project's, and where studies are written."""
+    for part in ("config", "workflow"):
+        (tmp_path / part).mkdir()
+    for file in ("config/config.yaml", "config/quick.yaml", "config/surfaces.tsv"):
+        (tmp_path / file).write_bytes((ROOT / file).read_bytes())
+    for part in ("resources", "workflow/schemas"):
+        (tmp_path / part).symlink_to(ROOT / part)
+    for module in (new, request):
+        monkeypatch.setattr(module, "ROOT", tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def run(monkeypatch, capsys):
+    """Run the command; return exit code, what it says and the errors it tells."""
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["hardcontact", "new", *map(str, arguments)])
+        code = new.main()
+        said = capsys.readouterr()
+        return SimpleNamespace(code=code, out=said.out, errors=said.err.splitlines())
+
+    return run
+
+
+def rough(pixels=64, rms=3.0, seed=1):
+    """Heights (x, y) in nm of a rough surface without a preferred direction."""
+    q = np.hypot(*np.meshgrid(*[np.fft.fftfreq(pixels)] * 2))
+    q[0, 0] = 1
+    white = np.fft.fft2(np.random.default_rng(seed).standard_normal((pixels, pixels)))
+    heights = np.fft.ifft2(white * np.maximum(q, 3 / pixels) ** -1.8).real
+    return rms * (heights - heights.mean()) / heights.std()
+
+
+def own_scan(path, size=2500.0, **others):
+    return scan(path, rough(**others), (size, size))
+
+
+def accepted(folder, done, effort="full"):
+    """Check a study that was written as a run of it would; return its configuration and table."""
+    assert done.code == 0 and not done.errors, done.errors
+    overlay = yaml.safe_load((folder / f"config/{NAME}.yaml").read_text("utf-8"))
+    quick = overlay.pop("quick")
+    config = merged(PAPER, overlay)
+    config = configuration(merged(config, quick) if effort == "quick" else config)
+    table = surface_table(folder / f"config/{NAME}.tsv")
+    checks.check(config, table, [])
+    return config, table
+
+
+def test_one_scan_is_enough_at_both_efforts(folder, run):
+    own_scan(folder / "one.nc")
+    done = run(NAME, "one.nc")
+    assert f"snakemake --configfile config/{NAME}.yaml" in done.out.splitlines()
+    config, table = accepted(folder, done)
+    assert config["published"] == "none" and config["sphere"]["surface"] == "smooth"
+    assert table.path.tolist() == ["one.nc"] and table.surface.tolist() == ["a_test_of_new"]
+    quick, _ = accepted(folder, done, "quick")
+    # The quick study replaces nothing of the full one.
+    assert quick["study"] != config["study"] and quick["store"] != config["store"]
+
+
+def test_what_files_do_not_state_is_given_and_kept(folder, run):
+    nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
+    scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
+    done = run(NAME, "bare.nc", "a.001", "--unit", "um", "--channel", "Sensor")
+    config, table = accepted(folder, done)
+    assert config["scan"]["unit"] == "um" and set(table.dataset) == {"", "Sensor"}
+
+
+def test_scans_that_make_no_contacts_enter_the_spectrum(folder, run):
+    own_scan(folder / "large.nc", 10000.0, pixels=256)
+    small = own_scan(folder / "small.nc", 500.0)
+    member = {"name": "s", "datafile": {"original": "s.nc"}, "unit": "nm", "size": [500.0] * 2}
+    container(folder / "twin.zip", [member], {"s.nc": small})
+    _, table = accepted(folder, run(NAME, "twin.zip", "large.nc", "--tip", "8 nm"))
+    assert table.use.tolist() == ["contact", "spectrum"]
+    assert table.dataset.tolist() == ["", "s.nc"] and set(table.tip_radius) == {"8 nm"}
+
+
+def test_several_surfaces_a_sphere_and_forces(folder, run):
+    for name in ("bare", "coated", "ball"):
+        own_scan(folder / f"{name}.nc", rms=1.0)
+    (folder / "my: #1.csv").write_text("surface,value,unit\nsurface_3_nm,0.5,uN\ncoated_ii,3,nN\n")
+    done = run(
+        NAME, "--forces", "my: #1.csv", "--surface", "3 nm", "bare.nc", "--surface", "Coated (II)",
+        "coated.nc", "--radius", "100um", "--sphere", "ball.nc", "--range", "4nm",
+        "--work", "50 mJ/m^2",
+    )  # fmt: skip
+    config, table = accepted(folder, done)
+    assert table.surface.tolist() == ["surface_3_nm", "coated_ii", "sphere"]
+    assert table.label.tolist() == ["3 nm", "Coated (II)", "sphere"]
+    assert "coated_ii is Coated (II)" in done.out
+    assert config["sphere"] == {"surface": "sphere", "radius": 1e5}
+    assert config["forces"] == "my: #1.csv" and config["scales"]["range"] == 4
+    assert config["adhesion"]["work"] == 0.05
+
+
+def test_paths_are_those_from_the_top_folder(folder, run, monkeypatch, tmp_path_factory):
+    (folder / "deep").mkdir()
+    elsewhere = own_scan(tmp_path_factory.mktemp("elsewhere") / "there.nc")
+    own_scan(folder / "here.nc", seed=2)
+    own_scan(folder / "deep/it's (1) ü.nc", seed=3)
+    monkeypatch.chdir(folder / "deep")
+    done = run(NAME, "it's (1) ü.nc", folder / "here.nc", elsewhere)
+    monkeypatch.chdir(folder)
+    _, table = accepted(folder, done)
+    assert table.path.tolist() == ["deep/it's (1) ü.nc", "here.nc", str(elsewhere)]
+
+
+def test_a_study_is_replaced_only_when_told(folder, run):
+    own_scan(folder / "one.nc")
+    (folder / f"config/{NAME}.yaml").write_text("mine")
+    (error,) = run(NAME, "one.nc").errors
+    assert_says(error, f"config/{NAME}.yaml", "--overwrite")
+    assert (folder / f"config/{NAME}.yaml").read_text() == "mine"
+    accepted(folder, run(NAME, "one.nc", "--overwrite"))
+
+
+def test_all_problems_are_told_at_once_and_nothing_is_left(folder, run):
+    own_scan(folder / "good.nc")
+    own_scan(folder / "odd{1}.nc")
+    (folder / "my.csv").write_text("surface,value,unit\na_test_of_new,1,\nb,2,uN\n")
+    before = sorted(folder.rglob("*"))
+    quantities = ["--radius", "5 N", "--preload", "10", "--tip", "3 s", "--work", "1e9 J/m2"]
+    files = ["good.nc", "odd{1}.nc", "none.di"]
+    done = run("a/b", *files, *quantities, "--forces", "my.csv")
+    assert done.code == 1 and not done.out
+    expected = [
+        ["NAME", "letters", "'a/b'"], ["--radius", "nm", "5 N"], ["--preload", "N", "10"],
+        ["--tip", "nm", "3 s"], ["--work", "100 J/m2", "1e9 J/m2"], ["none.di", "no such file"],
+        ["odd{1}.nc", "without {, }"], ["my.csv: line 2", "unit"], ["my.csv: line 3", "b"],
+    ]  # fmt: skip
+    for parts in expected:
+        assert any(all(part in line for part in parts) for line in done.errors), parts
+    assert all(line.startswith("error: ") for line in done.errors)
+    assert sorted(folder.rglob("*")) == before
+
+
+#: Arguments that are refused, and what the line says.
+REFUSED = [
+    ([NAME], ["expected files"]),
+    (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
+    ([f"{NAME}-quick", "one.nc"], ["NAME: expected another end than -quick"]),
+    (["config", "one.nc", "--overwrite"], ["found config, which is the project's"]),
+    (["kept", "one.nc"], ["results/kept-quick: expected none"]),
+    ([NAME, "one.nc", "./one.nc"], ["one.nc", "once", "2 times"]),
+    ([NAME, "--surface", "A"], ["--surface A", "expected files"]),
+    ([NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"], ["of its own", "also a"]),
+    ([NAME, "--surface", "sphere", "one.nc", "--sphere", "two.nc"], ["label of its own"]),
+    ([NAME, "--surface", "smooth", "one.nc"], ["neither pooled nor smooth", "found 'smooth'"]),
+    ([NAME, "--surface", "$x$", "one.nc", "two.nc"], ["--surface", "label", "without $"]),
+    ([NAME, "a\n\033[31m.nc"], ["'a\\n\\x1b[31m.nc'", "printable"]),
+    ([NAME, "a\udcff.nc"], ["'a\\udcff.nc'", "printable"]),
+    ([NAME, "."], [".: expected a scan", "found a folder"]),
+    ([NAME, "bare.nc"], ["bare.nc", "--unit"]),
+    ([NAME, "one.nc", "--forces", "none.csv"], ["--forces", "none.csv"]),
+    ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
+    ([NAME, "one.nc", "--range", "0.01 nm"], ["--range: expected at least", "found 0.01 nm"]),
+    # A quarter of the stitched scan of 5 um at 25 GPa.
+    ([NAME, "one.nc", "--preload", "1 N"], ["--preload: expected at most 156 mN", "found 1 N"]),
+    ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "(the tip)"]),
+]
+
+
+def test_what_makes_no_study_is_refused_in_a_line_and_nothing_is_written(folder, run):
+    own_scan(folder / "one.nc")
+    own_scan(folder / "two.nc", seed=2)
+    scan(folder / "bare.nc", rough(), (2.5, 2.5), unit=None)
+    (folder / "results/kept-quick").mkdir(parents=True)
+    before = sorted(folder.rglob("*"))
+    for arguments, parts in REFUSED:
+        done = run(*arguments)
+        assert done.code == 1
+        assert any(all(part in line for part in parts) for line in done.errors), done.errors
+        assert sorted(folder.rglob("*")) == before
+
+
+def test_another_clone_and_an_interruption_end_in_one_line(folder, run, monkeypatch, tmp_path):
+    (tmp_path / "other/workflow/hardcontact").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path / "other")
+    done = run(NAME, own_scan(folder / "a.nc"))
+    assert done.code == 1 and len(done.errors) == 1 and str(tmp_path / "other") in done.errors[0]
+
+    def interrupted(arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(new, "parsed", interrupted)
+    done = run("mine", "a.nc")
+    assert done.code == 130 and len(done.errors) == 1
+
+
+def test_an_overlay_is_read_as_it_was_meant():
+    choices = [
+        Choice("study", "1e3", "a name that YAML takes for a number"),
+        Choice("contact.count", 20, "in each direction, " * 20),
+        Choice("scales.small.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
+        Choice("scales.range", "5.6 nm", "the paper's"),
+    ]
+    text = overlay_text(["by hand", "", "# twice"], choices, [Choice("study", "no", "")])
+    assert yaml.safe_load(text) == nested(choices, {"quick": {"study": "no"}})
+    base = {"scales": {"range": "1 nm", "large": {"tiles": 4}}, "seed": 1}
+    assert nested(choices, base)["scales"]["large"] == {"tiles": 4}
+
+
+def test_all_files_are_written_or_none(tmp_path):
+    first, second = tmp_path / "first", tmp_path / "folder"
+    second.mkdir()
+    (second / "kept").write_text("")
+    for texts in ({second: "b", first: "a"}, {first: "a", second: "b"}):
+        with pytest.raises(ValueError, match="folder: expected a file to be written"):
+            write_files(texts)
+        assert [path.name for path in tmp_path.iterdir()] == ["folder"]

@@ -1,0 +1,88 @@
+"""Edges of surfaces whose forces are known, and how often their intervals hold the truth."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from known_masters import LARGE, SMALL, scales
+
+from hardcontact.base.statistics import jackknife_interval
+from hardcontact.own.master_forces import Masters
+from hardcontact.own.open_edges import band_edges
+
+
+def edges(curves, scans, **options):
+    return band_edges(
+        scales(curves, **options), Masters({"a": scans[0], "b": scans[-1]}, 2), 0.1, 0.95
+    )
+
+
+def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
+    found = edges([[SMALL, LARGE]], [3]).sel(surface="a")
+    between = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
+    np.testing.assert_allclose(found.edge, [10 ** (1 + between), 4000 * 0.5**between])
+    np.testing.assert_allclose(found.scale_ratio.sel(side="small"), SMALL)
+    # All scans have the same ratio: an interval would have no width.
+    assert found.edge_interval.isnull().all() and found.scale_ratio_interval.isnull().all()
+
+
+@pytest.mark.parametrize("scans", [1, 2, 3])
+def test_intervals_lie_about_the_edge_and_within_the_cutoffs_of_their_side(scans):
+    found = edges([[SMALL, LARGE]], [scans], spread=0.2).sel(surface="a")
+    low, high = found.edge_interval.sel(bound="low"), found.edge_interval.sel(bound="high")
+    assert not (low >= found.edge).any() and not (high <= found.edge).any()
+    assert found.edge_interval.notnull().any()
+    for side, ends in (("small", [10, 1000]), ("large", [1000, 4000])):
+        known = found.edge_interval.sel(side=side).dropna("bound")
+        assert ((known >= ends[0]) & (known <= ends[1])).all()
+    assert int(found.conditional) == (scans < 3)
+
+
+def test_the_interval_of_three_scans_is_that_of_the_jackknife():
+    given = scales([[SMALL, LARGE]], spread=0.2)
+    ratio = given.ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
+    left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
+    found = band_edges(given, Masters({"a": 3}, 2), 0.1, 0.95)
+    interval = found.scale_ratio_interval.isel(surface=0).sel(side="small", cutoff_wavelength=100.0)
+    np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
+
+
+def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
+    flat_small = [1.0, 1.01, 1.02, np.nan, np.nan]
+    steep_large = [np.nan, np.nan, 5.0, 3.0, 2.0]
+    found = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
+    assert found.edge.isnull().all()
+    np.testing.assert_array_equal(found.edge_bound, [1000, 4000])
+    np.testing.assert_array_equal(found.edge_at_least, [1, 1])
+    # The cell of the large side is 10 µm; that of the small side, a single mirrored scan, 5 µm.
+    found = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
+    assert found.edge_status.values.tolist() == ["beyond the cell", "beyond the cutoffs"]
+
+
+def test_several_surfaces_have_a_pooled_edge_between_their_own():
+    other = [[1.0, 0.95, 0.7, np.nan, np.nan], LARGE]
+    found = edges([[SMALL, LARGE], other], [3, 3])
+    own = found.edge.sel(side="small").values
+    pooled = float(found.pooled_edge.sel(side="small"))
+    assert own[0] < pooled < own[1]
+    np.testing.assert_allclose(found.pooled_change.sel(side="small")[:3], [0.01, 0.175, 0.45])
+    between = 0.08 / 0.28
+    assert float(found.pooled_edge.sel(side="large")) == pytest.approx(4000 * 0.5**between)
+    # Without a cutoff that all have, there is no pooled edge.
+    apart = [
+        [[1.0, 1.2, np.nan, np.nan, np.nan], LARGE],
+        [[np.nan] * 2 + [1.0, 1.2, np.nan], LARGE],
+    ]
+    assert "pooled_edge" not in edges(apart, [1, 1], spread=0.1)
+
+
+def test_a_ratio_that_may_be_one_may_be_no_change_and_one_without_scatter_is_known():
+    given = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]] * 2, spread=0.1)
+    masters = Masters({"a": 3, "b": 3}, 2)
+    known = band_edges(given, masters, 0.1, 0.95).isel(surface=0).sel(side="small")
+    assert known.scale_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
+    assert known.edge_interval.notnull().all() and known.edge_interval.sel(bound="low") >= 10
+    factor = xr.DataArray([0.96, 1.0, 1.04], dims="realization")
+    scattered = given.assign({name: given[name] * factor for name in ("pull_off_force", "ratio")})
+    found = band_edges(scattered, masters, 0.1, 0.95).sel(side="small")
+    low, high = found.pooled_change_interval.isel(cutoff_wavelength=0)
+    assert low == 0 and high > 0.04

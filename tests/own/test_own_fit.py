@@ -1,0 +1,180 @@
+"""Own forces made with a range and a work of adhesion that are known."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from known_forces import FORCE_DIMS
+
+from hardcontact.base.statistics import Sampling
+from hardcontact.own.own_fit import (
+    MeasuredTests,
+    fit_measured,
+    measured_tests,
+    sampled_means,
+    with_continued_work,
+)
+
+RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
+RHO, WORK = 5.0, 0.05
+SLOPES = {"a": 1.6, "b": 0.4}
+COLUMNS = ["surface", "mean", "median", "count"]
+
+
+def mean_force(surface, rho):
+    """Mean forces in N at 1 J/m²."""
+    return 2e-5 * (rho / RHO) ** SLOPES[surface]
+
+
+def adhesion(rng, scans=5, spread=0.2, of_contacts=0.3):
+    """Forces of contacts whose mean over many scans is `mean_force`."""
+    shape = (2, scans, 1, 1, 1, 4, 4)
+    factor = np.exp(spread * rng.standard_normal(shape[:5] + (1, 1)) - spread**2 / 2)
+    factor = factor * np.exp(of_contacts * rng.standard_normal(shape) - of_contacts**2 / 2)
+    curves = np.array([mean_force(surface, RHOS) for surface in SLOPES])
+    return xr.Dataset(
+        {
+            "pull_off_force": (FORCE_DIMS, factor * curves[:, None, None, None, :, None, None]),
+            "label": ("surface", ["A", "B"]),
+        },
+        {"surface": list(SLOPES), "contact_model": ["plastic"], "rho": RHOS},
+        {"sphere_radius": 5e3},
+    )
+
+
+def drawn_tests(rng, number=40, shape=0.6, surfaces="ab"):
+    """Single tests, log-normal about the forces of RHO and WORK."""
+    scatter = [np.exp(shape * rng.standard_normal(number) - shape**2 / 2) for _ in surfaces]
+    rows = [
+        (surface, force, force, 1)
+        for surface, factors in zip(surfaces, scatter, strict=True)
+        for force in WORK * mean_force(surface, RHO) * factors
+    ]
+    return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def fitted(computed, tests):
+    sizes = {"a": 2500.0, "b": 2500.0}
+    fit = fit_measured(computed, tests, sizes, Sampling(1, 1000, 0.95))
+    return fit.sel(contact_model="plastic")
+
+
+def drawn_fit(seed, **options):
+    rng = np.random.default_rng(seed)
+    return fitted(adhesion(rng, **options), drawn_tests(rng))
+
+
+def holds(fit, rho=RHO, work=WORK):
+    low, high = fit.region.interp(rho=rho).values
+    return low <= work <= high
+
+
+def test_without_scatter_range_and_work_are_recovered():
+    rng = np.random.default_rng(0)
+    exact = adhesion(rng, spread=1e-4, of_contacts=1e-4)
+    fit = fitted(exact, drawn_tests(rng, number=400, shape=0.01))
+    assert float(fit.best_range) == pytest.approx(RHO, rel=0.02)
+    assert float(fit.best_work) == pytest.approx(WORK, rel=0.02)
+    assert fit.region_status.values.tolist() == ["found", "found"]
+    for known, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
+        assert 0.97 * known < low < 1.01 * known and 0.99 * known < high < 1.03 * known
+
+
+def test_the_region_holds_the_truth_in_nineteen_of_twenty_draws_and_not_whatever_one_likes():
+    fits = [drawn_fit(seed) for seed in range(20)]
+    assert sum(holds(fit) for fit in fits) >= 19
+    assert not holds(fits[1], rho=1.0) and not holds(fits[1], work=0.2)
+    low, high = fits[1].region_range.values
+    assert RHOS[0] < low < RHO < high < RHOS[-1]
+
+
+def test_the_region_of_one_scan_a_surface_holds_it_too():
+    # Quarters are all that differs here: with spread 0 no scan has a factor of its own.
+    assert sum(holds(drawn_fit(seed, scans=1, spread=0.0)) for seed in range(10)) >= 9
+
+
+def test_two_forces_fit_two_unknowns_by_construction():
+    rng = np.random.default_rng(0)
+    tests, fit = drawn_tests(rng), drawn_fit(0)
+    assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.best_range.notnull()
+    beyond = tests.assign(mean=tests["mean"] * np.where(tests.surface == "a", 1e4, 1))
+    fit = fitted(adhesion(rng), beyond)
+    assert fit.exact_pairs == 0 and fit.best_error > 0.1  # no range has this ratio of forces
+
+
+def test_one_surface_gives_a_curve_that_holds_the_truth_and_no_range():
+    rng = np.random.default_rng(5)
+    fit = fitted(adhesion(rng), drawn_tests(rng, surfaces="a"))
+    known = WORK * mean_force("a", RHO) / mean_force("a", fit.rho)
+    low, high = fit.work_of_adhesion_interval.sel(surface="a").transpose("bound", "rho")
+    assert ((low < known) & (known < high)).all()
+    assert fit.best_range.isnull() and fit.region_range.isnull().all()
+
+
+@pytest.mark.parametrize(
+    ("ranges", "number", "factor", "status"),
+    [
+        (6, 1, 1, ["none", "none"]),  # a single test a surface: no scatter, no interval
+        (6, 40, 1e3, ["none", "none"]),  # forces that no range explains
+        (4, 40, 1, ["found", "open"]),  # a range at the end of those computed is no limit
+    ],
+)
+def test_a_region_that_is_not_known_is_not_told(ranges, number, factor, status):
+    rng = np.random.default_rng(8)
+    computed = adhesion(rng).sel(rho=RHOS[:ranges])
+    tests = drawn_tests(rng, number)
+    tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
+    fit = fitted(computed, tests)
+    assert fit.region_status.values.tolist() == status and fit.region_work.isnull().all()
+    assert fit.work_of_adhesion.notnull().all()
+    assert fit.work_of_adhesion_interval.notnull().all() == (number > 1)
+
+
+# Tests
+
+
+def test_single_tests_and_a_summary_describe_the_same():
+    forces = np.exp(0.7 * np.random.default_rng(1).standard_normal(4000)) * 1e-7
+    rows = [("a", force, force, 1) for force in forces]
+    single = measured_tests(pd.DataFrame(rows, columns=COLUMNS))
+    assert single.mean == pytest.approx(forces.mean())
+    summary = pd.DataFrame([("a", forces.mean(), np.median(forces), 4000)], columns=COLUMNS)
+    assert measured_tests(summary).shape == pytest.approx(single.shape, rel=0.05)
+
+
+@pytest.mark.parametrize("shape, number", [(0.7, 40), (1.5, 40), (0.7, 4)])
+def test_samples_hold_the_mean_as_often_as_they_say(shape, number):
+    rng, held = np.random.default_rng(3), []
+    for _ in range(300):
+        forces = np.exp(shape * rng.standard_normal(number))
+        tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), number)
+        low, high = np.percentile(sampled_means(rng, tests, 400), [5, 95])
+        held.append(low < np.exp(shape**2 / 2) < high)
+    assert np.mean(held) > 0.85
+
+
+def test_work_with_continued_roughness_is_inversely_proportional_to_the_force():
+    measured, continued = 0.32, 0.08  # N, the latter at 0.05 J/m²
+    ends = ("surface", "bound"), [[measured / 1.1, measured * 1.1]]
+    fit = xr.Dataset(
+        {"measured_force": ("surface", [measured]), "measured_force_interval": ends},
+        {"surface": ["a"], "bound": ["low", "high"]},
+        {"confidence": 0.95},
+    )
+    sides = ("surface", "side")
+    force = xr.Dataset(
+        {
+            "continued_force": (sides, [[continued]]),
+            "continued_force_interval": ((*sides, "bound"), [[[continued / 1.2, continued * 1.3]]]),
+            "continued_differs": (sides, [[1]]),
+            "transition": ("side", [20.0]),
+        },
+        {"surface": ["a"], "side": ["small"], "bound": ["low", "high"]},
+        {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
+    )
+    found = with_continued_work(fit, force).sel(surface="a", side="small")
+    assert float(found.continued_work) == pytest.approx(0.05 * measured / continued)
+    np.testing.assert_allclose(
+        np.log(found.continued_work_interval / found.continued_work),
+        [-np.hypot(np.log(1.1), np.log(1.3)), np.hypot(np.log(1.1), np.log(1.2))],
+    )

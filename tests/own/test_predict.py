@@ -1,0 +1,272 @@
+"""`hardcontact predict`: the closed form of tables and scans, and all that is wrong with them."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import scan_files
+from known_spectra import rough
+from measurements import line_of, map_of, measurement
+from random_scans import PIXEL
+from refusals import assert_says, refusal
+
+from hardcontact.base.random import generator
+from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
+from hardcontact.contact.contact import contact_of_area
+from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
+from hardcontact.theory.closed_form import closed_form, edges
+from hardcontact.theory.prediction import coordinates, nearest_errors, rough_part
+
+HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
+BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
+#: The paper's contact, in closed form.
+CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
+
+
+@pytest.fixture
+def table(tmp_path):
+    """Write lines as a table; return its path."""
+
+    def written(*lines):
+        path = tmp_path / "my.csv"
+        path.write_text("\n".join(lines) + "\n", "utf-8")
+        return str(path)
+
+    return written
+
+
+def rows_of(spectrum):
+    """Return a spectrum as a header and rows of a table in other units."""
+    known = spectrum.density > 0
+    columns = (spectrum.wavevector[known].tolist(), spectrum.density[known].tolist())
+    rows = zip(*columns, strict=True)
+    return [BY_WAVEVECTOR, *(f"{q * 1000!r},rad/um,{c * 1e-36!r},m^4" for q, c in rows)]
+
+
+def printed(*arguments):
+    return predict(predict_arguments(arguments))
+
+
+def numbers_of(*arguments):
+    """Return what the command prints as JSON."""
+    return json.loads(printed(*arguments, "--json", "-"))
+
+
+# Tables
+
+
+def test_units_order_and_zeros_of_a_table(table):
+    rows = [
+        "1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4",
+        "5,nm,0,nm4",
+    ]  # fmt: skip
+    found = table_spectrum(table(HEADER, *rows))
+    assert 2 * np.pi / found.wavevector == pytest.approx([1000, 500, 100, 50, 10, 5])
+    assert found.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3, 0])
+    assert found(2 * np.pi / np.array([5, 3])) == pytest.approx(0, abs=1e-90)
+    wavevector = np.geomspace(0.01, 1, 9)
+    profile = 1e-2 * wavevector**-2.6
+    rows = [f"{q:.17g},rad/nm,{c:.17g},nm3" for q, c in zip(wavevector, profile, strict=True)]
+    found = table_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
+    expected = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
+    assert found.density == pytest.approx(expected)
+
+
+#: Lines of a table, and what the refusals say.
+FAULTY = [
+    (["wavelength,c_iso", "1,2"], ["found wavelength, c_iso and 1 rows"]),
+    (
+        ["wavelength,wavevector,c_iso,x", "1,2"],
+        ["one of the columns", "found wavelength, wavevector, c_iso, x"],
+    ),
+    ([HEADER, "1,s,2,nm4", "1,nm,2,nm3"], ["wavelength_unit: expected a length", "power of 4"]),
+    ([HEADER, "-1,nm,x,", "1,nm"], ["found -1", "line 3: expect"]),
+    ([HEADER, "1,nm,1,nm4", "1e-3,um,1,nm4"], ["line 3: expected each wavelength once"]),
+    ([HEADER, "1,nm,1,nm4"], ["at least 5 wavelengths, found 1"]),
+    ([""], ["found nothing"]),
+    (["wavevector,wavevector_unit,c_1d,c_1d_unit", "1,1/nm,1,nm3"], ["rad/nm", "found 1/nm"]),
+    # Wavelengths, and powers, that no surface has.
+    (
+        [HEADER, *[f"{k},m,{k**4}e-4,nm4" for k in (1, 2, 3, 4, 5)]],
+        ["expected wavelengths of 0.1 nm to 1 mm"],
+    ),
+    ([HEADER, *[f"{k}00,nm,{k**4}e-36,nm4" for k in (1, 2, 3, 4, 5)]], ["rms height of 0.01 nm"]),
+    ([HEADER, *[f"{k}00,nm,{k**4}e36,nm4" for k in (1, 2, 3, 4, 5)]], ["is the unit right?"]),
+]
+
+
+def test_every_fault_of_a_table_is_told_in_a_line(table):
+    for lines, parts in FAULTY:
+        assert_says(refusal(printed, table(*lines)), *parts)
+
+
+def test_faults_of_options_are_told_with_those_of_the_table(tmp_path):
+    missing = str(tmp_path / "none.csv")
+    for options, parts in (
+        (["--range", "5", "--work", "1 nm"], ["--range", "--work"]),
+        # A contact wider than the attraction of a smooth sphere.
+        (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
+        (["--json", "-", "--csv", "-"], ["--csv: expected a file"]),
+    ):
+        message = refusal(printed, missing, *options)
+        assert_says(message, "none.csv", "found no file", *parts)
+        assert len(message.splitlines()) == 1 + len(parts)
+
+
+# Numbers
+
+
+def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_path):
+    spectrum = rough(17, 1000, 0.8, 20)
+    rows = tmp_path / "new/numbers.csv"
+    options = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
+    numbers = numbers_of(table(*rows_of(spectrum)), *options)
+    contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
+    prediction = closed_form(spectrum, contact)
+    force = numbers["pull_off_force"]
+    assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
+    assert force["unit"] == "N" and force["status"] == "inside"
+    place = coordinates(rough_part(spectrum), contact, prediction)
+    expected = prediction.force * np.array(nearest_errors(place, "force"))
+    assert force["interval"] == pytest.approx(expected, rel=1e-5)
+    for name, edge in zip(("short_edge", "long_edge"), edges(spectrum, contact, 0.1), strict=True):
+        assert numbers[name]["value"] == pytest.approx(edge)
+        assert numbers[name]["interval"][0] < edge
+    with rows.open(newline="") as file:
+        table_rows = {row["quantity"]: row for row in csv.DictReader(file)}
+    assert list(table_rows) == list(numbers)
+    for name, number in numbers.items():
+        assert float(table_rows[name]["value"]) == number["value"]
+        assert table_rows[name]["unit"] == number["unit"]
+    words = printed(table(*rows_of(spectrum)), *options[:4])
+    assert_says(words, f"pull-off force: {round(1e9 * prediction.force, -1):g} nN")
+
+
+def test_what_is_unknown_is_no_number(table):
+    """Of an all but smooth surface no edge is found; where the error was not measured is told."""
+    numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), "--radius", "5um")
+    assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
+    assert numbers["freezing"]["status"] == "smooth"
+    assert numbers["pull_off_force"]["status"] == "outside"
+    assert "interval" not in numbers["pull_off_force"]
+
+
+def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
+    """Of a surface that is all but smooth nothing is lost, whatever the contact."""
+    options = ["--radius", "5um", "--hardness", "100MPa"]
+    numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), *options)
+    assert numbers["force_ratio"]["value"] == pytest.approx(1, abs=0.01)
+    wider = table(*rows_of(rough(4, 1000, 0.8, 20)))
+    numbers = numbers_of(wider, *options, "--preload", "15uN")
+    assert numbers["closest_approach"]["value"] < 0 and numbers["long_edge"]["value"] is None
+
+
+def test_short_waves_that_the_table_lacks_are_continued(table):
+    """A spectrum of optical resolution: what it lacks changes the force, unless it ends with 0."""
+    rows = rows_of(rough(17, 4000, 0.8, 1500))
+    numbers, spectrum = numbers_of(table(*rows)), table_spectrum(table(*rows))
+    variance = np.full(spectrum.density.shape, CALIBRATION**2)
+    density, _ = continued_spectrum(spectrum.wavevector, spectrum.density, variance)
+    expected = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
+    assert numbers["continued_force"]["value"] == pytest.approx(expected, rel=1e-6)
+    assert numbers["continued_change"]["status"] == "matters"
+    for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(rough(17, 1000, 0.8, 0.1))):
+        numbers = numbers_of(table(*ended))
+        assert "continued_force" not in numbers
+        assert numbers["continued_change"]["status"] == "negligible"
+
+
+def without(spectrum, kept):
+    """Return a spectrum without some of its wavelengths."""
+    return Spectrum(spectrum.wavevector[kept], spectrum.density[kept])
+
+
+KNOWN, SMOOTHER = rough(17, 1000, 0.8, 20), rough(17, 300, 0.8, 20)
+GAP = np.abs(np.log(KNOWN.wavevector * 200 / 2 / np.pi)) > np.log(2.5)
+LONG = rough(60, 2e4, 0.8, 20)  # it rolls off beyond 3 um
+SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
+
+
+@pytest.mark.parametrize(
+    ("spectrum", "options", "cause"),
+    [
+        (SMOOTHER, ["--range", "0.3nm"], "not at 0.3 nm"),
+        (SMOOTHER, ["--radius", "1um", "--preload", "100nN"], "not at 1 µm"),
+        (SMOOTHER, ["--preload", "500uN"], "contact area over the roll-off"),
+        (without(LONG, LONG.wavevector > 2 * np.pi / 3000), [], "take care: waves longer than"),
+        (Spectrum(SHORT, 1e-4 * (2 * np.pi / SHORT) ** 4), [], "waves longer than 100 nm"),
+        (without(KNOWN, GAP), [], "a factor of 6.3 apart"),
+    ],
+)
+def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options, cause):
+    report = printed(table(*rows_of(spectrum)), *options)
+    assert_says(report, "error not known", cause)
+
+
+def test_a_compliant_sphere_is_no_hard_contact(table):
+    """Tabor's number of a smooth sphere, by hand: (R W²/(E*² rho³))^(1/3)."""
+    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
+    hard, soft = (numbers_of(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
+    number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
+    assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)
+    assert soft["tabor_parameter"]["status"] == "soft"
+    assert hard["tabor_parameter"].get("status", "") != "soft"
+
+
+# Scans
+
+
+@pytest.mark.parametrize("kind", ["map", "line"])
+def test_scans_are_measured_where_they_are_reliable(kind, tmp_path):
+    heights = (map_of if kind == "map" else line_of)(generator(3), 128, PIXEL).heights
+    path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), 128 * PIXEL
+    if kind == "map":
+        scan_files.scan(path, heights.T, (size, size))
+    else:
+        scan_files.write_coordinates(scan_files.line(heights, size), path)
+    joined = joined_spectrum([measurement(heights, PIXEL)], [None])
+    spectrum = own_spectrum([path]).spectrum
+    known = np.isfinite(joined.joined.values)
+    assert spectrum.density == pytest.approx(joined.joined.values[known], rel=1e-4)
+    assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
+    numbers = numbers_of(str(path))
+    force = closed_form(spectrum, CONTACT).force
+    assert numbers["pull_off_force"]["value"] == pytest.approx(force)
+    # It is continued as the masters of the study are, up to a roll-off beyond the scan.
+    force = closed_form(spectrum_from(joined), CONTACT).force
+    assert numbers["continued_force"]["value"] == pytest.approx(force, rel=1e-3)
+    rolloff = joined.attrs["rolloff"]
+    assert numbers["continued_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
+
+
+def test_members_of_a_container_are_joined_or_chosen(tmp_path):
+    files = {}
+    for number in (1, 2):
+        heights, path = map_of(generator(number), 64, 10.0).heights, tmp_path / f"{number}.nc"
+        files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
+    members = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
+    path = scan_files.container(tmp_path / "twin.zip", members, files)
+    both, second = own_spectrum([path]), own_spectrum([path], dataset="scan 2.nc")
+    apart = [own_spectrum([file]).spectrum.density for file in files.values()]
+    assert second.spectrum.density == pytest.approx(apart[1])
+    assert both.spectrum.density == pytest.approx(np.sqrt(apart[0] * apart[1]), rel=0.05)
+
+
+def test_files_that_are_no_spectrum_are_refused_in_a_line(tmp_path):
+    (tmp_path / "text.txt").write_text("hello\n" * 9)
+    scan_files.scan(tmp_path / "flat.nc", np.zeros((32, 32)))
+    for name, expected in (
+        ("none.nc", "expected a scan, found no such file"),
+        ("text.txt", "expected a whole file in a format that SurfaceTopography reads"),
+        ("flat.nc", "expected a rough surface, found constant height"),
+    ):
+        message = refusal(printed, str(tmp_path / name))
+        assert_says(message, name, expected)
+        assert len(message.splitlines()) == 1, message
+    message = refusal(own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
+    assert_says(message, "none.csv: expected one table, or scans alone")

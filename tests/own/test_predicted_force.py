@@ -1,0 +1,179 @@
+"""Forces that follow from a work and a range of adhesion."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from direct_sum import direct_total
+from known_forces import FORCE_DIMS
+from known_masters import LARGE, SMALL, scales
+from refusals import assert_says, refusal
+
+from hardcontact.base.statistics import student_interval
+from hardcontact.own.master_forces import (
+    Masters,
+    forces_of_masters,
+    half_width_over_masters,
+)
+from hardcontact.own.predicted_force import (
+    continued_force,
+    predicted_force,
+    with_continued_force,
+    with_smooth_bound,
+)
+
+RHOS = [1.0, 5.0, 20.0]
+PREDICTION = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
+
+
+def adhesion(scans, radius=5e3, spread=0.3):
+    """Log-normal forces: 2 rho N at 1 J/m² in the median, ten times that in plastic contact."""
+    rng = np.random.default_rng(1)
+    shape = (2, max(scans), 2, 2, 1, 4, 4)
+    forces = np.exp(spread * rng.standard_normal(shape)) * 2 * np.array(RHOS)[:, None, None]
+    forces[:, :, :, 1] *= 10
+    for surface, count in enumerate(scans):
+        forces[surface, count:] = np.nan
+    return xr.Dataset(
+        {
+            "pull_off_force": (FORCE_DIMS, forces),
+            "label": ("surface", ["A", "B"]),
+            "basis": ("surface", ["measured", "measured"]),
+        },
+        {"surface": ["a", "b"], "contact_model": ["rigid", "plastic"], "rho": RHOS},
+        {"sphere_radius": radius},
+    )
+
+
+def test_force_is_the_mean_at_the_work_asked_for():
+    given = adhesion([3, 1])
+    found = predicted_force(given, **PREDICTION)
+    of_b = given.pull_off_force.sel(surface="b").isel(scan=0)
+    expected = 0.05 * of_b.mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(found.force.sel(surface="b"), expected)
+    place = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
+    single = 0.05 * given.pull_off_force.sel(place).values
+    quantiles = found.force_quantile.sel(place)
+    np.testing.assert_allclose(quantiles, np.quantile(single, quantiles["quantile"]))
+
+
+def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
+    given = adhesion([3, 1], spread=0.02)
+    found = predicted_force(given, **PREDICTION)
+    place = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
+    means = given.pull_off_force.sel(place).mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(
+        found.force_interval.sel(place), 0.05 * student_interval(means, 0.9, "scan"), rtol=1e-4
+    )
+    assert found.conditional.values.tolist() == [0, 1]
+    assert found.interval_source.values.tolist() == ["scans", "quarters"]
+    low, high = (found.force_interval.isel(bound=bound) for bound in (0, 1))
+    assert (low < found.force).all() and (found.force < high).all()
+    width = np.log(high / low).sel(surface="b", contact_model="rigid")
+    assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
+
+
+def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
+    found = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
+    assert found.force_interval.sel(surface="b").isnull().all()
+    assert found.force_interval.sel(surface="a").notnull().all()
+    message = refusal(lambda: predicted_force(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
+    assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
+
+
+@pytest.mark.parametrize("pixels", [1, 8])
+def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
+    size, reach = 48, 4.0  # sqrt(R rho) in pixels; heights are in rho
+    waves = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.fftfreq(size)) * size
+    noise = np.random.default_rng(1).normal(size=(size, size))
+    heights = np.fft.ifft2(np.where((waves >= 1) & (waves <= 2), np.fft.fft2(noise), 0)).real
+    heights *= 0.2 / heights.std()
+    away = np.arange(-24, 25)
+    sphere = (away[:, None] ** 2 + away**2) / (2 * reach**2)
+    around = np.lib.stride_tricks.sliding_window_view(np.pad(heights, 24, "wrap"), sphere.shape)
+    totals = [
+        direct_total(sphere - around[y, x], pixels, 1.0)
+        for y in range(0, size, 2)
+        for x in range(0, size, 2)
+    ]
+    smooth = 2 * np.pi * reach**2
+    touching = pixels if pixels > 1 else 0  # a single pixel is in contact in rigid contact too
+    assert max(totals) > 1.09 * (smooth + touching)
+    assert np.mean(totals) < smooth * (1 + 1 / (12 * reach**2)) + touching
+
+
+def test_no_mean_exceeds_the_bound():
+    given = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
+    continued = xr.Dataset(
+        {"continued_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
+    ).assign(continued_force_interval=("side", [1e-9, 1.0]))
+    found = with_smooth_bound(given.merge(continued), 400.0)
+    rigid = 2 * np.pi * 5e-6 * 0.05
+    bound = xr.DataArray(
+        [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
+        dims=("contact_model", "rho"),
+    )
+    np.testing.assert_allclose(found.smooth_bound, bound)
+    np.testing.assert_allclose(found.force, bound.expand_dims(surface=2))
+    assert (found.force_interval <= found.smooth_bound).all()
+    np.testing.assert_allclose(found.continued_force, [1e-9, bound[1, 1]])
+    endless = given.assign(force_interval=given.force_interval * 0 + np.inf).merge(continued)
+    assert np.isinf(with_smooth_bound(endless, 400.0).force_interval).all()
+
+
+# With continued roughness
+
+MASTERS = Masters({"a": 1}, 2)
+
+
+def master_forces(**options):
+    return scales([[SMALL, LARGE]], **options).assign(transition=("side", [20.0, 4e3]))
+
+
+def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work():
+    given = master_forces()
+    mean = given.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
+    np.testing.assert_allclose(
+        continued_force(given, MASTERS, 0.05, 0.95).continued_force, 0.05 * mean
+    )
+
+
+@pytest.mark.parametrize(
+    "ratio, half, differs", [(3.0, 0.4, 1), (3.0, 2.8, 0), (1.01, 0.001, 0), (3.0, np.nan, 1)]
+)
+def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolerance(
+    ratio, half, differs
+):
+    continued = continued_force(master_forces(), MASTERS, 0.05, 0.95)
+    # The force on the scans, relative to that with continued roughness below them.
+    relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
+    unit = continued.continued_force.sel(side="small").item()
+    axes = ("surface", "contact_model", "rho")
+    scan_forces = xr.Dataset(
+        {
+            "force": (axes, unit * relative[0]),
+            "force_interval": ((*axes, "bound"), unit * relative[1]),
+        },
+        {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "bound": ["low", "high"]},
+        {"range_of_adhesion": 5.0},
+    )
+    found = with_continued_force(scan_forces, continued, 0.1).continued_differs
+    assert found.sel(side="small").values.tolist() == [differs]
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("count", [2, 5])
+def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share(count):
+    rng, held = np.random.default_rng(3), []
+    template = master_forces(realizations=count)
+    for _ in range(300):
+        shared = 0.3 * rng.standard_normal((1, count, 1, 1, 1))
+        single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
+        forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
+        drawn = template.assign(unfiltered_pull_off_force=forces)
+        masters = forces_of_masters(drawn, "a", "small", MASTERS)
+        half = half_width_over_masters(
+            masters, lambda filtered, whole: whole, "unfiltered_shift", 0.95
+        )
+        mean = float(masters.forces.unfiltered_pull_off_force.mean())
+        held.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
+    assert np.mean(held) >= 0.9

@@ -1,0 +1,236 @@
+"""What is chosen for own scans: on which contacts are made, and keys that the study accepts."""
+
+import math
+from collections import Counter
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, event, given, settings
+from hypothesis import strategies as st
+from random_scans import uncd
+from refusals import assert_says, refusal
+from repository import PAPER
+
+from hardcontact.config.limits import check_grids
+from hardcontact.config.model import configuration
+from hardcontact.contact.contact import Contact
+from hardcontact.own.contact_scans import contact_scans, draw_sizes
+from hardcontact.own.inventory import Entry
+from hardcontact.own.new import nested
+from hardcontact.own.proposal import Choice, propose
+from hardcontact.own.request import Source
+from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.spectrum import BIN_CENTRES
+
+#: Width of a bin in ln q.
+BIN = np.log(10) / 10
+
+
+def density(size, pixel, rms):
+    """Return C_iso (bins,) in nm4 of an rms height, between two pixels and the size of a scan."""
+    wavelength = 2 * np.pi / BIN_CENTRES
+    values = uncd(BIN_CENTRES)
+    values[(wavelength < 2 * pixel) | (wavelength > size)] = np.nan
+    return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
+
+
+def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
+    """Return a height map of a surface; lengths in nm."""
+    fields = {
+        "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
+        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
+        "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
+        "density": density(size, size / pixels, rms), "undefined": 0, "notes": (),
+    }  # fmt: skip
+    return Entry(
+        source=Source(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
+        pixel_size=size / pixels, rms_height=rms, **(fields | others),
+    )  # fmt: skip
+
+
+def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
+    """Return a sphere and its load; the paper's unless others are given."""
+    return Contact(radius=radius, preload=preload, hardness=hardness, range=rho)
+
+
+# Scans that contacts are made on
+
+BLIND = ReliableBand(3000.0, 2000.0, "tip")
+# Within 2 sqrt(2 R 4 nm) = 2.83 um a contact finds its summits; at an rms height of 17 nm, 5.83 um.
+SIZES = [500, 1000, 5000, 5000, 10000, 20000]
+BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
+
+
+@pytest.mark.parametrize(
+    ("entries", "radius", "expected"),
+    [
+        # The smallest size that holds the highest points; a small sphere finds them nearby.
+        ([entry(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
+        ([entry(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
+        ([entry(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
+        ([entry(size, rms=17.0) for size in SIZES], 5e3, {1000: 1}),
+        # sqrt(2 R rho) = 1673 nm is 8.6 pixels of 195 nm: too coarse, unless all others are too.
+        ([entry(100e3), entry(5000)], 250e3, {5000: 1}),
+        ([entry(100e3), entry(300e3)], 250e3, {100000: 1}),
+        # Scans without a reliable wavelength come last, and line scans make no contacts.
+        ([entry(6000, band=BLIND), entry(2500)], 250e3, {2500: 1}),
+        ([entry(6000, band=BLIND)], 250e3, {6000: 1}),
+        ([entry(1e5, 3000, kind="profile"), entry()], 250e3, {2500: 1}),
+        # Surfaces are compared on one grid where they have one in common.
+        (
+            [entry(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
+             for size in (5000, 10000)], 250e3, {10000: 2},
+        ),
+        ([entry(5000, rms=4.0), entry(10000, rms=4.0, surface="b")], 250e3, {5000: 1, 10000: 1}),
+        # The sphere follows the substrates, but no scan is larger than the sphere itself.
+        ([entry(6000), *BALL], 250e3, {6000: 2}),
+        ([entry(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
+        ([entry(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
+    ],
+)  # fmt: skip
+def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, expected):
+    sphere = "sphere" if entries[-1].source.surface == "sphere" else None
+    sizes = draw_sizes(entries, sphere, probe(radius))
+    chosen, _ = contact_scans(entries, sphere, probe(radius), sizes)
+    assert Counter(round(scan.size) for scan in chosen) == expected
+
+
+# Keys of the study
+
+
+def both_efforts(asked, proposal):
+    """Return the configurations of the study and of its quick effort."""
+    named = [
+        Choice("study", "own", ""),
+        Choice("published", "none", ""),
+        Choice("sphere.surface", "smooth", ""),
+        Choice("sphere.radius", f"{asked.radius:.12g} nm", ""),
+        Choice("contact.preload", f"{asked.preload:.12g} N", ""),
+        Choice("contact.hardness", f"{asked.hardness:.12g} Pa", ""),
+    ]
+    full = [*named, *proposal.choices]
+    return [configuration(nested(keys, PAPER)) for keys in (full, [*full, *proposal.quick])]
+
+
+def check_study(asked, proposal):
+    """Let the checks of the study look at a proposal for a smooth sphere, at both efforts."""
+    grids = {scan.source.surface: scan.grid for scan in proposal.contact}
+    for config in both_efforts(asked, proposal):
+        check_grids(config, grids)
+
+
+def between(low, high):
+    """Give numbers of any size between two."""
+    return st.floats(math.log(low), math.log(high)).map(math.exp)
+
+
+@st.composite
+def scans(draw):
+    """Give one to five scans of a surface on the same pixels."""
+    size, pixels = draw(between(100, 1e5)), draw(st.integers(64, 2048))
+    rms = draw(between(0.1, size / 10))
+    shortest = draw(between(2, 2 * pixels)) * size / pixels
+    band = ReliableBand(shortest, size / 3, "tip")
+    return [entry(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
+
+
+def check_refusal(line, scan, asked):
+    """Expect that the study could not accept what a line refuses, by bounds of its own."""
+    area = 1e18 * asked.preload / asked.hardness
+    if line.startswith("surface a: expected a height map"):
+        assert scan.pixel_size < 0.05
+    elif line.startswith("--range"):
+        pixels = 2 * scan.pixel_size**2 / asked.radius
+        depth = math.sqrt(area)
+        assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
+    else:
+        window = min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.range))
+        # What 16 contacts with a hundred images of each pixel keep in memory.
+        in_memory = area / scan.pixel_size**2 / (2**26 / 16 / 100)
+        assert line.startswith("--preload") and (area / window**2 > 0.15 or in_memory > 1), line
+
+
+@pytest.mark.parametrize("examples", [20, pytest.param(1000, marks=pytest.mark.study)])
+def test_any_scan_gives_what_the_study_accepts_or_a_refusal_of_what_it_cannot(examples):
+    @settings(
+        max_examples=examples,
+        deadline=None,
+        derandomize=True,
+        suppress_health_check=list(HealthCheck),
+    )
+    @given(scans(), st.builds(probe, between(1e3, 5e6), between(1e-9, 1e-3), between(1e8, 1e12)))
+    def check(entries, asked):
+        try:
+            proposal = propose(entries, None, asked)
+        except ValueError as error:
+            for line in str(error).splitlines():
+                event(line.partition(":")[0])
+                check_refusal(line, entries[0], asked)
+        else:
+            event("accepted")
+            check_study(asked, proposal)
+
+    check()
+
+
+def test_scans_of_the_paper_get_about_its_values():
+    config, _ = both_efforts(probe(), propose([entry()] * 5, None, probe()))
+    small, large = config["scales"]["small"], config["scales"]["large"]
+    assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
+    assert small["transition"] == pytest.approx(20, rel=0.05) and large["transition"] == 1000
+    assert small["pixels"] == large["pixels"] == 4096 and large["tiles"] == 4
+    # Both critical wavelengths of the paper lie well inside.
+    assert small["cutoffs"][0] < 43 / 4 and small["cutoffs"][-1] == 2500
+    assert large["cutoffs"][0] <= 100 and large["cutoffs"][-1] == 10000
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 5, 7])
+def test_every_scan_makes_as_many_masters(count):
+    config, _ = both_efforts(probe(), propose([entry()] * count, None, probe()))
+    assert config["scales"]["realizations"] % count == 0
+
+
+@pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
+def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
+    scan = entry(band=ReliableBand(shortest, 833.0, "tip"))
+    choices = propose([scan], None, probe()).choices
+    assert {choice.key: choice.value for choice in choices}["scales.small.transition"] == transition
+
+
+@pytest.mark.parametrize(
+    ("scan", "asked", "parts"),
+    [
+        (entry(band=BLIND), probe(), ["no wavelength is reliable, from 3 µm (the tip)"]),
+        # Of a relief of 5600 nm exponentials overflow below 11.2 nm.
+        (entry(20000, 512, 700.0), probe(), ["11.2 nm, not the usual 5.6 nm"]),
+        # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
+        (
+            entry(100, 512, 4.7), probe(),
+            [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
+             "8 to 17 times too high"],
+        ),
+        # 20 nm² are less than a pixel of 19.5 nm.
+        (entry(10000), probe(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
+        (entry(10000, 512, 14, undefined=512**2 * 3 // 10), probe(), ["30% of its pixels"]),
+    ],
+)  # fmt: skip
+def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, asked, parts):
+    assert_says(" ".join(propose([scan], None, asked).cautions), *parts)
+    assert not propose([entry(10000, 512, 14, undefined=99)], None, probe()).cautions
+
+
+@pytest.mark.parametrize(
+    ("entries", "asked", "expected"),
+    [
+        ([entry(1e5, 3000, kind="profile")], probe(), ["surface a: expected a height map"]),
+        ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
+        ([entry(20000, 512, 700.0)], probe(rho=6.0), ["--range: expected at least 11.2 nm"]),
+        # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
+        ([entry()], probe(preload=1.0, hardness=1e9, rho=0.02), ["--range", "at most 6.25 mN"]),
+        ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
+    ],
+)
+def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, asked, expected):
+    message = refusal(propose, entries, None, asked, True)
+    assert_says(message, *expected)
+    assert len(message.splitlines()) == len(expected)

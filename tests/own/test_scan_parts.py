@@ -1,0 +1,92 @@
+"""Parts of scans: where contacts lie, how much parts share, how often intervals hold the truth."""
+
+import numpy as np
+import pytest
+from scipy import fft, stats
+
+from hardcontact.contact.geometry import contact_positions
+from hardcontact.own import scan_parts
+from hardcontact.own.scan_parts import (
+    Parts,
+    half_width,
+    jackknife_variance,
+    parts_of_scans,
+)
+
+
+def half_of(left_out, parts, confidence):
+    return half_width([jackknife_variance(left_out, parts)], confidence)
+
+
+@pytest.mark.parametrize("count, tiles", [(4, 1), (20, 1), (20, 4), (7, 2), (6, 4)])
+def test_quarters_are_those_of_the_mirrored_scan(count, tiles):
+    # A scan whose heights are the numbers of its quarters, mirrored, repeated, read at contacts.
+    scan = np.kron(np.arange(4).reshape(2, 2), np.ones((500, 500), int))
+    mirrored = np.pad(scan, ((0, 1000), (0, 1000)), mode="symmetric")
+    places = contact_positions(2000 * tiles, count) % 2000
+    expected = mirrored[np.ix_(places, places)]
+    np.testing.assert_array_equal(scan_parts.quarters_of_contacts(count, tiles), expected)
+
+
+QUARTERS = scan_parts.quarters_of_contacts(4, 1)
+
+
+def test_three_scans_are_independent_parts_fewer_are_divided():
+    three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, 100.0, 50.0)
+    assert not three.conditional and three.of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
+    np.testing.assert_array_equal(three.correlation, np.eye(3))
+    two = parts_of_scans(np.array([0, 1, 0]), QUARTERS, 100.0, 50.0)
+    assert two.conditional and (two.correlation[:4, 4:] == 0).all()
+    np.testing.assert_array_equal(two.of_contact[1], QUARTERS + 4)
+
+
+def fields(rng, draws, pixels, reach):
+    """Forces of contacts at every pixel of mirrored white roughness: (draw, pixels, pixels)."""
+    spectrum = fft.dctn(rng.standard_normal((draws, pixels, pixels)), axes=(1, 2), norm="ortho")
+    decay = np.exp(-((np.pi * np.arange(pixels) * reach / pixels) ** 2) / 2)
+    return fft.idctn(spectrum * decay[:, None] * decay, axes=(1, 2), norm="ortho")
+
+
+def quarter_means(fields):
+    half = fields.shape[1] // 2
+    return fields.reshape(-1, 2, half, 2, half).mean(axis=(2, 4)).reshape(-1, 4)
+
+
+@pytest.mark.parametrize("reach", [0.02, 0.2, 0.47])
+def test_correlation_of_quarters_is_that_of_smoothed_noise(reach):
+    means = quarter_means(fields(np.random.default_rng(1), 4000, 32, reach * 32))
+    measured = means.T @ means / np.mean(means**2) / len(means)
+    parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, reach)
+    np.testing.assert_allclose(parts.correlation, measured, atol=0.05)
+
+
+@pytest.mark.parametrize("scans", [1, 2, 3, 5])
+def test_intervals_hold_the_mean_as_often_as_they_say(scans):
+    draws, reach = 1500, 0.3
+    means = quarter_means(fields(np.random.default_rng(2), draws * scans, 16, reach * 16))
+    means = means.reshape(draws, -1)
+    parts = parts_of_scans(np.arange(scans), QUARTERS, 1.0, reach)
+    if not parts.conditional:
+        means = means.reshape(draws, scans, 4).mean(axis=-1)
+    count = means.shape[1]
+    left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
+    half = half_of(left_out.T, parts, 0.9)
+    assert np.mean(np.abs(means.mean(axis=1)) < half) == pytest.approx(0.9, abs=0.03)
+
+
+def test_without_correlation_it_is_students_t():
+    values = np.array([0.3, -0.1, 0.4, 0.9])
+    left_out = (values.sum() - values) / 3
+    expected = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
+    parts = Parts(np.zeros((1, 1, 1), int), np.eye(4), 4)
+    assert half_of(left_out, parts, 0.95) == pytest.approx(expected)
+
+
+def test_parts_that_are_one_or_the_same_have_no_interval():
+    far = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 5.0)
+    assert np.isnan(half_of(np.arange(4.0), far, 0.95))
+    single = parts_of_scans(np.zeros(1), np.zeros((1, 1), int), 1.0, 0.1)
+    assert np.isnan(half_of(np.zeros(1), single, 0.95))
+    near = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 0.1)
+    half = half_of(np.array([[0.1, 0.2]] * 4) + 1e-17, near, 0.95)
+    assert np.isnan(half).all()

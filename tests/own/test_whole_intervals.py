@@ -1,0 +1,92 @@
+"""How often intervals of spectrum, force and edges hold the truth, of surfaces that are known."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from measurements import line_of, map_of, measurement
+from scipy import stats
+
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import contact_of_area
+from hardcontact.surfaces.extrapolated_spectrum import GRADIENT, HALF_LAPLACIAN
+from hardcontact.surfaces.joined_spectrum import CALIBRATION, drawn_spectra, joined_spectrum
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    all_scales_moments,
+    spectrum_from,
+    varying_hurst,
+)
+from hardcontact.theory import closed_form as closed
+from hardcontact.theory.closed_form import closed_form, filtered_spectrum
+
+pytestmark = pytest.mark.study
+
+CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
+TRIALS, DRAWS = 40, 8
+#: Wavelengths in nm that no scan shows: above, in the gap between map and line, below.
+HELD_BACK = 2 * np.pi / np.array([15_000.0, 110.0, 8.0])
+KNOWN_TIPS = [1e-3, 1e-3]
+
+
+def truth(rng):
+    """A spectrum that may be: bent or straight, with an rms height of 2 to 15 nm."""
+    while True:
+        hurst, change = rng.uniform(0.5, 0.95), rng.uniform(-0.1, 0.1)
+        rolloff, height = np.exp(rng.uniform(np.log([300, 2]), np.log([5000, 15])))
+        values = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst, change)
+        values[2 * np.pi / WAVEVECTORS < 0.3] = 0
+        values *= (height / all_scales_moments(Spectrum(WAVEVECTORS, values))[0]) ** 2
+        spectrum = Spectrum(WAVEVECTORS, values)
+        _, gradient, half_laplacian = all_scales_moments(spectrum)
+        if gradient < GRADIENT and half_laplacian < HALF_LAPLACIAN:
+            return spectrum
+
+
+def measured(rng, spectrum, with_line):
+    """A map of 10 µm, and a line of 228 nm, with heights that are calibrated to ten per cent."""
+    scans = [map_of(rng, 256, 40.0, spectrum)]
+    if with_line:
+        scans.append(line_of(rng, 76, 3.0, spectrum))
+    factors = np.exp(CALIBRATION / 2 * rng.standard_normal(len(scans)))
+    return [
+        measurement(scan.heights * factor, scan.pixel_size)
+        for scan, factor in zip(scans, factors, strict=True)
+    ]
+
+
+def logarithms(spectrum, edges):
+    """ln C where it was held back, ln F, and the change of ln F at both edges of the truth."""
+    force = closed_form(spectrum, CONTACT).force
+    changes = [
+        closed_form(filtered_spectrum(spectrum, side, edge), CONTACT).force / force
+        if np.isfinite(edge)
+        else np.nan
+        for side, edge in zip(("small", "large"), edges, strict=True)
+    ]
+    return np.log([*np.maximum(spectrum(HELD_BACK), 1e-99), force, *changes])
+
+
+def test_intervals_hold_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
+    monkeypatch.setattr(closed, "CUTOFFS", 24)
+    held, forces, halves = [], [], []
+    for number, with_line in product(range(TRIALS // 2), (0, 1)):
+        rng = generator(31, number, with_line)
+        spectrum = truth(rng)
+        scans = measured(rng, spectrum, with_line)
+        radii = KNOWN_TIPS[: len(scans)]
+        edges = closed.edges(spectrum, CONTACT, 0.1)
+        found = logarithms(spectrum_from(joined_spectrum(scans, radii)), edges)
+        rngs = (generator(32, number, with_line, draw) for draw in range(DRAWS))
+        shifts = [logarithms(one, edges) - found for one, _ in drawn_spectra(rngs, scans, radii)]
+        # As for own surfaces; the interval of an edge holds it if that of F_c/F there does.
+        half = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))
+        true = logarithms(spectrum, edges)
+        held.append(np.where(np.isfinite(true), np.abs(found - true) <= half, np.nan))
+        forces.append(true[3])
+        halves.append(half[3])
+    count, kept = np.isfinite(held).sum(axis=0), np.nansum(held, axis=0)
+    assert count.min() > TRIALS / 2
+    assert (kept >= stats.binom.ppf(0.01, count, 0.93)).all(), (kept, count)
+    assert np.median(halves) < np.std(forces)

@@ -1,0 +1,67 @@
+"""The classical dataset of a study, from the tables of the paper and an inference dataset."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from paper_claims import TABLES
+from paper_numbers import MEAN_FORCE, SUBSTRATES
+from published_contact import RADIUS
+
+from hardcontact.base import published
+from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.paper.classical_comparison import apply_classical_models
+
+
+def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
+    """Mean forces of plastic contact at the published pair, to within 1 %."""
+    dims = ("contact_model", "pair", "surface")
+    return xr.Dataset(
+        {
+            "force_mean": (dims, [[forces]]),
+            "force_mean_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
+            "label": ("surface", surfaces),
+            "basis": ("surface", ["measured"] * len(surfaces)),
+        },
+        {"contact_model": ["plastic"], "pair": ["published"], "surface": surfaces,
+         "bound": ["low", "high"]},
+        {"sphere_radius": RADIUS, "error_threshold": 0.1},
+    )  # fmt: skip
+
+
+def classical_of(inference, seed=1):
+    return apply_classical_models(
+        inference,
+        published.constants(TABLES / "parameters.csv"),
+        published.table1(TABLES / "table1.csv"),
+        published.printed_pull_off(TABLES / "pull_off.csv"),
+        Sampling(seed, 20, 0.9, ("classical",)),
+    )
+
+
+@pytest.fixture(scope="module")
+def classical():
+    return classical_of(make_inference())
+
+
+def test_forces_and_works_of_polished_uncd(classical):
+    """Printed are 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
+    uncd = classical.sel(surface="polished_uncd")
+    low, high = bounds(uncd, "published_mean_force")
+    assert (float(low), float(high)) == pytest.approx((8.75e-6, 8.85e-6))
+    work = uncd["effective_work_of_adhesion"].sel(against="published")
+    assert work.item() == pytest.approx(6.97e-3, rel=1e-3)
+    low, high = bounds(uncd, "effective_work_of_adhesion")
+    work = uncd["effective_work_of_adhesion"].sel(against="computed").item()
+    ends = [end.sel(against="computed").item() / work for end in (low, high)]
+    assert ends == pytest.approx([0.99, 1.01])
+
+
+def test_surfaces_that_the_paper_does_not_know_have_no_numbers(classical):
+    """The known ones keep theirs; none of what is fitted to all of them changes."""
+    with_glass = classical_of(make_inference([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
+    assert list(with_glass["surface"].values) == [*SUBSTRATES, "glass"]
+    forces = with_glass["published_mean_force"]
+    assert (
+        np.isnan(forces.sel(surface="glass")) and not forces.sel(surface=SUBSTRATES).isnull().any()
+    )
+    assert with_glass["mean_relative_error"].equals(classical["mean_relative_error"])

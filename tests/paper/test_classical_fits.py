@@ -1,0 +1,62 @@
+"""Fits of classical models and of power laws to forces that are known."""
+
+import numpy as np
+import pytest
+from paper_numbers import MEAN_FORCE
+from published_contact import AFM, SPHERE, UNCERTAINTY
+
+from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.paper.classical_fits import (
+    fit_work,
+    power_law_error,
+    power_laws,
+    sample_roughness,
+)
+from hardcontact.paper.classical_models import MODELS, Roughness
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_fit_finds_the_work_that_made_the_forces(name):
+    gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
+    target = MODELS[name].force(0.08, gentle, SPHERE)
+    both = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
+    work, error = fit_work(MODELS[name], both, SPHERE, target)
+    assert work[0] == pytest.approx(0.08, rel=1e-4) and error[0] < 1e-3
+    assert error[1] > error[0]
+
+
+def test_fit_of_forces_that_vanish_has_no_work():
+    rough = Roughness(AFM.height, AFM.slope, 1e3 * AFM.curvature)
+    work, error = fit_work(MODELS["maugis"], rough, SPHERE, MEAN_FORCE)
+    assert np.isnan(work) and error == pytest.approx(1)
+
+
+def test_no_model_fits_the_published_forces():
+    for model in MODELS.values():
+        assert fit_work(model, AFM, SPHERE, MEAN_FORCE)[1] > 0.4
+
+
+def test_drawn_roughness_is_positive_and_spreads_as_printed():
+    samples = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 4000)
+    assert all((values > 0).all() and values.shape == (4000, 4) for values in samples)
+    np.testing.assert_allclose(samples.height[:, 2].std(), 11.2, rtol=0.05)
+    assert abs(np.corrcoef(samples.height[:, 2], samples.slope[:, 2])[0, 1]) < 0.05
+
+
+def test_a_power_law_is_the_least_squares_line_of_logarithms():
+    works = 3 * AFM.height**-1.2
+    assert power_law_error(AFM.height, works) == pytest.approx(0, abs=1e-12)
+    line = np.polyfit(np.log(AFM.slope), np.log(works), 1)
+    expected = np.abs(np.exp(np.polyval(line, np.log(AFM.slope))) / works - 1).mean()
+    assert expected > 0.1 and power_law_error(AFM.slope, works) == pytest.approx(expected)
+
+
+def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
+    drawn = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
+    works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
+    laws = power_laws(AFM, drawn, works, Sampling(0, 2, 0.95))
+    assert list(laws.rms_parameter.values) == list(Roughness._fields)
+    assert list(laws.against.values) == list(works)
+    low, high = bounds(laws, "power_law_error")  # a factor common to all changes no error
+    np.testing.assert_allclose(low, high)
+    np.testing.assert_allclose(low, laws.power_law_error)

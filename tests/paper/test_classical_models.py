@@ -1,0 +1,112 @@
+"""Classical models of rough spheres against their limits and brute force."""
+
+from math import exp, pi, sqrt
+
+import numpy as np
+import pytest
+from published_contact import AFM, MODULUS, RADIUS, SPACING, SPHERE, WORK
+from scipy.integrate import quad
+from scipy.stats import norm
+
+from hardcontact.contact import smooth_sphere
+from hardcontact.paper import classical_models
+from hardcontact.paper.classical_models import MODELS, Roughness
+
+
+def test_rumpf_limits():
+    smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
+    force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
+    assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
+    large = classical_models.rumpf(WORK, RADIUS, 1e3, SPACING)  # the plane is out of reach
+    expected = smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
+    assert large == pytest.approx(expected, rel=1e-3)
+
+
+def test_rabinovich_limits():
+    def force(height, distance):
+        roughness = Roughness(height, 2 * np.pi * height / distance, np.nan)
+        return classical_models.rabinovich(WORK, roughness, SPHERE)
+
+    smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
+    assert force(1e-12, 500.0) == pytest.approx(2 * smooth)
+    caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
+    single = classical_models.rumpf(WORK, RADIUS, caps, 1e-6)
+    assert force(50.0, 500.0) == pytest.approx(single, rel=0.15)
+    assert force(50.0, 1e12) == pytest.approx(smooth, rel=1e-4)
+
+
+def relative(model, index):
+    """Relative pull-off force of Gaussian asperities with a given elastic adhesion index."""
+    height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
+    roughness = Roughness(height, np.nan, 1.0)
+    assert classical_models.adhesion_index(WORK, roughness, MODULUS) == pytest.approx(index)
+    smooth = {"fuller_tabor": smooth_sphere.jkr_pull_off, "maugis": smooth_sphere.dmt_pull_off}
+    return MODELS[model].force(WORK, roughness, SPHERE) / smooth[model](WORK, RADIUS)
+
+
+@pytest.mark.parametrize("model", ["fuller_tabor", "maugis"])
+def test_adhesion_vanishes_with_the_elastic_adhesion_index(model):
+    index = np.geomspace(1e-3, 1e6, 91)
+    force = relative(model, index)
+    assert (np.diff(force) <= 0).all() and (np.diff(force[index < 300]) < 0).all()
+    assert force[0] == pytest.approx(1, abs=2e-3)
+    assert 0.01 < relative(model, 10.0) < 0.05
+    assert relative(model, 30.0) < 1e-4
+    assert force[-1] == 0
+
+
+@pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
+def test_dmt_asperities_by_brute_force(index):
+    def tension(separation):
+        def force(z):  # of one asperity, over 2πβW
+            density = exp(-(z**2) / 2) / sqrt(2 * pi)
+            return (1 - 2 * index * (z - separation) ** 1.5 / (3 * pi)) * density
+
+        return quad(force, separation, 12, limit=200)[0]
+
+    greatest = max(tension(separation) for separation in np.linspace(-4.5, 4, 171))
+    assert relative("maugis", index) == pytest.approx(greatest, rel=2e-3)
+
+
+@pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
+def test_jkr_asperities_by_brute_force(index):
+    """In the variables of Greenwood: δ = a² - sqrt(2πa), P = 4a³/3 - sqrt(8πa³)."""
+    radius = np.geomspace((np.pi / 8) ** (1 / 3), 30, 20001)  # from where it comes off
+    compression = radius**2 - np.sqrt(2 * np.pi * radius)
+    tension = (np.sqrt(8 * np.pi * radius**3) - 4 / 3 * radius**3) / (1.5 * np.pi)
+    spread = index ** (2 / 3)
+
+    def mean(separation):
+        density = norm.pdf(separation + compression / spread) / spread
+        return np.trapezoid(tension * density, compression)
+
+    places = np.linspace(-6, 6 + 2 / spread, 401)
+    greatest = max(mean(separation) for separation in places)
+    assert relative("fuller_tabor", index) == pytest.approx(greatest, rel=2e-3)
+
+
+def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
+    flat = Roughness(*(np.array([tiny]) for tiny in (1e-7, 1e-2, 1e-9)))
+    for name, model in MODELS.items():
+        smooth = (
+            smooth_sphere.jkr_pull_off if name == "fuller_tabor" else smooth_sphere.dmt_pull_off
+        )
+        expected = smooth(WORK, RADIUS)
+        assert model.force(WORK, flat, SPHERE) == pytest.approx(expected, rel=2e-3), name
+
+
+def test_geometry_of_close_packed_asperities():
+    """Rms of hexagonally packed hemispheres and paraboloids, heights from their base."""
+    cell = 2 * np.sqrt(3)  # of asperities of base radius 1
+    hemisphere = quad(lambda r: 2 * np.pi * r * (1 - r**2), 0, 1)[0] / cell
+    assert hemisphere**-0.5 == pytest.approx(classical_models.HEMISPHERE_OVER_RMS)
+    assert hemisphere**-0.5 == pytest.approx(1.485, abs=5e-4)
+    paraboloid = quad(lambda r: 2 * np.pi * r * (1 - r**2) ** 2, 0, 1)[0] / cell
+    assert paraboloid**-0.5 == pytest.approx(classical_models.PEAK_OVER_RMS, rel=2e-3)
+
+
+def test_published_roughness_leaves_no_elastic_adhesion():
+    index = classical_models.adhesion_index(WORK, AFM, MODULUS)
+    assert index[0] == pytest.approx(1602, rel=1e-3) and (index > 1000).all()
+    for name in ("fuller_tabor", "maugis"):
+        assert (MODELS[name].force(WORK, AFM, SPHERE) < 1e-15).all()

@@ -1,0 +1,204 @@
+"""Claims judged on a small study: a smooth, a middle and a rough surface under a sphere."""
+
+import json
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from scipy import stats
+
+from hardcontact.paper.evaluation import COLUMNS, evaluate, values
+from hardcontact.paper.verdicts import STABLE
+
+SURFACES = ["smooth", "middle", "rough"]
+CONSTANTS = pd.DataFrame({"value": {"spacing": 2.0}})
+CLAIM = {
+    "id": "claim", "section": "Results", "statement": "It is two.", "published": 2.0,
+    "published_low": 1.5, "published_high": 2.5, "unit": "1", "rule": "interval",
+    "basis": "published", "dataset": "forces", "quantity": "force", "select": "surface=middle",
+    "needs": "", "follows_from": "", "replicated": "", "note": "",
+}  # fmt: skip
+
+
+def make_datasets(substitutes=(), surfaces=SURFACES):
+    """Heights and forces of 1, 2 and 4, forces to within 10 %; scans are measured but for some."""
+    named = [*SURFACES, "sphere"]
+    topography = xr.Dataset(
+        {
+            "rms_height": ("surface", [1.0, 2.0, 4.0, 0.5]),
+            "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in named]),
+            "calibrated_to_table1": ("surface", ["afm_rms_height"] * 3 + [""]),
+        },
+        {"surface": named},
+        {
+            "sphere_surface": "sphere",
+            "table1_variables": json.dumps({"afm_rms_height": "rms_height"}),
+        },
+    )
+    force = np.array([1.0, 2.0, 4.0])
+    forces = xr.Dataset(
+        {
+            "force": ("surface", force),
+            "force_interval": (("surface", "bound"), np.outer(force, [0.9, 1.1])),
+            "change": (("surface", "scan"), np.full((3, 3), 1e-3)),
+        },
+        {"surface": SURFACES, "bound": ["low", "high"]},
+    )
+    return {
+        "topography": topography.sel(surface=[*surfaces, "sphere"]),
+        "forces": forces.sel(surface=surfaces),
+        "indent": xr.Dataset(
+            {"depth": ("preload", [2.0])},
+            {"preload": [np.nextafter(2e-5, 1)]},
+            {"surface": surfaces[-1]},
+        ),
+    }
+
+
+def judge_all(datasets, replicas=(), confidence=0.95, **changes):
+    sets = xr.Dataset(
+        {"value": (("set", "claim"), np.reshape(replicas, (-1, 1)))}, {"claim": ["claim"]}
+    )
+    statements = pd.DataFrame([CLAIM | changes])
+    return evaluate(statements, datasets, CONSTANTS, confidence, sets, seed=1)
+
+
+def judge(datasets=None, *replicas, **changes):
+    """Return the row of the claim, of which some columns may be changed."""
+    return judge_all(make_datasets() if datasets is None else datasets, *replicas, **changes).iloc[
+        0
+    ]
+
+
+def test_a_number_is_judged_with_its_interval():
+    table = judge_all(make_datasets())
+    assert tuple(table.columns) == COLUMNS
+    row = table.iloc[0]
+    assert (row.computed, row.low, row.high) == pytest.approx((2.0, 1.8, 2.2))
+    assert (row.verdict, row.basis) == ("reproduced", "measured")
+    assert np.isnan([row.frequency, row.stability]).all()
+    assert judge(published_high=2.1).verdict == "undecided"
+
+
+HEIGHT = {"dataset": "topography", "quantity": "afm_rms_height"}
+ORDER = {"rule": "order", "published_low": 1.0, "select": "surface=rough>middle>smooth"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "substitutes", "basis", "verdict"),
+    [
+        ({}, ["middle"], "substitute scans", "reproduced"),
+        ({}, ["rough"], "measured", "reproduced"),
+        ({}, ["sphere"], "substitute scans", "reproduced"),
+        (HEIGHT, ["sphere"], "measured", "consistent"),
+        (HEIGHT, ["middle"], "substitute scans", "by construction"),
+        (HEIGHT | ORDER, ["middle", "rough"], "substitute scans", "consistent"),
+        (HEIGHT | ORDER, SURFACES, "substitute scans", "by construction"),
+        (ORDER, ["smooth"], "substitute scans", "reproduced"),
+        ({"needs": "construction"}, [], "measured", "by construction"),
+        ({"needs": "measured"}, ["middle"], "substitute scans", "not testable on substitutes"),
+        ({"needs": "measured"}, [], "measured", "reproduced"),
+        (HEIGHT | {"needs": "no scan"}, ["middle"], "no scan", "reproduced"),
+        ({"rule": "below", "published_high": 5.0, "select": ""}, ["rough"], "substitute scans",
+         "reproduced"),
+    ],
+)  # fmt: skip
+def test_a_claim_stands_on_the_scans_of_its_surfaces(changes, substitutes, basis, verdict):
+    row = judge(make_datasets(substitutes), **changes)
+    assert (row.basis, row.verdict) == (basis, verdict)
+
+
+@pytest.mark.parametrize(
+    ("replicas", "ends", "frequency", "verdict"),
+    [
+        (np.linspace(1.7, 2.3, 101), (1.715, 2.285), 1, "reproduced"),
+        (np.linspace(1.3, 2.3, 101), (1.325, 2.275), 81 / 101, "undecided"),
+        (np.linspace(2.6, 3.0, 101), (2.0, 2.99), 0, "undecided"),  # stretched to the number
+        ([2.1] * 9, (1.8, 2.2), 1, "reproduced"),  # sets that are alike: its own interval
+        ([*np.linspace(1.7, 2.3, 19), np.nan], (1.7135, 2.2865), 0.95, "reproduced"),
+        ([*np.linspace(1.7, 2.3, 18), np.nan, np.nan], (np.nan, np.nan), 0.9, "consistent"),
+    ],
+)
+def test_sets_give_interval_and_frequency(replicas, ends, frequency, verdict):
+    row = judge(make_datasets(), replicas, replicated="yes")
+    np.testing.assert_allclose([row.low, row.high], ends, atol=3e-3)
+    assert (row.frequency, row.verdict) == (pytest.approx(frequency), verdict)
+
+
+def test_a_verdict_has_a_stability_if_sets_that_differ_decide_it():
+    far, near = np.linspace(1.9, 2.1, 100), [1.4, 1.4, *np.linspace(1.9, 2.1, 98)]
+    assert judge(make_datasets(), far, replicated="yes").stability == 1
+    assert 0.5 < judge(make_datasets(), near, replicated="yes").stability < STABLE
+    for changes in ({"replicated": ""}, {"needs": "construction", "replicated": "yes"}):
+        assert np.isnan(judge(make_datasets(), near, **changes).stability)
+    assert np.isnan(judge(make_datasets(), [2.0] * 9, replicated="yes").stability)
+
+
+@pytest.mark.parametrize(
+    ("middle", "verdict"), [((2.0, 1.8, 2.2), "reproduced"), ((2.0, 1.0, 2.2), "undecided"),
+                            ((0.5, 0.4, 0.6), "not reproduced")],
+)  # fmt: skip
+def test_an_order_needs_every_link(middle, verdict):
+    datasets = make_datasets()
+    datasets["forces"]["force"].loc["middle"] = middle[0]
+    datasets["forces"]["force_interval"].loc["middle"] = np.array(middle[1:])
+    assert judge(datasets, **ORDER).verdict == verdict
+
+
+def test_open_dimensions_take_the_worst_case():
+    datasets = make_datasets()
+    datasets["forces"]["change"][:] = [[1e-3, 1e-3, np.nan], [1e-3, 1e-3, 0.02], [1e-3] * 3]
+    for rule, computed in (("below", 0.02), ("above", 1e-3)):
+        assert judge(datasets, quantity="change", select="", rule=rule).computed == computed
+
+
+def test_numbers_of_one_surface_are_selected_by_label():
+    depth = {"dataset": "indent", "quantity": "depth", "select": "preload=20e-6;surface=rough"}
+    assert judge(**depth).computed == 2
+    assert judge_all(make_datasets(surfaces=["smooth", "middle"]), **depth).empty
+    assert judge_all(make_datasets(), **depth | {"select": "preload=10e-6"}).empty
+
+
+def test_values_are_the_judged_numbers_and_missing_where_a_surface_is():
+    rows = pd.DataFrame([CLAIM, CLAIM | {"id": "other", "select": "surface=rough"}])
+    numbers = values(rows, make_datasets(surfaces=["smooth", "middle"]), CONSTANTS)
+    assert (numbers.index.name, numbers["claim"]) == ("id", 2.0) and np.isnan(numbers["other"])
+
+
+def test_no_number_decides_nothing():
+    datasets = make_datasets()
+    datasets["forces"]["force"][:] = np.nan
+    row = judge(datasets)
+    assert row.verdict == "undecided" and row.note == "No value exists."
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"rule": "close"}, "unknown rule 'close'"),
+        ({"quantity": "colour"}, ".*colour"),
+        ({"quantity": "force_slope"}, ".*pull_off_force"),
+        ({"quantity": "interaction_radius_at_fit"}, "expected sphere_radius, found none"),
+        ({"dataset": "colours"}, "no dataset named 'colours'"),
+        ({"select": "phase=solid"}, ".*phase"),
+        ({"select": ""}, "rule 'interval' needs one number"),
+        ({"id": "two", "replicated": "yes"}, "expected its numbers in sets.nc"),
+    ],
+)
+def test_errors_name_the_claim(change, message):
+    with pytest.raises(ValueError, match=f"claim {change.get('id', 'claim')}: {message}") as error:
+        judge(**change)
+    assert "\n" not in str(error.value)
+
+
+def test_intervals_over_scans_have_the_confidence_that_is_given():
+    datasets = make_datasets()
+    scans = ("surface", "scan", "contact"), np.outer(np.ones(3), [1.0, 2.0, 3.0])[..., None]
+    datasets["forces"]["scan_force"] = scans
+    wide, narrow = (
+        judge(datasets, (), confidence, quantity="scan_force") for confidence in (0.95, 0.5)
+    )
+    quantiles = [stats.t.ppf((1 + confidence) / 2, 2) for confidence in (0.95, 0.5)]
+    widths = [np.log(row.high / row.low) for row in (wide, narrow)]
+    assert widths[0] / widths[1] == pytest.approx(quantiles[0] / quantiles[1])

@@ -1,0 +1,160 @@
+"""Inference on forces whose answer is known."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from known_forces import RHOS, TABLE, power_forces
+from paper_numbers import MEAN_FORCE, SUBSTRATES
+
+from hardcontact.base.statistics import Sampling
+from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.paper import error_map, inference
+
+SAMPLING = Sampling(1, 50, 0.95)
+
+
+def infer_model(forces, published=MEAN_FORCE, sampling=SAMPLING):
+    return inference.infer_model(forces, published, 1, 0.1, sampling)
+
+
+def test_inference_finds_the_range_and_work_that_made_the_forces():
+    inferred = infer_model(power_forces())
+    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    assert float(inferred.range_from_ratios) == pytest.approx(4.0, rel=0.01)
+    assert float(inferred.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
+    assert float(inferred.best_error) < 0.01
+    for name, known in (("region_range", 4.0), ("region_work", 0.05)):
+        low, high = inferred[name].sel(bound=["low", "high"]).values
+        assert low < known < high
+
+
+def test_interval_is_of_the_confidence_that_is_asked_for():
+    half, most = (
+        infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, confidence))
+        for confidence in (0.5, 0.95)
+    )
+    assert half.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
+    narrow, wide = (one.mean_force_interval.diff("bound") for one in (half, most))
+    assert (narrow.values < wide.values).all()
+    np.testing.assert_array_equal(half.mean_force, most.mean_force)
+    low, high = np.quantile(half.sampled_range, [0.25, 0.75])
+    np.testing.assert_allclose(half.range_of_adhesion_interval, [low, high])
+
+
+def test_missing_scans_do_not_count():
+    forces = power_forces(spread=0.3)
+    short = forces.copy()
+    short[0, 3] = np.nan
+    np.testing.assert_allclose(
+        infer_model(short).mean_force.isel(surface=0),
+        forces[0, :3].mean(["scan", "sphere_scan", "contact_y", "contact_x"]),
+    )
+
+
+def test_a_surface_without_a_published_force_does_not_enter_the_fit():
+    forces = power_forces()
+    forces[0] *= 100
+    published = np.where(np.arange(4) == 0, np.nan, MEAN_FORCE)
+    inferred = infer_model(forces, published)
+    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    assert float(inferred.range_from_ratios) == pytest.approx(4.0, rel=0.01)
+    assert inferred.mean_force.sizes["surface"] == 4
+
+
+def test_fit_is_the_least_of_a_fine_search():
+    forces = power_forces(spread=0.5, seed=3)
+    forces = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
+    fine = np.geomspace(RHOS[0], RHOS[-1], 60)
+    curve = on_fine_grid(forces, RHOS, fine)
+    best, _, error = error_map.fit(curve, MEAN_FORCE)
+    search = error_map.mean_relative_error(curve, MEAN_FORCE, np.geomspace(1e-3, 2, 20001))
+    assert error <= search.min() + 1e-12
+    assert error == pytest.approx(search.min(), rel=1e-3)
+    assert np.unravel_index(search.argmin(), search.shape)[0] == best
+
+
+def test_region_holds_the_places_of_small_error_and_no_more():
+    errors = np.ones((4, 5))
+    errors[1, 2] = errors[2, 3] = 0.05
+    ranges, works = error_map.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
+    assert ranges.tolist() == [1.0, 2.0] and works.tolist() == [2.0, 3.0]
+    assert np.isnan(error_map.error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
+
+
+def two_ranges():
+    """Forces of two surfaces whose ratio is the published one at 1 and at 8 nm, W 0.05 at both."""
+    rhos = np.geomspace(0.5, 16, 11)
+    ratio = np.exp(0.5 * np.log(rhos) * np.log(rhos / 8))
+    forces = np.stack([20 * ratio, np.ones_like(ratio)])[:, None, None, :, None, None]
+    dims = ("surface", "scan", "sphere_scan", "rho", "contact_y", "contact_x")
+    return xr.DataArray(forces, {"surface": ["a", "b"], "rho": rhos}, dims)
+
+
+def test_ratios_that_are_met_twice_give_two_minima():
+    inferred = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
+    assert sorted(inferred.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
+    np.testing.assert_allclose(inferred.minimum_work[:2], 0.05, rtol=0.02)
+    assert inferred.minimum_error[0] <= inferred.minimum_error[1] < 0.02
+    assert inferred.minimum_error[0] == inferred.best_error == inferred.error_of_range.min()
+    assert inferred.minimum_range[0] == inferred.range_of_adhesion
+    assert inferred.minimum_range.isnull().values.tolist() == [False, False, True]
+
+
+def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
+    errors = np.array([0.3, 0.5, 0.2, 0.2, 0.4, 0.6, 0.1])
+    assert error_map.least_errors(errors, 3).tolist() == [6, 2, 0]
+    assert error_map.least_errors(errors, 2).tolist() == [6, 2]
+    assert error_map.least_errors(np.arange(4.0), 3).tolist() == [0]
+
+
+def test_one_scan_is_fitted_without_interval():
+    inferred = infer_model(power_forces(scans=1))
+    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    for name in ("range_of_adhesion", "work_of_adhesion", "best_error", "mean_force"):
+        assert inferred[f"{name}_interval"].isnull().all(), name
+
+
+def make_adhesion(plastic):
+    names = ("label", "basis")
+    return xr.Dataset(
+        {"pull_off_force": xr.concat([plastic, plastic / 2], "contact_model")}
+        | {name: ("surface", [f"{name} of {surface}" for surface in SUBSTRATES]) for name in names},
+        {"contact_model": ["plastic", "rigid"]},
+        {"sphere_radius": 0.25e6, "parameters": "those of adhesion"},
+    )
+
+
+PUBLISHED = inference.Published(TABLE.iloc[::-1], inference.Pair(5.0, 0.04))  # in any order
+
+
+def infer(plastic, sampling=SAMPLING):
+    return inference.infer(make_adhesion(plastic), PUBLISHED, "uncd", 0.1, 30e-9, sampling)
+
+
+def test_published_range_beyond_the_sweep_has_no_forces():
+    beyond = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
+    adhesion = make_adhesion(power_forces())
+    inferred = inference.infer(adhesion, beyond, "uncd", 0.1, 30e-9, SAMPLING)
+    assert inferred.force_mean.sel(pair="published").isnull().all()
+    assert inferred.ratio_at_pair_interval.sel(pair="published").isnull().all()
+    assert inferred.force_mean.sel(pair="fitted").notnull().all()
+
+
+def test_models_are_compared_with_the_same_samples():
+    """Half the force everywhere is fitted as well, by twice the work: the ratio is certain."""
+    inferred = infer(power_forces(spread=0.5))
+    assert inferred.model_error_ratio.dims == ()
+    assert float(inferred.model_error_ratio) == pytest.approx(1.0)
+    np.testing.assert_allclose(inferred.model_error_ratio_interval, 1.0)
+    rigid, plastic = (inferred.sel(contact_model=model) for model in ("rigid", "plastic"))
+    np.testing.assert_allclose(rigid.sampled_error, plastic.sampled_error)
+    np.testing.assert_allclose(rigid.sampled_work, 2 * plastic.sampled_work)
+
+
+def test_forces_stand_at_the_published_and_at_the_fitted_pair():
+    forces = power_forces(spread=0.1)
+    inferred = infer(forces).sel(contact_model="plastic")
+    mean = 0.04 * forces.sel(rho=5.0).mean(["scan", "sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(inferred["force_mean"].sel(pair="published"), mean)
+    np.testing.assert_allclose(inferred["ratio_at_pair"].sel(pair="published"), mean / mean[1])
+    np.testing.assert_allclose(inferred["force_mean"].sel(pair="fitted"), MEAN_FORCE, rtol=0.1)

@@ -1,0 +1,31 @@
+"""Fits without one surface: one that does not follow the law of the others decides them."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from hardcontact.paper.leave_one_out import NONE_LEFT_OUT, leave_one_out_fits
+
+RANGES = np.geomspace(0.5, 20, 9)
+RANGE, WORK = 5.0, 0.05
+STANDOFFS = {"a": 10.0, "b": 30.0, "c": 60.0, "odd": 20.0}
+
+
+def forces_at_one_joule():
+    """Return forces (set, surface, rho) that fall with the standoff m as exp(-m/rho)."""
+    values = [np.exp(-standoff / RANGES) * 1e-3 for standoff in STANDOFFS.values()]
+    coordinates = {"set": [1, 2], "surface": list(STANDOFFS), "rho": RANGES}
+    return xr.DataArray([values, values], coordinates, ["set", "surface", "rho"])
+
+
+def test_the_pair_is_found_where_the_surface_that_contradicts_it_is_left_out():
+    measured = pd.Series({name: WORK * 1e-3 * np.exp(-m / RANGE) for name, m in STANDOFFS.items()})
+    measured["odd"] *= 5
+    fits = leave_one_out_fits(forces_at_one_joule(), measured)
+    assert fits["left_out"].values.tolist() == [NONE_LEFT_OUT, *STANDOFFS]
+    without = fits.sel(left_out="odd", set=2)
+    assert without["range_of_adhesion"].item() == pytest.approx(RANGE, rel=0.01)
+    assert without["work_of_adhesion"].item() == pytest.approx(WORK, rel=0.03)
+    assert without["best_error"].item() < 0.02
+    assert (fits["best_error"].sel(left_out=[NONE_LEFT_OUT, "a", "b"]) > 0.1).all()

@@ -1,0 +1,103 @@
+"""Numbers with intervals, and arithmetic on them."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from scipy import stats
+
+from hardcontact.base.statistics import bounds, with_interval
+from hardcontact.paper import numbers
+from hardcontact.paper.numbers import number
+
+
+def scalar(value, low=np.nan, high=np.nan):
+    return number(xr.DataArray(value), low, high)
+
+
+def ends(dataset, name="value"):
+    return [end.values.tolist() for end in bounds(dataset, name)]
+
+
+def test_fewer_than_two_values_have_no_interval():
+    values = xr.DataArray([[1.0, np.nan], [np.nan, np.nan]], dims=("surface", "scan"))
+    computed = numbers.mean_over_scans(values, 0.95)
+    np.testing.assert_array_equal(computed.value, [1.0, np.nan])
+    assert computed.value_interval.isnull().all()
+    one = numbers.mean_over_scans(xr.DataArray([2.0], dims="realization"), 0.95, "realization")
+    assert float(one.value) == 2.0 and one.value_interval.isnull().all()
+
+
+def test_a_number_that_is_zero_in_every_scan_is_zero():
+    values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
+    low, high = bounds(numbers.mean_over_scans(values, 0.95), "value")
+    np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
+
+
+def test_intervals_hold_the_mean_as_often_as_they_say():
+    normal = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
+    low, high = bounds(numbers.signed_mean_over_scans(normal, 0.8), "value")
+    assert float(((low < 0) & (high > 0)).mean()) == pytest.approx(0.8, abs=0.02)
+    low, high = bounds(numbers.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
+    mean = np.exp(0.3**2 / 2)
+    assert float(((low < mean) & (high > mean)).mean()) == pytest.approx(0.8, abs=0.04)
+
+
+def test_a_value_of_zero_leaves_no_interval_on_logarithms():
+    values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
+    computed = numbers.mean_over_scans(values, 0.95)
+    np.testing.assert_array_equal(computed.value, [1.0, 1.5])
+    assert computed.value_interval.isnull().all("bound").values.tolist() == [True, False]
+
+
+def test_least_of_two_numbers_and_of_their_ends():
+    computed = numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0, 2.0, 9.0))
+    assert (float(computed.value), *ends(computed)) == (3.0, 1.0, 8.0)
+    assert numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0)).value_interval.isnull().all()
+
+
+def test_a_variable_as_a_number():
+    contacts = xr.DataArray(
+        np.random.default_rng(0).random((3, 2, 4)), dims=("scan", "sphere_scan", "contact")
+    )
+    dataset = xr.Dataset(
+        {"force": contacts, "rms_height": contacts.isel(sphere_scan=0, contact=0, drop=True)}
+        | with_interval("work", (), 1.0, [0.5, 2.0], {}, 0.95),
+        attrs={"confidence": 0.7},
+    )
+    force = numbers.variable_as_number(dataset, "force")
+    means = contacts.mean(("sphere_scan", "contact")).values
+    assert float(force.value) == pytest.approx(means.mean())
+    middle = np.log(means).mean()
+    expected = stats.ttest_1samp(np.log(means), 0).confidence_interval(0.7)
+    np.testing.assert_allclose(
+        force.value_interval, means.mean() * np.exp(np.array(expected) - middle)
+    )
+    assert ends(numbers.variable_as_number(dataset, "work")) == [0.5, 2.0]
+    without = numbers.variable_as_number(dataset, "rms_height")
+    assert without.value.dims == ("scan",) and without.value_interval.isnull().all()
+    with pytest.raises(KeyError, match="expected an attribute named 'confidence', found none"):
+        numbers.variable_as_number(dataset.drop_attrs(), "force")
+
+
+def test_quotient_holds_all_ratios_of_the_intervals():
+    computed = numbers.quotient(scalar(4.0, 2.0, 8.0), scalar(2.0, 1.0, 4.0))
+    assert (float(computed.value), *ends(computed)) == (2.0, 0.5, 8.0)
+    below_zero = numbers.quotient(scalar(4.0, -2.0, 8.0), scalar(2.0, -1.0, 4.0))
+    assert ends(below_zero) == [0.0, np.inf]
+    assert numbers.quotient(scalar(4.0), scalar(2.0)).value_interval.isnull().all()
+
+
+@pytest.mark.parametrize(
+    ("signed", "expected"),
+    [((2, 1, 3), (2, 1, 3)), ((-2, -3, -1), (2, 1, 3)), ((-0.5, -2, 1), (0.5, 0, 2))],
+)
+def test_absolute_value(signed, expected):
+    computed = numbers.absolute_value(scalar(*map(float, signed)))
+    assert (float(computed.value), *ends(computed)) == expected
+
+
+def test_decades_between_numbers():
+    values = xr.DataArray([1.0, 1000.0, 10.0], dims="surface")
+    computed = numbers.decades(number(values, values / 10, values * 10), "surface")
+    assert float(computed.value) == pytest.approx(3)
+    np.testing.assert_allclose(computed.value_interval, [1, 5])

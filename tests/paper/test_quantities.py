@@ -1,0 +1,312 @@
+"""Derived quantities of claims: against integrals, known powers and distributions, known curves."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+from paper_claims import PARAMETERS
+from scipy import constants, stats
+from scipy.integrate import quad
+
+from hardcontact.band.critical_band import critical_band
+from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.paper import contact_quantities as contact
+from hardcontact.paper import force_quantities as force
+from hardcontact.paper import inference_quantities as inference
+
+RADIUS = 250e3
+#: The dataset `paper` of claims.
+PAPER = xr.Dataset(PARAMETERS.to_dict())
+MODELS = {"contact_model": ["rigid", "plastic"]}
+
+
+def near(number, expected, **tolerance):
+    """Expect the value of a number."""
+    np.testing.assert_allclose(np.asarray(number["value"]), expected, **tolerance)
+
+
+def make_adhesion(forces, ranges=(0.05, 2.0, 5.6, 8.0)):
+    """Forces (contact_model, rho, scan, contact) of two models on one surface."""
+    dims = ("contact_model", "rho", "scan", "sphere_scan", "contact_y", "contact_x")
+    return xr.Dataset(
+        {"pull_off_force": (dims, np.asarray(forces, float)[:, :, :, None, None])},
+        MODELS | {"rho": list(ranges)},
+        {"reference_rho": 5.6, "work_of_adhesion": 1.0, "pixel_size": 10.0,
+         "sphere_radius": RADIUS, "confidence": 0.95},
+    )  # fmt: skip
+
+
+def powers(slope, scans=(0.9, 1.1)):
+    """Forces that are a power of the range, half as large under rigid contact."""
+    ranges = np.array([0.05, 2.0, 5.6, 8.0])
+    return np.multiply.outer(np.outer([0.5, 1.0], ranges**slope), np.outer(scans, [1.0, 1.0]))
+
+
+# --- roughness and contact --------------------------------------------------------------------
+
+
+def test_roughness_of_all_scales_over_that_of_scans():
+    names = {f"{scales}_rms_{name}": f"{scales}_{name}" for scales in ("all", "afm")
+             for name in ("height", "slope", "curvature")}  # fmt: skip
+    values = {"afm_height": 2.0, "afm_slope": 0.1, "afm_curvature": 0.01}
+    values |= {"all_height": 3.0, "all_slope": 0.6, "all_curvature": 0.6}
+    topography = xr.Dataset(values, attrs={"table1_variables": json.dumps(names)})
+    near(force.slope_by_scales(topography), 6)
+    near(force.slope_over_height(topography), 6 / 1.5)
+    near(force.curvature_over_height(topography), 60 / 1.5)
+
+
+def test_contact_height_is_taken_scan_by_scan():
+    """Where apex and roughness scatter alike, their ratio does not."""
+    rms = np.array([16.0, 17.0, 19.0])
+    adhesion = xr.Dataset({"closest_approach": (("scan", "contact"), -3.4 * rms[:, None])})
+    topography = xr.Dataset({"rms_height": ("scan", rms)})
+    height = contact.contact_height(adhesion.assign_attrs(confidence=0.95), topography)
+    near(height, 3.4)
+    np.testing.assert_allclose(*bounds(height, "value"))
+
+
+def test_tabor_parameter_with_the_range_as_the_spacing():
+    modulus = 289.7e9  # Pa, of ruby and diamond
+    own, at_range = (
+        np.cbrt(0.25e-3 * 0.0463**2 / (modulus**2 * spacing**3)) for spacing in (0.3e-9, 5.6e-9)
+    )
+    near(contact.tabor_at_range(xr.Dataset({"tabor_parameter": own}), PAPER), at_range)
+
+
+def test_elastic_contact_beside_rigid_and_plastic_contact():
+    rigid = np.array([[1.0, 2.0], [2.0, 4.0]])
+    by_contact = ("scan", "contact")
+    elastic = xr.Dataset(
+        {
+            "rigid_pull_off_force": (by_contact, rigid),
+            "elastic_pull_off_force": (by_contact, 0.99 * rigid),
+            "peak_pressure": (by_contact, 60e9 * np.ones((2, 2))),
+            "contact_area": (by_contact, [[100.0, 100.0], [400.0, 400.0]]),
+        },
+        attrs={"hardness": 25e9, "preload": 10e-6, "confidence": 0.95},
+    )
+    near(contact.elastic_change(elastic), 0.01)
+    near(contact.peak_over_hardness(elastic), 2.4)
+    near(contact.plastic_over_elastic_area(elastic), (4 + 1) / 2)  # 400 nm² carry the preload
+
+
+def test_deformation_energy_of_one_wave():
+    """E* q h²/8 of a wave of amplitude h; of many waves of the same length the same a height²."""
+    q, height, modulus, work = 0.02, 3.0, 289.7e9, 0.0463
+    wavevector = np.linspace(0.0199, 0.0201, 201)
+    width = wavevector[1] - wavevector[0]
+    spectrum = np.zeros((2, 1, 201))
+    spectrum[0, 0, 100] = 2 * np.pi * height**2 / (q * width)  # h_rms² = 1/2π ∫ q C dq
+    topography = xr.Dataset(
+        {"psd_isotropic": (("surface", "scan", "wavevector"), spectrum)},
+        {"surface": ["mcd", "unknown"], "wavevector": wavevector},
+    )
+    elastic = xr.Dataset(
+        coords={"surface": ["mcd", "unknown"]},
+        attrs={"effective_modulus": modulus, "work_of_adhesion": work, "confidence": 0.95},
+    )
+    amplitude = np.sqrt(2) * height
+    expected = modulus * q * 1e9 * (amplitude * 1e-9) ** 2 / 8 / work
+    near(contact.deformation_over_adhesion(topography, elastic), [expected, np.nan])
+
+
+# --- forces -----------------------------------------------------------------------------------
+
+
+def test_slopes_of_a_power_of_the_range():
+    """The area that attracts grows by one power more than the force."""
+    near(force.force_slope(make_adhesion(powers(0.6))), [0.6, 0.6])
+    near(force.area_slope(make_adhesion(powers(0.6))), [1.6, 1.6])
+
+
+def test_ratios_of_forces_are_taken_scan_by_scan():
+    forces = powers(0.5, scans=[1.0, 1.0])
+    forces[1, :, 1] *= 3
+    near(force.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
+    forces[1, 0] = forces[1, 1] * np.array([2.0, 4.0])[:, None]
+    near(force.short_range_rise(make_adhesion(forces)), [1.0, 3.0])
+    least = 0.0463 * np.sqrt(2.0) * (1 + 3) / 2
+    near(force.least_force(make_adhesion(forces), PAPER)[{"contact_model": 1}], least)
+
+
+def test_the_force_on_a_smooth_sphere_changes_where_pixels_are_coarse():
+    """Pixels as wide as the disk of interaction: the sum over them is no integral any more."""
+    adhesion = make_adhesion(powers(0.5))
+    assert force.smooth_sphere_change(adhesion)["value"] < 1e-9
+    coarse = adhesion.assign_attrs(pixel_size=np.sqrt(RADIUS * 0.05) * 4)
+    assert force.smooth_sphere_change(coarse)["value"] > 0.1
+
+
+DISTRIBUTIONS = {
+    force.lognormal_misfit: stats.lognorm(0.9, scale=2e-7),
+    force.half_gaussian_misfit: stats.halfnorm(scale=2e-7),
+    force.inverse_gaussian_misfit: stats.invgauss(3.0, scale=2e-7),
+}
+
+
+@pytest.mark.parametrize("misfit", DISTRIBUTIONS)
+def test_misfit_is_small_for_the_right_distribution_alone(misfit):
+    forces = DISTRIBUTIONS[misfit].rvs(1000, random_state=4)
+    two_values = np.tile([1e-8, 1e-5], 500)
+    for values, expected in ((forces, True), (two_values, False)):
+        adhesion = make_adhesion(np.broadcast_to(values, (2, 1, 1, 1000)), [5.6])
+        assert ((misfit(adhesion)["value"] < 0.05) == expected).all()
+    near(force.force_decades(adhesion), [3.0, 3.0])
+
+
+# --- range and work ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("rho", [PARAMETERS[f"sinusoid_range_{end}"] for end in ("short", "long")])
+def test_sinusoid_share_is_an_integral(rho):
+    def attraction(x):
+        return np.exp(-PARAMETERS["sinusoid_amplitude"] * (1 - np.cos(x)) / rho)
+
+    expected = quad(attraction, 0, np.pi / 2)[0] / quad(attraction, 0, np.pi)[0]
+    near(inference.sinusoid_share(PAPER).sel(rho=rho), expected)
+
+
+@pytest.mark.parametrize(
+    ("law", "known"),
+    [
+        ("retarded", lambda gap: np.pi**2 * constants.hbar * constants.c / (240 * gap**4)),
+        ("van_der_waals", lambda gap: 5e-19 / (6 * np.pi * gap**3)),
+        ("electrostatic", lambda gap: constants.epsilon_0 / (2 * gap**2)),  # of one volt
+    ],
+)
+def test_strength_is_the_largest_ratio_of_pressures_at_any_gap(law, known):
+    rho, gaps = 5.6e-9, np.geomspace(1e-10, 1e-6, 4001)
+    expected = (0.0463 / rho * np.exp(-gaps / rho) / known(gaps)).max()
+    near(inference.strength_over_known(PAPER).sel(law=law), expected, rtol=1e-5)
+
+
+def test_errors_overlap_if_they_have_a_value_in_common():
+    for ends, overlap in (([[0.2, 0.4], [0.3, 0.5]], 0.4 / 0.3), ([[0.2, 0.4], [0.5, 0.7]], 0.8)):
+        laws = xr.Dataset(
+            {"fit_error": ("law", [0.3, 0.4]), "fit_error_interval": (("law", "bound"), ends)},
+            {"bound": ["low", "high"]},
+        )
+        near(inference.error_overlap(laws), overlap)
+
+
+def test_interaction_radius_and_its_share_of_the_force():
+    fitted = xr.Dataset({"range_of_adhesion": 5.6}, attrs={"sphere_radius": RADIUS})
+    radius = np.sqrt(2 * RADIUS * 5.6)
+    near(inference.interaction_radius(PAPER), radius)
+    near(inference.interaction_radius_at_fit(fitted), radius)
+
+    def ring(r):
+        return r * np.exp(-(r**2) / (2 * RADIUS * 5.6))
+
+    share = quad(ring, 0, radius)[0] / quad(ring, 0, 20 * radius)[0]
+    near(inference.interaction_share(PAPER), share)
+
+
+def test_force_at_short_range_is_linear_between_ranges():
+    computed = xr.Dataset({"mean_force": ("rho", [1.0, 5.0])}, {"rho": [0.1, 1.1]})
+    shift = PARAMETERS["atomic_range_upper_bound"] - 0.1
+    near(inference.short_range_force(computed, PAPER), 0.0463 * (1 + 4 * shift))
+    beyond = computed.assign_coords(rho=[2.0, 3.0])
+    assert np.isnan(inference.short_range_force(beyond, PAPER)["value"])
+
+
+#: Errors of what must not fit and of what must, and whether only the second fits: threshold 0.1.
+FITS = [(0.5, 0.05, True), (0.5, 0.3, False), (0.05, 0.03, False), (0.05, 0.5, False),
+        (np.nan, 0.05, True)]  # fmt: skip
+
+
+@pytest.mark.parametrize(("misfit", "fit", "expected"), FITS)
+def test_what_fits_nothing_shows_nothing(misfit, fit, expected):
+    """A second minimum that does not exist counts as one of infinite error."""
+    misfits = [misfit, fit]
+    both = xr.Dataset({"best_error": ("contact_model", misfits)}, MODELS)
+    one = xr.Dataset(
+        {"best_error": fit, "minimum_error": ("minimum", [fit, misfit]),
+         "error_of_range": ("rho_fine", misfits)},
+        {"minimum": [1, 2], "rho_fine": [0.5, 5.6]},
+    )  # fmt: skip
+    numbers = [inference.only_one_minimum_fits(one, PAPER)]
+    if np.isfinite(misfit):
+        numbers.append(inference.only_plastic_fits(both, PAPER))
+        numbers.append(inference.only_longer_range_fits(one, PAPER))
+    for number in numbers:
+        near(number, np.nanmin([misfit / 0.1, 0.1 / fit]))
+        assert bool(number["value"] > 1) is expected
+
+
+# --- scales -----------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def band():
+    """Curves that leave the tolerance at 46 and 1750 nm."""
+    cutoffs = [10.0, 43.0, 200.0, 1000.0, 1800.0, 5000.0]
+    ratio = [[1.0, 1.05, 2.0, 4.0, np.nan, np.nan], [np.nan, np.nan, 0.4, 0.7, 0.95, 1.0]]
+    by_cutoff = ("side", "cutoff_wavelength")
+    critical = np.array([46.0, 1750.0])
+    return xr.Dataset(
+        {
+            "scale_ratio": (by_cutoff, ratio),
+            "scale_change": (by_cutoff, np.abs(np.array(ratio) - 1)),
+            "critical_wavelength": ("side", critical),
+            "critical_wavelength_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
+        },
+        {"side": ["small", "large"], "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
+        {"sphere_radius": RADIUS},
+    )
+
+
+def test_changes_outside_and_inside_the_published_band(band):
+    near(inference.change_outside_band(band, PAPER), [0.05, 0.05])
+    near(inference.change_inside_band(band, PAPER), [3.0, 0.6])
+    near(inference.small_scale_change(band, PAPER), 0.0)
+    near(inference.stylus_change(band, PAPER), 3.0)
+    for order in (True, False):
+        near(inference.smoothest_ratio(band.sortby("cutoff_wavelength", ascending=order)), 4.0)
+
+
+def test_the_edge_of_a_curve_that_never_leaves_is_its_last_cutoff(band):
+    near(inference.band_edge(band), [46.0, 1750.0])
+    ratio = inference.critical_over_interaction_radius(band, PAPER)
+    near(ratio.sel(side="large"), 1750 / 1673, rtol=1e-3)
+    band["critical_wavelength"][:] = np.nan
+    near(inference.band_edge(band), [1000.0, 200.0])
+
+
+def test_the_force_on_a_plane_is_that_of_derjaguin():
+    force_of_plane = 2 * np.pi * RADIUS * 1e-9
+    forces = np.array([[[0.1, 1.0, np.nan]], [[np.nan, 0.1, 0.2]]])[..., None] * force_of_plane
+    scales = xr.Dataset(
+        {"pull_off_force": (("side", "realization", "cutoff_wavelength", "contact_y"), forces)},
+        {"side": ["small", "large"], "cutoff_wavelength": [10.0, 1000.0, 5000.0]},
+        {"sphere_radius": RADIUS, "confidence": 0.95},
+    )
+    near(inference.flat_limit_fraction(scales), 1)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_one_curve_gives_one_verdict(seed):
+    """The edge lies beyond the published one where no cutoff outside the band changes the force."""
+    cutoffs = [10.0, 20.0, 43.0, 80.0, 500.0, 1800.0, 2700.0, 5000.0]
+    noise = np.random.default_rng(seed).normal(size=(40, 1, 2, 8))
+    known = np.array([np.arange(8) < 4, np.arange(8) >= 4])
+    dims = ("surface", "realization", "side", "cutoff_wavelength")
+    scales = xr.Dataset(
+        {
+            "ratio": (dims, np.where(known, 1 + 0.12 * noise, np.nan)),
+            "unfiltered_wavelength": (("surface", "side"), np.tile([1.0, 2e4], (40, 1))),
+        },
+        {"surface": [f"s{number}" for number in range(40)], "side": ["small", "large"],
+         "cutoff_wavelength": cutoffs},
+    )  # fmt: skip
+    curves = critical_band(scales, 0.1, Sampling(0, 0, 0.95))
+    edge, change = (
+        number["value"]
+        for number in (inference.band_edge(curves), inference.change_outside_band(curves, PAPER))
+    )
+    beyond = {"small": edge.sel(side="small") > 43, "large": edge.sel(side="large") < 1800}
+    for side, holds in beyond.items():
+        np.testing.assert_array_equal(holds, change.sel(side=side) < 0.1)
+        assert 0 < int(holds.sum()) < holds.size

@@ -1,0 +1,161 @@
+"""The statements of the paper name what exists, and repeat the numbers that it prints."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from paper_claims import (
+    CONSTANTS,
+    INSIGHT_STATEMENTS,
+    PAPER_STATEMENTS,
+    PARAMETERS,
+    STATEMENTS,
+    TABLES,
+)
+
+from hardcontact.base import dataset
+from hardcontact.paper.evaluation import DATASETS, DERIVED, INSIGHT_DATASETS, estimate
+from hardcontact.paper.verdicts import accepted_range
+from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
+
+ROWS = STATEMENTS.set_index("id")
+TABLE1 = pd.read_csv(TABLES / "table1.csv")
+PRINTED = pd.read_csv(TABLES / "pull_off.csv").pivot(
+    index="surface", columns="quantity", values="value"
+)
+
+
+def test_rules_and_words_are_known():
+    assert ROWS.index.is_unique
+    for claim in STATEMENTS.itertuples():
+        accepted_range(claim.rule, claim.published_low, claim.published_high)
+    assert set(STATEMENTS["basis"]) <= {"published", "inferred", "assumed"}
+    assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction"}
+    for rows, known in ((PAPER_STATEMENTS, DATASETS), (INSIGHT_STATEMENTS, INSIGHT_DATASETS)):
+        assert set(rows["dataset"].str.split("+").explode()) <= {*known, "paper"}
+
+
+def test_a_claim_follows_from_another_that_follows_from_none():
+    named = ROWS["follows_from"][ROWS["follows_from"] != ""]
+    assert (ROWS["follows_from"][named] == "").all() and (named.index != named).all()
+
+
+def test_replicated_claims_are_of_datasets_that_sets_have():
+    replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+    named = set(replicated["dataset"].str.split("+").explode())
+    assert named == {"topography", "adhesion", "inference", "band", "paper"}
+    assert replicated["needs"].isin(["", "construction"]).all()
+
+
+def test_every_derived_quantity_is_judged():
+    assert set(DERIVED) <= set(STATEMENTS["quantity"])
+
+
+@pytest.mark.study
+def test_every_claim_names_a_quantity_and_labels_that_the_study_has(results):
+    datasets = {
+        name: dataset.read(results / f"{name}.nc").assign_attrs(confidence=0.95)
+        for name in {*DATASETS, *INSIGHT_DATASETS}
+    }
+    datasets["paper"] = xr.Dataset(PARAMETERS.to_dict())
+    for claim in STATEMENTS.itertuples():
+        number = estimate(claim.quantity, *(datasets[name] for name in claim.dataset.split("+")))
+        dims = {pair.split("=")[0] for pair in claim.select.split(";") if pair}
+        assert dims - {"surface"} <= set(number["value"].dims), claim.id
+
+
+def test_claims_repeat_table1():
+    for row in TABLE1.itertuples():
+        claim = ROWS.loc[f"{row.quantity}_{row.surface}"]
+        limits = claim[["published", "published_low", "published_high"]].tolist()
+        assert limits == pytest.approx(
+            [row.value, row.value - row.uncertainty, row.value + row.uncertainty]
+        )
+        assert (claim["unit"], claim["quantity"]) == (row.unit, row.quantity)
+    assert len(TABLE1) == (STATEMENTS["section"] == "Table 1").sum() == 24
+
+
+PUBLISHED = {
+    "hertz_stress": "hertz_stress",
+    "tabor_parameter": "tabor_parameter",
+    "plastic_contact_area": "plastic_contact_area",
+    "indent_depth": "indent_depth",
+    "indent_edge_length": "indent_edge_length",
+    "range_of_adhesion": "range_of_adhesion",
+    "work_of_adhesion": "work_of_adhesion",
+    "range_from_ratios": "range_of_adhesion_from_ratios",
+    "interaction_radius": "interaction_radius",
+    "stitching_change": "stitching_change_upper_bound",
+    "ruby_rms_height": "sphere_rms_height_upper_bound",
+    "plastic_fits": "error_threshold",
+    "no_effect_small": "scale_tolerance",
+    "edge_small_pooled": "critical_wavelength_small",
+    "edge_large_pooled": "critical_wavelength_large",
+}
+#: Claims whose limits are printed as a range.
+RANGES = {
+    "indent_depth_measured": "measured_indent_depth",
+    "indent_size_measured": "measured_indent_size",
+    "single_indent_depth": "single_indent_depth",
+    "single_indent_size": "single_indent_size",
+    "range_agrees_with_others": "nanoscale_range",
+}
+
+
+def test_claims_repeat_the_printed_numbers():
+    published = ROWS["published"]
+    for claim, parameter in PUBLISHED.items():
+        assert published[claim] == PARAMETERS[parameter], claim
+    for claim, parameter in RANGES.items():
+        limits = [PARAMETERS[f"{parameter}_{end}_bound"] for end in ("lower", "upper")]
+        assert ROWS.loc[claim, ["published_low", "published_high"]].tolist() == limits
+    for name in ("range", "work"):
+        half_width = CONSTANTS["uncertainty"][f"{name}_of_adhesion"]
+        assert published[f"half_width_of_{name}"] == half_width
+    for name in ("rigid_too_weak", "plastic_reproduces_scale", "short_range_too_weak"):
+        assert published[name] == PRINTED["mean_force"]["polished_uncd"]
+
+
+def test_claims_repeat_the_printed_forces_and_what_follows_from_them():
+    mean, work = PRINTED["mean_force"], PRINTED["effective_work_of_adhesion"]
+    shape = np.sqrt(2 * np.log(mean / PRINTED["median_force"]))
+    table1 = TABLE1.set_index(["surface", "quantity"])["value"]
+    slopes = [table1["polished_uncd", f"{scales}_rms_slope"] for scales in ("all", "afm")]
+    expected = {
+        "effective_work_spread": (np.log10(work.max() / work.min()), 0.005),
+        "slope_by_scales_polished_uncd": (slopes[0] / slopes[1], 1e-6),
+    }
+    for surface in PRINTED.index:
+        expected |= {
+            f"mean_force_{surface}": (mean[surface], 0),
+            f"median_force_{surface}": (PRINTED["median_force"][surface], 0),
+            f"effective_work_{surface}": (work[surface], 0),
+            f"lognormal_shape_{surface}": (shape[surface], 0.005),
+        }
+        if surface != "uncd":
+            expected[f"force_ratio_{surface}"] = (mean[surface] / mean["uncd"], 1e-6)
+    for claim, (value, error) in expected.items():
+        assert ROWS.loc[claim, "published"] == pytest.approx(value, abs=error), claim
+
+
+def test_edges_of_the_band_are_numbers_and_bounds():
+    edges = ROWS[ROWS["quantity"] == "band_edge"]
+    for side, bound, column in (("small", "above", "low"), ("large", "below", "high")):
+        rows = edges[edges.index.str.contains(f"_{side}_")]
+        bounds = rows.index.str.startswith("critical_wavelength")
+        assert list(rows["rule"]) == [bound if is_bound else "factor 1.25" for is_bound in bounds]
+        assert (rows[f"published_{column}"] == rows["published"]).all() and len(rows) == 10
+
+
+def test_what_is_too_weak_for_the_printed_forces_does_not_reproduce_them():
+    plastic = ROWS.loc["plastic_reproduces_scale"]
+    lowest, _ = accepted_range(*plastic[["rule", "published_low", "published_high"]])
+    for name in ("rigid_too_weak", "short_range_too_weak"):
+        assert ROWS.loc[name, "published_high"] == pytest.approx(lowest)
+
+
+def test_every_law_but_that_of_the_paper_is_judged_where_it_replaces_it():
+    similar = ROWS[ROWS.index.str.startswith("similar_with_")]
+    others = [law.name for law in LAWS if law != EXPONENTIAL]
+    assert list(similar["select"]) == [f"law={name};case=equivalent" for name in others]
+    assert (similar["published"] == PARAMETERS["error_threshold"]).all()

@@ -1,0 +1,191 @@
+"""Rules, verdicts, their stability, and the table that holds them."""
+
+from math import nan
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from refusals import assert_says, refusal
+from scipy.stats import binom
+
+from hardcontact.base.random import generator
+from hardcontact.paper.verdicts import (
+    REDRAWS,
+    VERDICTS,
+    accepts,
+    read_verdicts,
+    sets_interval,
+    stability,
+    stretched,
+    summary,
+    verdict,
+    with_open_ends,
+)
+
+NONE = (np.nan, np.nan)
+#: Interval, the number and its interval, verdict: limits 4 and 6, accepted 4 to 6.
+TWO_SIDED = [
+    (5.0, (4.5, 5.5), "reproduced"),
+    (5.0, (4.0, 6.0), "reproduced"),
+    (5.0, (5.0, 5.0), "reproduced"),
+    (5.0, NONE, "consistent"),
+    (5.0, (1.0, 9.0), "undecided"),
+    (5.0, (4.5, 6.1), "undecided"),
+    (7.0, (5.9, 8.0), "undecided"),
+    (7.0, (1.0, 8.0), "undecided"),
+    (7.0, (6.5, 8.0), "not reproduced"),
+    (3.0, (2.0, 3.5), "not reproduced"),
+    (7.0, (7.0, 7.0), "not reproduced"),
+    (7.0, NONE, "not reproduced"),
+    (np.nan, (4.5, 5.5), "undecided"),
+    (np.nan, NONE, "undecided"),
+]
+
+
+@pytest.mark.parametrize("rule", ["interval", "factor 1"])
+@pytest.mark.parametrize(("computed", "ends", "expected"), TWO_SIDED)
+def test_two_limits(rule, computed, ends, expected):
+    assert verdict(rule, computed, *ends, 4.0, 6.0) == expected
+
+
+@pytest.mark.parametrize(("computed", "ends", "expected"), TWO_SIDED)
+def test_one_limit_is_judged_as_two_of_which_one_is_far(computed, ends, expected):
+    below, above = (
+        verdict(rule, computed, *ends, *limits)
+        for rule, limits in (("below", (np.nan, 6.0)), ("above", (4.0, np.nan)))
+    )
+    assert below == verdict("interval", computed, *ends, -99.0, np.nextafter(6.0, 0))
+    assert above == verdict("interval", computed, *ends, np.nextafter(4.0, 9), 99.0)
+    assert verdict("order", computed, *ends, 4.0, np.nan) == above
+
+
+def test_a_limit_belongs_to_a_rule_of_two():
+    for rule, accepted in (("interval", True), ("below", False), ("above", False)):
+        assert accepts(rule, [5.0, np.nan], 5.0, 5.0).tolist() == [accepted, False]
+
+
+def test_a_factor_widens_both_limits():
+    assert accepts("factor 2", [1.9, 2.0, 12.0, 12.1], 4.0, 6.0).tolist() == [0, 1, 1, 0]
+
+
+@pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", "", "below"])
+def test_an_unknown_rule_or_one_without_its_limit_is_refused(rule):
+    with pytest.raises(ValueError):
+        verdict(rule, 1.0, 1.0, 1.0, 1.0, np.nan)
+
+
+def test_summary_lists_every_verdict_and_counts_independent_findings():
+    evaluated = pd.DataFrame(
+        {
+            "verdict": [*["consistent", "reproduced"] * 2, "by construction"],
+            "follows_from": ["", "", "first", "first", ""],
+        }
+    )
+    result = summary(evaluated).set_index("verdict")
+    assert list(result.index) == list(VERDICTS)
+    assert result.loc["reproduced"].to_dict() == {"independent": 1, "claims": 2}
+    assert result.loc["consistent"].to_dict() == {"independent": 1, "claims": 2}
+    assert result.loc["by construction"].to_dict() == {"independent": 0, "claims": 1}
+    assert result.sum().to_dict() == {"independent": 2, "claims": 5}
+
+
+def test_a_table_that_is_cut_short_is_refused(tmp_path):
+    path = tmp_path / "claims.csv"
+    path.write_text("id,verdict,follows_from,note\nfirst,reproduced,,\n")
+    read = read_verdicts(path)
+    assert read["verdict"].tolist() == ["reproduced"]
+    assert read[["follows_from", "note"]].values.tolist() == [["", ""]]
+    path.write_text("id,verdict,follows_from,note\nfirst,reprod")
+    assert_says(refusal(read_verdicts, path), str(path), "whole table", "cut short")
+
+
+# --- sets of scans ----------------------------------------------------------------------------
+
+
+def test_the_interval_leaves_the_tails_out_and_needs_enough_numbers():
+    replicas = np.arange(201.0)
+    both = sets_interval(np.stack([replicas, replicas + 1], 1), 0.95)
+    np.testing.assert_allclose(both, [[5, 195], [6, 196]])
+    few = np.append(np.arange(18.0), [nan, nan])
+    assert np.isnan(sets_interval(few, 0.95)).all() and np.isfinite(sets_interval(few, 0.9)).all()
+
+
+@pytest.mark.parametrize(
+    ("ends", "value", "expected"),
+    [
+        ((1, 2), 1.5, (1, 2)), ((1, 2), 3, (1, 3)), ((1, 2), 0, (0, 2)), ((1, 2), nan, (1, 2)),
+        ((nan, nan), 1.0, (nan, nan)),
+    ],
+)  # fmt: skip
+def test_an_interval_holds_its_number(ends, value, expected):
+    np.testing.assert_array_equal(stretched(ends, value), expected)
+
+
+def redrawn(numbers, given):
+    """Return the stability of a verdict on the statement that a number is above five."""
+
+    def judge(value, low, high):
+        if np.isnan(low):
+            return "consistent"
+        return "reproduced" if low > 5 else "undecided" if high > 5 else "not reproduced"
+
+    return stability(judge, given, np.array(numbers, float), 0.95, generator(1, "test"))
+
+
+# At a limit: two of a hundred sets disagree; at three, the interval of 95 % would reach them. The
+# low end lies between the third and the fourth number, so the verdict stays while the third number
+# agrees, and while the set that is taken as the study's own does.
+@pytest.mark.parametrize(
+    ("numbers", "given", "expected"),
+    [
+        (np.linspace(6, 7, 100), "reproduced", 1),
+        (np.linspace(3, 4, 100), "not reproduced", 1),
+        ([4.0] * 2 + [6.0] * 98, "reproduced", binom.cdf(2, 100, 0.02) * 0.98),
+        ([6.0] * 95 + [nan] * 5, "consistent", 1 - binom.cdf(5, 100, 0.05)),
+    ],
+)
+def test_a_verdict_stays_as_often_as_binomial_statistics_say(numbers, given, expected):
+    error = np.sqrt(expected * (1 - expected) / REDRAWS)
+    assert redrawn(numbers, given) == pytest.approx(expected, abs=4 * error)
+    assert redrawn(numbers, given) == redrawn(numbers, given)
+
+
+# --- open ends --------------------------------------------------------------------------------
+
+
+def band(cutoffs):
+    """Return the changes at cutoffs (nm) of both sides, of which those below 300 are short."""
+    change = np.where([np.array(cutoffs) < 300, np.array(cutoffs) > 300], 0.5, nan)
+    dims = ("side", "group", "cutoff_wavelength")
+    return xr.Dataset(
+        {"scale_change": (dims, change[:, None])},
+        {"side": ["small", "large"], "group": ["mcd"], "cutoff_wavelength": cutoffs},
+    )
+
+
+#: Of the study and of its sets: the short cutoffs end at 250 and 120 nm, the long ones at 500 nm.
+BANDS = [band([20, 43, 120, 250, 500, 1800, 3500]), band([43, 120, 500, 1800])]
+
+
+@pytest.mark.parametrize(
+    ("side", "computed", "low", "high", "end"),
+    [
+        ("small", 60, 40, 119, ""),
+        ("small", 60, 40, 120, "high"),  # the last cutoff of the sets
+        ("small", 60, 40, 250, "high"),  # of the study
+        ("small", 60, 40, 200, ""),
+        ("small", 130, 100, 130, "high"),  # stretched to a number beyond the cutoffs of the sets
+        ("small", 110, 100, 110, ""),
+        ("small", 130, 120, 140, ""),
+        ("large", 900, 500, 2000, "low"),
+        ("large", 900, 501, 3500, ""),
+        ("large", 480, 480, 2000, "low"),
+        ("large", 900, nan, nan, ""),
+    ],
+)
+def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, computed, low, high, end):
+    numbers = {"computed": computed, "low": low, "high": high}
+    names = [f"edge_{side}_mcd", f"critical_wavelength_{side}_mcd", "range_of_adhesion"]
+    marked = with_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
+    assert marked["open_end"].tolist() == [end, end, ""]

@@ -1,0 +1,50 @@
+"""Artificial wavelengths: what no scan reaches, between scans too."""
+
+import numpy as np
+import pytest
+from answer_inputs import MEASUREMENTS, SURFACES, spectra
+
+from hardcontact.report.artificial import (
+    artificial_bands,
+    measurements,
+    reaches,
+    reliable_measurements,
+)
+
+
+def of_first(data):
+    return data.sel(surface=SURFACES[0])
+
+
+def test_all_beyond_the_scans_is_artificial():
+    assert artificial_bands(of_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
+
+
+def test_so_is_a_gap_between_them():
+    apart = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
+    assert artificial_bands(of_first(spectra(measured=apart))) == [
+        (0.0, 55.0), (320.0, 800.0), (25_000.0, np.inf),
+    ]  # fmt: skip
+
+
+def test_what_is_reliable_nowhere_closes_no_gap():
+    data = of_first(spectra())
+    coarse = data["path"].values == "scans/coarse.spm"
+    data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
+    assert (320.0, 800.0) in artificial_bands(data)
+    assert reliable_measurements(data).sizes["measurement"] == len(MEASUREMENTS) - 1
+
+
+def test_padding_is_no_measurement():
+    of_second = spectra(2).sel(surface=SURFACES[1])
+    assert of_second.sizes["measurement"] == 3
+    assert measurements(of_second)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
+    assert artificial_bands(of_second)[-1] == (5000.0, np.inf)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "inside"),
+    [(1, 5, 1), (5, 20, 1), (10, 20, 0), (10, 1000, 1), (50, 50, 0), (5, 5, 1), (np.nan, 5, 0)],
+)
+def test_wavelengths_reach_artificial_bands(low, high, inside):
+    assert reaches(low, high, [(0.0, 10.0), (100.0, np.inf)]) == inside

@@ -1,0 +1,63 @@
+"""Writing a figure: the same bytes each time, all files or none, images where points are many."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from PIL import Image
+
+from hardcontact.report.figures import drawing
+
+SURFACES = xr.Dataset(
+    {"label": ("surface", ["UNCD", "NCD"]), "basis": ("surface", ["measured", "substitute"])}
+)
+TABLE = pd.DataFrame({"value": [1.5], "unit": ["nm"]})
+
+
+def figure(points: int = 10):
+    figure = drawing.create(3, SURFACES)
+    figure.subplots().plot(np.linspace(0, 1, points))
+    return figure
+
+
+def outputs(folder: Path) -> dict[str, str]:
+    folder.mkdir(exist_ok=True)
+    return {kind: str(folder / f"figure.{kind}") for kind in drawing.KINDS}
+
+
+def test_drawing_twice_gives_the_same_bytes(tmp_path):
+    made = []
+    for folder in (tmp_path / "first", tmp_path / "second"):
+        drawing.save(figure(), TABLE, "a figure", outputs(folder))
+        made.append({path.name: path.read_bytes() for path in folder.iterdir()})
+    assert made[0] == made[1] and len(made[0]) == len(drawing.KINDS)
+    assert made[0]["figure.csv"] == b"value,unit\n1.5,nm\n"
+    assert made[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in made[0]["figure.svg"]
+    with Image.open(tmp_path / "first/figure.png") as image:
+        assert image.size == (drawing.WIDTH * drawing.RESOLUTION, 3 * drawing.RESOLUTION)
+
+
+@pytest.mark.parametrize(("points", "images"), [(10, 0), (2000, 1)])
+def test_curves_of_many_points_are_images_in_the_svg(points, images, tmp_path):
+    drawing.save(figure(points), TABLE, "a figure", outputs(tmp_path))
+    assert (tmp_path / "figure.svg").read_text().count("<image") == images
+
+
+def test_only_the_substitutes_are_named():
+    (note,) = figure().texts
+    assert note.get_text().startswith("substitute surfaces: NCD (")
+    measured = SURFACES.assign(basis=("surface", ["measured"] * 2))
+    assert drawing.create(3, measured).texts[0].get_text() == "all surfaces measured"
+
+
+def test_nothing_is_written_when_saving_fails(tmp_path):
+    class Broken(pd.DataFrame):
+        def to_csv(self, path, **_):
+            Path(path).write_text("half")
+            raise OSError("disk full")
+
+    with pytest.raises(ValueError, match="figure.csv: expected a file to be written, found: disk"):
+        drawing.save(figure(), Broken(), "a figure", outputs(tmp_path))
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,38 @@
+"""The list of figures agrees with the modules, and rules can read it without heavy imports."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from jinja2 import UndefinedError
+from repository import PAPER, ROOT
+
+from hardcontact import figures
+from hardcontact.report.captions import caption
+from hardcontact.report.figures.listing import FIGURES
+
+#: Modules that are no figure.
+SHARED = {"__init__", "drawing", "listing", "style", "tables"}
+
+
+def test_each_module_is_a_figure_or_shared():
+    modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
+    assert modules - SHARED == set(FIGURES)
+
+
+def test_a_caption_names_the_values_of_the_study():
+    changed = PAPER | {"inference": PAPER["inference"] | {"confidence": 0.8}}
+    assert "its 80 % interval" in caption("fig6", changed).more
+    with pytest.raises(UndefinedError, match="confidence"):
+        caption("fig6", PAPER | {"inference": {}})
+
+
+def test_figures_are_described_without_heavy_packages():
+    code = (
+        "import sys; from hardcontact.report.figures.listing import FIGURES, describe;"
+        "from hardcontact.report.captions import caption; [describe(name) for name in FIGURES];"
+        "print({'matplotlib', 'PIL', 'scipy'} & set(sys.modules))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "workflow", capture_output=True)
+    assert run.stdout.split() == [b"set()"], run.stderr

@@ -1,0 +1,137 @@
+"""answer.json of own surfaces: one flat list whose numbers are those of the datasets."""
+
+import json
+import os
+import runpy
+from functools import cache
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from answer_inputs import (
+    RANGE,
+    WORK,
+    datasets,
+    edges,
+    fit,
+    force,
+    open_edges,
+    setting,
+    spectra,
+    topography,
+    unresolved_edges,
+)  # fmt: skip
+from html_page import Page
+from jsonschema import Draft202012Validator
+from repository import ROOT
+from snakemake.iocontainers import Namedlist
+
+from hardcontact.base import dataset
+from hardcontact.base.origin import canonical
+from hardcontact.report.own_answer import own_answer, own_head, own_quantities
+from hardcontact.report.quantities import answer_json
+
+SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
+
+
+def contradicting():
+    data = spectra()
+    data["psd"][0, 2] *= 100
+    return data
+
+
+CASES = {
+    "one": datasets(),
+    "open, one force": datasets(edges=open_edges(), fit=fit()),
+    "two substitutes, forces": datasets(2, topography=topography(2, "substitute"), fit=fit(2)),
+    "no band": datasets(edges=unresolved_edges()),
+    "contradiction": datasets(spectra=contradicting()),
+}
+
+
+@cache
+def content(case):
+    made = own_answer(CASES[case], setting())
+    return json.loads(answer_json(own_head(setting()), own_quantities(made)))
+
+
+def quantities(case, surface="my_coating"):
+    """The quantities of a surface by name."""
+    rows = content(case)["quantities"]
+    return {row["name"]: row for row in rows if row["surface"] == surface}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_numbers_are_as_the_schema_describes(case):
+    Draft202012Validator.check_schema(SCHEMA)
+    Draft202012Validator(SCHEMA).validate(content(case))
+
+
+def test_numbers_are_those_of_the_datasets():
+    of_study, of_surface = quantities("one", ""), quantities("one")
+    assert (of_study["range_of_adhesion"]["value"], of_study["work_of_adhesion"]["value"]) == (
+        RANGE, WORK,
+    )  # fmt: skip
+    long = edges().sel(surface="my_coating", side="large")
+    assert of_surface["long_edge"]["value"] == long["edge"]
+    ends = [of_surface["long_edge"][end] for end in ("low", "high")]
+    assert ends == long["edge_interval"].values.tolist()
+    here = force().sel(surface="my_coating", contact_model="plastic", rho=RANGE)
+    assert of_surface["force_mean"]["value"] == here["force"]
+    assert of_surface["force_middle"]["high"] == here["force_quantile"][-1]
+    assert of_surface["force_of_pair_long_range_range"]["value"] == 10.0
+    heights = topography().sel(surface="my_coating")["rms_height"].values
+    assert of_surface["scan_2_rms_height"]["value"] == heights[1]
+    assert of_surface["all_scales_rms_height"]["value"] == 6.2
+    assert of_surface["measurement_1_shortest_reliable"]["value"] == 55.0
+
+
+def test_open_edges_are_bounds():
+    edge = quantities("open, one force")["long_edge"]
+    assert (edge["value"], edge["status"], edge["high"]) == (2560.0, "open_above", None)
+
+
+def test_cautions_are_codes_with_their_numbers():
+    of_surface = quantities("contradiction")
+    codes = {row["status"] for name, row in of_surface.items() if name.startswith("caution")}
+    assert {"contradiction", "tail"} <= codes
+    assert of_surface["contradiction_factor"]["value"] == pytest.approx(100, rel=0.2)
+    assert quantities("no band")["answered"]["status"] == "no"
+
+
+@pytest.mark.parametrize(("of_paper", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
+def test_who_gives_range_and_work_is_told_of_no_other_pairs(of_paper, count):
+    made = own_answer(datasets(), setting()._replace(of_paper=of_paper))
+    names = [row.fact.name for row in made.surfaces["my_coating"].rows]
+    assert names.count("force_of_pair") == count
+
+
+def run_script(folder, given):
+    """Run the script as the workflow does, on files in a folder; return what it writes."""
+    inputs = {name: folder / f"{name}.nc" for name, one in given._asdict().items() if one}
+    for name, path in inputs.items():
+        dataset.write(getattr(given, name), path)
+    inputs["pairs"] = ROOT / "resources/adhesion/pairs.csv"
+    named = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
+    outputs = {"page": folder / "answer.html", "json": folder / "answer.json"}
+    parameters = setting([("part", "why")])._asdict()
+    del parameters["pairs"]
+    job = SimpleNamespace(
+        input=named,
+        output=Namedlist(fromdict={name: str(path) for name, path in outputs.items()}),
+        params=SimpleNamespace(canonical=canonical(parameters)),
+        log=[str(folder / "answer.log")],
+        threads=1,
+    )
+    runpy.run_path(str(ROOT / "workflow/scripts/answer_surfaces.py"), {"snakemake": job})
+    return {name: path.read_text("utf-8") for name, path in outputs.items()}
+
+
+def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch):
+    # A script that fails ends its process, which here is that of the tests.
+    monkeypatch.setattr(os, "_exit", pytest.fail)
+    made = run_script(tmp_path, datasets(fit=fit()))
+    rows = {row["name"]: row for row in json.loads(made["json"])["quantities"]}
+    assert rows["measured_force"]["value"] == 0.64e-6
+    assert "forces" in [one["id"] for one in Page(made["page"]).attributes["section"]]
+    assert np.isfinite(rows["smooth_sphere"]["value"])

@@ -1,0 +1,199 @@
+"""The page of own surfaces: self-contained, honest, readable; its figures show the datasets."""
+
+import re
+from functools import cache
+from html import unescape
+
+import numpy as np
+import pytest
+from answer_inputs import (
+    CUTOFFS,
+    LABELS,
+    RHOS,
+    SURFACES,
+    datasets,
+    edges,
+    fit,
+    force,
+    open_edges,
+    setting,
+    spectra,
+    topography,
+    without_interval,
+)  # fmt: skip
+from browser import WIDTHS, needs_browser, shown, used
+from html_page import Page
+from matplotlib.text import Text
+
+from hardcontact.report import own_figures as figures
+from hardcontact.report.own_answer import own_answer, own_page
+
+FORCES = "two substitutes, forces"
+LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
+CASES = {
+    "one": (datasets(), setting()),
+    "open, one force": (
+        datasets(edges=open_edges(), fit=fit()),
+        setting([("a < b", "x & <b>y</b>"), (LONG, "the reason " * 9)]),
+    ),
+    FORCES: (datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()),
+}
+LABEL = {"my_coating": "my coating"}
+FIRST = {"surface": SURFACES[0]}
+PHONE = 358  # pixels that a figure is wide on a screen of 390
+MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
+
+
+@cache
+def html(case):
+    return own_page(own_answer(*CASES[case]))
+
+
+@cache
+def page(case):
+    return Page(html(case))
+
+
+def words(text):
+    """Words that are seen before a fold is opened."""
+    for tag in ("script", "style", "title"):
+        text = re.sub(rf"<{tag}.*?</{tag}>", " ", text, flags=re.DOTALL)
+    text = re.sub(r"</summary>.*?</details>", " ", text, flags=re.DOTALL)
+    return unescape(re.sub(r"<.*?>", " ", text)).split()
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_nothing_is_loaded_or_missing_and_every_picture_is_told(case):
+    texts = " ".join([*page(case).texts["main"], *page(case).values("alt")])
+    assert not re.search(r"\bnan\b|\binf\b|None", texts)
+    assert not {"link", "iframe", "object"} & set(page(case).attributes)
+    assert all(source.startswith("data:image/svg+xml") for source in page(case).values("src"))
+    alternatives = page(case).values("alt")
+    assert all(len(text) > 30 for text in alternatives)
+    assert len(set(alternatives)) == len(alternatives)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_sections_and_figures_have_anchors(case):
+    ids = page(case).values("id")
+    assert len(set(ids)) == len(ids)
+    forces = ["forces"] if "force" in case else []
+    sections = [section["id"] for section in page(case).attributes["section"]]
+    assert sections == ["answer", "inputs", "cutoffs", "surfaces", *forces, "next", "details"]
+    inside = {link[1:] for link in page(case).values("href") if link.startswith("#")}
+    assert inside <= set(ids)
+
+
+def test_what_is_not_folded_is_short():
+    assert len(words(html("one"))) < 450
+    (verdict,) = re.findall(r'<div class="answer">\s*<p>(.*?)</p>', html("one"), re.DOTALL)
+    assert len(verdict.replace("\u00a0", " ").split()) <= 25
+
+
+def test_names_of_the_user_are_escaped():
+    hostile = "</script><b>x</b>\"'"
+    given = datasets()
+    parts = (part.assign(label=("surface", [hostile])) for part in given[:4])
+    paths = given.spectra["path"].astype(object) + hostile
+    given = type(given)(*parts)
+    given = given._replace(spectra=given.spectra.assign(path=paths))
+    made = own_page(own_answer(given, setting([(hostile, "x & <b>y</b>")])))
+    assert "<b>" not in made and Page(made).texts["h1"]
+
+
+@pytest.mark.parametrize("exact", [0, 1, 2])
+def test_a_fit_that_is_exact_by_construction_tells_no_error(exact):
+    of_two = fit(2)
+    of_two["exact_pairs"][:] = exact
+    made = own_page(own_answer(datasets(2, fit=of_two), setting()))
+    text = re.search('<p id="fit">(.*?)</p>', made, re.DOTALL)[1]
+    assert ("error" in text) == (exact == 0) and ("tests nothing" in text) == (exact > 0)
+
+
+def lines_of(figure):
+    """The curves of a figure by label."""
+    return {line.get_label(): line for line in figure.axes[0].lines if line.get_label()[0] != "_"}
+
+
+def test_ratios_are_those_of_the_cutoffs_of_their_side():
+    data = edges().sel(FIRST)
+    curves = lines_of(figures.ratio_figure(data, spectra().sel(FIRST)))
+    for side, label in figures.REMOVED.items():
+        known = data["scale_ratio"].sel(side=side).dropna("cutoff_wavelength")
+        x, y = curves[label].get_data()
+        assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == known.values.tolist()
+
+
+def test_spectra_are_shown_where_they_are_reliable_and_else_apart():
+    data = spectra().sel(FIRST)
+    curves = lines_of(figures.spectrum_figure(data))
+    for place, name in enumerate(("fine.spm", "coarse.spm", "line.txt")):
+        x, density = curves[name].get_data()
+        inside = x[np.isfinite(density)]
+        assert data["shortest_reliable"][place] <= inside.min()
+        assert inside.max() <= data["longest_reliable"][place]
+        apart = np.isfinite(curves[f"{name}, not reliable"].get_ydata())
+        assert apart.any() and not (apart & np.isfinite(density)).any()
+    assert {"joined", "used"} <= set(curves)
+
+
+def test_forces_of_every_model_stand_over_the_range():
+    curves = lines_of(figures.force_figure(force(), LABEL))
+    for model in ("plastic", "rigid"):
+        x, y = curves[f"my coating, {model}"].get_data()
+        expected = 1e6 * force().sel(FIRST).sel(contact_model=model)["force"].values
+        assert x.tolist() == RHOS.tolist()
+        np.testing.assert_allclose(y, expected)
+    (band,) = figures.force_figure(without_interval(force()), LABEL).axes[0].collections
+    assert not [path for path in band.get_paths() if len(path.vertices)]
+
+
+def test_texts_of_figures_are_readable_on_a_phone_and_bytes_the_same_each_time():
+    made = [
+        lambda: figures.ratio_figure(open_edges().sel(FIRST), spectra().sel(FIRST)),
+        lambda: figures.work_figure(
+            fit(2).sel(contact_model="plastic"), dict(zip(SURFACES, LABELS, strict=True))
+        ),
+        lambda: figures.map_figure(topography().sel(FIRST)),
+    ]
+    for draw in made:
+        figure = draw()
+        texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
+        points = PHONE / (72 * figure.get_figwidth())
+        assert min(text.get_fontsize() for text in texts) * points >= MIN_TEXT
+        first, second = (figures.svg(figure, "a figure") for figure in (draw(), draw()))
+        assert first == second and b"<svg" in first and len(first) < 150_000
+
+
+@needs_browser
+@pytest.mark.system
+@pytest.mark.parametrize("case", CASES)
+def test_page_fits_every_screen_and_shows_its_pictures(case, tmp_path):
+    frames = shown(html(case), tmp_path)
+    assert [frame["screen"] for frame in frames] == list(WIDTHS)
+    for frame in frames:
+        assert frame["overflow"] == 0 and frame["requests"] == 0, frame
+        assert frame["smallest"] >= 12, frame
+
+
+#: Sorts the first table by its first column twice, and opens the first figure.
+USE = """
+  const table = document.querySelector(".table table"), sorted = [];
+  for (const _ of [1, 2]) {
+    table.tHead.querySelector("button").click();
+    sorted.push([...table.tBodies[0].rows].map(row => row.cells[0].textContent.trim()));
+  }
+  const figure = document.querySelector(".zoom");
+  figure.querySelector("summary").click();
+  await new Promise(resolve => setTimeout(resolve, 100));
+  return {sorted, width: figure.querySelector("img").clientWidth};
+"""
+
+
+@needs_browser
+@pytest.mark.system
+def test_tables_sort_and_figures_open_at_full_size(tmp_path):
+    told = used(html("one"), USE, tmp_path)
+    first, second = told["sorted"]
+    assert first == sorted(first) and second == first[::-1]
+    assert told["width"] >= 1100

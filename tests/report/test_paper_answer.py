@@ -1,0 +1,149 @@
+"""The answer of the paper's study: its numbers are those of the claims and of the datasets."""
+
+import json
+
+import numpy as np
+import pytest
+from jsonschema import Draft202012Validator
+from paper_datasets import band, published_table1, scan_size, topography
+from paper_numbers import SUBSTRATES
+from paper_study import CITATION, answer, claims, datasets
+from repository import PAPER, ROOT
+
+from hardcontact.base.number import Number
+from hardcontact.report.paper_answer import (
+    ANSWERS,
+    paper_head,
+    paper_quantities,
+)
+from hardcontact.report.quantities import answer_json
+from hardcontact.report.table1 import decimals_of, table1_rows
+
+SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
+
+
+def changed(name, **values):
+    """The claims with other values of one of them."""
+    table = claims()
+    for column, value in values.items():
+        table.loc[table["id"] == ANSWERS[name], column] = value
+    return table
+
+
+def with_critical(side, wavelength):
+    """A band whose edge of all substrates is at a wavelength."""
+    of_all = band()
+    of_all["critical_wavelength"].loc[{"side": side, "group": "pooled"}] = wavelength
+    return of_all
+
+
+def with_fits(ranges, works):
+    """Sets whose best ranges (nm) and works (J/m2) with plastic contact are these."""
+    sets = datasets()["sets"].isel(set=slice(len(ranges))).copy(deep=True)
+    for name, fitted in (("range_of_adhesion", ranges), ("work_of_adhesion", works)):
+        sets[name].loc[{"contact_model": "plastic"}] = fitted
+    return sets
+
+
+def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
+    text = answer_json(paper_head(PAPER, CITATION["version"]), paper_quantities(answer()))
+    content = json.loads(text)
+    Draft202012Validator(SCHEMA).validate(content)
+    rows = {(row["surface"], row["name"]): row for row in content["quantities"]}
+    table = claims().set_index("id")
+    for name, claim in ANSWERS.items():
+        low = table["low"][claim]
+        assert rows["", name]["value"] == table["computed"][claim]
+        assert rows["", name]["low"] == (None if np.isnan(low) else low)
+    for surface in SUBSTRATES:
+        edge = rows[surface, "short_edge"]
+        assert edge["value"] == table["computed"][f"edge_small_{surface}"]
+
+
+def test_grids_coarser_than_the_papers_are_known():
+    assert not answer().coarse
+    assert answer(**datasets(contacts=6)).coarse and answer(**datasets(pixels=128)).coarse
+
+
+def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
+    """The paper's statement is that the range exceeds 5 nm."""
+    both = with_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
+    numbers = answer(sets=both).numbers
+    long, short = numbers["long_range_sets_range_of_adhesion"], numbers["short_range_sets"]
+    assert (long.value, long.low, long.high, short.value) == (9, 8, 10, 2)
+    assert numbers["short_range_sets_work_of_adhesion"].value == pytest.approx(0.115)
+    assert "short_range_sets" not in answer(sets=with_fits([9.0, 8.0], [0.01, 0.02])).numbers
+    without = answer(changed("range_exceeds", frequency=np.nan), sets=both)
+    assert "long_range_sets" not in without.numbers
+
+
+@pytest.mark.parametrize(
+    ("side", "name", "status"),
+    [("small", "short_edge", "open_above"), ("large", "long_edge", "open_below")],
+)
+def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
+    beyond = answer(band=with_critical(side, np.nan))
+    assert beyond.numbers[name].status == status and answer().numbers[name].status == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "end", "last", "inside"),
+    [
+        ("short_edge", "high", 250.0, 249.0),  # of the band
+        ("short_edge", "high", 120.0, 500.0),  # of the sets, whose cutoffs are fewer
+        ("long_edge", "low", 500.0, 501.0),
+        ("long_edge", "low", 800.0, 250.0),
+    ],
+)
+def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
+    sets = datasets()["sets"]
+    fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
+    at_end = answer(changed(name, **{end: last}), sets=fewer)
+    assert at_end.numbers[name].status == f"interval_open_{end}"
+    assert answer(changed(name, **{end: inside}), sets=fewer).numbers[name].status == ""
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_a_claim_without_a_number_is_not_in_the_answer(name):
+    for rows in (claims()[claims()["id"] != ANSWERS[name]], changed(name, computed=np.nan)):
+        assert ANSWERS.keys() - answer(rows).numbers.keys() == {name}
+
+
+def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
+    data = scan_size()
+    place = {"surface": "mcd", "edge_size": 2500.0}
+    data["force_over_largest"].loc[place] = 2.24
+    data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
+    made = answer(scan_size=data)
+    expected = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
+    assert made.surfaces["mcd"]["force_on_scans"] == expected
+
+
+def test_table_1_holds_published_and_computed_values_and_marks_what_is_by_construction():
+    rows = table1_rows(topography(), published_table1())
+    height, curvature = rows[0], rows[5:8]
+    assert height[0] == "AFM scans: rms height (nm), published" and height[4] == "107.1 ± 12.0"
+    assert [row[3].split()[0] for row in curvature] == ["39", "39.0", "78.0"]
+    marked = [row[0] for row in rows if "†" in row[1]]
+    assert marked == ["computed", "computed, gradient", "computed, half the Laplacian"]
+
+
+@pytest.mark.parametrize(
+    ("value", "uncertainty", "decimals"), [(108, 11, 0), (3.2, 0.04, 2), (0.51, 0.0, 3), (0, 0, 2)]
+)
+def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty, decimals):
+    assert decimals_of(value, uncertainty) == decimals
+
+
+def test_the_fits_with_protrusions_are_of_the_sets_that_agree():
+    data = datasets()
+    numbers = answer().numbers
+    agreeing = data["protruded"]["range_of_adhesion"].values[1]
+    number = numbers["protruded_range_of_adhesion"]
+    assert (number.value, number.low) == (np.median(agreeing), np.quantile(agreeing, 0.05))
+    assert numbers["protruded_sets_that_agree"].value == 0.5
+    without = data["leave_one_out"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
+    expected = without["set_work_of_adhesion"].quantile(0.95).item()
+    assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(expected)
+    none = data["protruded"].assign(agrees=0 * data["protruded"]["agrees"])
+    assert "protruded_range_of_adhesion" not in answer(protruded=none).numbers

@@ -1,0 +1,96 @@
+"""The page of the paper's study: whole, self-contained, and its answer first."""
+
+import base64
+import re
+
+import numpy as np
+import pytest
+from html_page import Page
+from paper_study import CITATION, answer, captions, claims, datasets, figures, made_page
+from refusals import assert_says
+
+from hardcontact.base.printing import print_as_paper
+from hardcontact.report.figures.listing import OF_PAPER
+from hardcontact.report.paper_answer import MAIN_FINDINGS
+
+HOSTILE = 'a < b & "c" <script>alert(1)</script>'
+
+
+@pytest.fixture(scope="module")
+def html():
+    return made_page()
+
+
+@pytest.fixture(scope="module")
+def shown(html):
+    return Page(html)
+
+
+def plain(text):
+    return " ".join(text.replace("\N{NO-BREAK SPACE}", " ").split())
+
+
+def test_the_page_needs_nothing_else(shown):
+    assert not {"link", "iframe", "object", "embed", "base"} & shown.attributes.keys()
+    assert all(source.startswith("data:image/svg+xml;base64,") for source in shown.values("src"))
+
+
+def test_links_lead_into_the_page_beside_it_or_to_the_paper(shown):
+    anchors, links = shown.values("id"), shown.values("href")
+    assert len(anchors) == len(set(anchors))
+    assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
+    beside = {f"figures/{name}.{kind}" for name in OF_PAPER for kind in ("csv", "pdf")}
+    beside |= {f"report/claims.html#{name}" for name in MAIN_FINDINGS}
+    beside |= {"answer.json", "claims.csv", "insight.html", "report/claims.html"}
+    assert beside <= set(links)
+    away = {link for link in links if ":" in link}
+    assert away == {f"https://doi.org/{CITATION['references'][0]['doi']}"}
+
+
+def test_the_page_says_first_whether_the_paper_holds(shown):
+    said = plain(shown.texts["div"][0])
+    assert said.startswith("Does the paper hold? Of its ")
+    numbers = answer().numbers
+    for name in ("short_edge", "long_edge"):
+        edge, published = numbers[name], numbers[f"{name}_published"]
+        interval = (edge.low, edge.high)
+        assert_says(said, print_as_paper(edge.value, edge.unit, interval, 2))
+        assert_says(said, print_as_paper(published.value, published.unit))
+
+
+def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(shown):
+    pictures = [base64.b64decode(of["src"].partition(",")[2]) for of in shown.attributes["img"]]
+    order = ["fig6", *(name for name in OF_PAPER if name != "fig6")]
+    assert pictures == [figures()[name] for name in order]
+    for name in OF_PAPER:
+        assert captions()[name].title in shown.values("alt")
+        assert any(captions()[name].short in text for text in shown.texts["figcaption"])
+
+
+def test_main_findings_are_rows_of_the_same_numbers(shown):
+    table = claims().set_index("id")
+    rows = [[plain(cell) for cell in row] for row in shown.rows if len(row) == 5][1:]
+    for cells, name in zip(rows, MAIN_FINDINGS, strict=False):
+        assert (cells[0], cells[-1]) == (table["statement"][name], table["verdict"][name])
+
+
+def test_substitutes_are_said_to_be_and_only_they(shown):
+    assert any("UNCD (substitute)" in row[0] for row in shown.rows)
+    measured = datasets()["topography"].assign(basis=("surface", ["measured"] * 5))
+    made = Page(made_page(answer(topography=measured)))
+    assert not any("(substitute)" in text for text in made.texts["main"])
+
+
+@pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
+def test_what_tables_say_is_text_not_markup(html, column):
+    table = claims()
+    table[column] = table[column].astype(object)
+    table.loc[table["id"] == "range_of_adhesion", column] = HOSTILE
+    assert made_page(answer(table)).count("<script") == html.count("<script")
+
+
+def test_a_page_without_the_numbers_of_the_answer_has_all_the_rest():
+    table = claims().assign(computed=np.nan, low=np.nan, high=np.nan, frequency=np.nan)
+    made = Page(made_page(answer(table)))
+    assert len(made.attributes["img"]) == len(OF_PAPER)
+    assert not re.search(r"\bnan\b", made.texts["main"][0], re.I)

@@ -1,0 +1,155 @@
+"""Pages of the report: nothing left out, nothing that a browser would read as markup."""
+
+import re
+from importlib.metadata import version
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from html_page import Page
+from paper_study import claims as all_claims
+from refusals import assert_says, refusal
+from repository import PAPER, ROOT
+
+from hardcontact.paper.verdicts import VERDICTS, summary
+from hardcontact.report.report_pages import chapter, claim_facts, pages
+
+HOSTILE = 'a < b & "c" <script>alert(1)</script>'
+
+
+def evaluated(**values):
+    """Three claims as `evaluate` returns them, the first with other values."""
+    table = pd.DataFrame(
+        {
+            "id": ["first", "second", "third"],
+            "section": ["Table 1", "Results", "Results"],
+            "statement": ["The rms height is 3 nm.", "A > B & C.", "It is so."],
+            "published": [3.0, np.nan, 0.1],
+            "computed": [3.25, 1.5, np.nan],
+            "low": [2.75, np.nan, np.nan],
+            "high": [3.75, np.nan, np.nan],
+            "unit": ["nm", "1", "1"],
+            "rule": ["interval", "above", "below"],
+            "frequency": [0.87, np.nan, np.nan],
+            "stability": [0.68, np.nan, np.nan],
+            "verdict": ["undecided", "not reproduced", "not testable on substitutes"],
+            "follows_from": ["", "first", ""],
+            "basis": ["substitute scans", "no scan", "substitute scans"],
+            "note": ["", "", "Assumed."],
+            "open_end": "",
+        }
+    )
+    for column, value in values.items():
+        table.loc[0, column] = value
+    return table
+
+
+def made(table=None, **texts):
+    """The pages."""
+    configuration = PAPER | {"inference": {"confidence": 0.8}}
+    table = evaluated() if table is None else table
+    return pages(table, texts, configuration, {"numpy": "1", "a<b": "1<2"})
+
+
+def test_facts_are_the_claims_with_their_numbers_as_printed():
+    facts = claim_facts(evaluated())
+    rows = facts["claims"]
+    assert list(rows) == ["first", "second", "third"]
+    assert rows["first"]["computed_text"] == "3.25 [2.75, 3.75] nm"
+    assert rows["first"]["published_text"] == "3 nm"
+    assert rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == ""
+    assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
+    assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]
+    assert facts["counts"] == summary(evaluated()).to_dict("records")
+    one = claim_facts(evaluated(verdict="by construction"))["claims"]["first"]
+    assert one["kind"] == "by construction"
+
+
+@pytest.mark.parametrize(
+    ("end", "shown"), [("high", "[2.75, 3.75 or more] nm"), ("low", "[2.75 or less, 3.75] nm")]
+)
+def test_facts_say_which_end_of_an_interval_is_open(end, shown):
+    rows = claim_facts(evaluated(open_end=end))["claims"]
+    assert shown in rows["first"]["computed_text"]
+    assert "or " not in rows["second"]["computed_text"]
+
+
+@pytest.mark.parametrize(("stability", "count"), [(0.68, 1), (0.96, 0), (np.nan, 0)])
+def test_facts_count_verdicts_that_may_change_with_the_seed(stability, count):
+    facts = claim_facts(evaluated(stability=stability))
+    assert facts["unstable"] == facts["claims"]["first"]["may_change"] == count
+
+
+def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
+    table = all_claims().assign(open_end="")
+    shown = Page(made(table)["claims"])
+    rows = [row for row in shown.rows if len(row) == 7][1:]
+    for cells, claim in zip(rows, table.itertuples(), strict=True):
+        told = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
+        assert_says(told, claim.id, claim.statement, claim.verdict, claim.section)
+    counts = [row for row in shown.rows if len(row) == 4][1:]
+    assert [row[0].strip() for row in counts] == list(VERDICTS)
+    assert all(row[3].strip() for row in counts)
+    assert set(table["id"]) <= set(shown.values("id"))
+
+
+@pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
+def test_claims_are_text_not_markup(column):
+    page = made(evaluated(**{column: HOSTILE}))["claims"]
+    assert page.count("<script") == made()["claims"].count("<script") and "alert(1)" in page
+
+
+CHAPTER = """# Where the study departs <from> the paper
+
+1. **First.** See [the rules](resources/paper/README.md) and [the paper](https://doi.org/10.1/x).
+2. **Second.** 1 < 2.
+
+## Substitute scans
+
+| surface | made from |
+|---|---|
+| UNCD | scans |
+"""
+
+
+def test_a_chapter_is_a_page_without_links_into_the_repository():
+    page = made(departures=CHAPTER)["departures"]
+    shown = Page(page)
+    assert shown.texts["h1"] == ["Where the study departs <from> the paper"]
+    assert len(shown.texts["li"]) == 2 and "1 &lt; 2" in page and "See the rules and" in page
+    away = [of["href"] for of in shown.attributes["a"] if not of["href"].startswith("#")]
+    assert away == ["https://doi.org/10.1/x"]
+    rows = [[cell.strip() for cell in row] for row in shown.rows]
+    assert rows == [["surface", "made from"], ["UNCD", "scans"]]
+    assert [cell["data-label"] for cell in shown.attributes["td"]] == ["surface", "made from"]
+
+
+@pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
+def test_a_chapter_without_a_title_is_refused(text):
+    assert_says(refusal(chapter, text), "expected", "'# '", "found")
+
+
+def test_every_departure_of_the_study_has_its_place():
+    text = (ROOT / "workflow/report/departures.md").read_text()
+    titles = re.findall(r"^\d+\. \*\*(.+?)\*\*", text, re.M)
+    html = chapter(text).html
+    departures = re.sub("<ul>.*?</ul>", "", html, flags=re.DOTALL)
+    assert len(titles) >= 17 and departures.count("<li>") == len(titles)
+    assert [title for title in titles if f"<strong>{title}</strong>" not in html] == []
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
+def test_every_chapter_of_the_study_has_a_title_and_anchors_of_its_own(path):
+    made = chapter(path.read_text())
+    anchors = [anchor for anchor, _ in made.sections]
+    assert made.title and len(anchors) == len(set(anchors))
+
+
+def test_parameters_are_the_whole_configuration_and_every_version():
+    versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
+    configuration = PAPER | {"store": "a<b>&c"}
+    shown = Page(pages(evaluated(), {}, configuration, versions)["parameters"])
+    assert yaml.safe_load(shown.texts["pre"][0]) == configuration
+    cells = [[cell.strip() for cell in row] for row in shown.rows]
+    assert cells[1:] == [[name, number] for name, number in versions.items()]

@@ -1,0 +1,66 @@
+"""Colours and markers, labels, legends."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.report.figures import drawing, style
+
+
+def test_colours_and_markers_follow_the_order_of_any_surfaces():
+    assert style.colours(["x", "ball", "y"], "ball") == {
+        **style.colours(["x", "y"]),
+        "ball": style.SPHERE,
+    }
+    looks = style.looks([str(k) for k in range(8)])
+    markers = {name: look["marker"] for name, look in looks.items()}
+    assert markers["0"] == markers["6"] != markers["1"]
+    assert {name: look["color"] for name, look in looks.items()} == style.colours(looks)
+
+
+@pytest.mark.parametrize(
+    ("limits", "expected"),
+    [((0.5, 20), [0.5, 1, 5, 10]), ((1e-2, 1e3), [1e-2, 0.1, 1, 10, 100, 1e3])],
+)
+def test_logarithmic_axes_have_plain_numbers_and_over_many_decades_only_those(limits, expected):
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=limits)
+    style.label_logarithmic(axes.xaxis, at=(1, 5))
+    ticks = axes.get_xticks()
+    low, high = limits
+    assert np.allclose(ticks[(ticks >= 0.999 * low) & (ticks <= 1.001 * high)], expected)
+    assert axes.xaxis.get_major_formatter()(0.5, None) == "0.5"
+
+
+def test_shades_end_with_the_axes():
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=(10, 1000))
+    style.shade_artificial(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
+    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
+    assert np.allclose(spans, [(10, 20), (500, 1000)])
+    assert axes.get_xlim() == (10, 1000)
+
+
+@pytest.mark.parametrize(
+    ("bars", "limits"),  # value, low, high of each
+    [([(2, 1.9, 2.1), (8, 1e-9, 1e19)], (0.2, 80)), ([(2, 1, 4), (8, 5, 20)], None)],
+)
+def test_only_an_endless_bar_leaves_the_frame_a_decade_beyond_the_values(bars, limits):
+    axes = Figure().subplots()
+    axes.axvline(1.0)
+    for x, (value, low, high) in enumerate(bars):
+        axes.errorbar([x], [value], [[value - low], [high - value]])
+    axes.set_yscale("log")
+    before = axes.get_ylim()
+    style.end_near_values([axes])
+    assert np.allclose(axes.get_ylim(), limits or before)
+
+
+@pytest.mark.parametrize(("letters", "columns"), [(5, 4), (60, 1), (200, 1)])
+def test_a_legend_has_no_more_columns_than_fit(letters, columns):
+    figure = Figure(figsize=(drawing.WIDTH, 4), layout="constrained")
+    style.legend_above(figure, [Line2D([], [], label="x" * letters) for _ in range(5)])
+    (legend,) = figure.legends
+    assert legend._ncols == columns
+    assert letters > 100 or legend.get_window_extent().width <= figure.bbox.width

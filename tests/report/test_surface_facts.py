@@ -1,0 +1,234 @@
+"""The facts of an answer: edges and forces with intervals, statuses and sources."""
+
+import numpy as np
+import pytest
+from answer_inputs import (
+    PAIRS,
+    SURFACES,
+    WORK,
+    continued,
+    datasets,
+    edges,
+    fit,
+    force,
+    open_edges,
+    spectra,
+    unresolved_edges,
+    with_edge,
+    without_interval,
+)  # fmt: skip
+
+from hardcontact.base.number import Number, plain
+from hardcontact.report import force_facts
+from hardcontact.report import surface_facts as facts
+from hardcontact.report.artificial import parts_of_change, place_of_edge
+
+
+def rows(own=None, **others):
+    """Rows of the first surface, by name."""
+    of = datasets(**others).of_surface(SURFACES[0])
+    return {row.fact.name: row for row in facts.answer_rows(of._replace(fit=own))}
+
+
+@pytest.mark.parametrize(
+    ("data", "source"),
+    [
+        (with_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
+        (with_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
+        (with_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
+        (with_edge(120.0, np.nan, np.nan), ("measured", None, None)),
+        (with_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
+    ],
+)
+def test_ends_of_intervals_among_artificial_wavelengths_are_not_told(data, source):
+    fact = plain(rows(edges=data)["short_edge"].fact)
+    assert (fact["source"], fact["low"], fact["high"]) == source
+
+
+def test_the_change_at_an_edge_is_parted_where_scans_begin_to_be_reliable():
+    # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
+    data = with_edge(80.0, 70.0, 90.0)
+    low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
+    unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
+    of = datasets(edges=data).of_surface(SURFACES[0])
+    np.testing.assert_allclose(parts_of_change(of, "small", 0, 80), [high - unseen, unseen], 1e-4)
+    assert rows(edges=data)["short_edge"].about["measured_share"].value == pytest.approx(
+        1 - unseen / high, rel=1e-4
+    )
+    assert sum(parts_of_change(of, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
+
+
+def test_open_edges_are_bounds():
+    found = rows(edges=open_edges())["long_edge"]
+    bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
+    assert plain(found.fact) == plain(bound)
+    assert found.about["reason"] == "beyond the cell"
+    below = open_edges()
+    below["edge_at_least"].loc[{"side": "large"}] = 0
+    assert rows(edges=below)["long_edge"].fact.status == "open_below"
+    below["edge_bound"].loc[{"side": "large"}] = 30_000.0
+    assert place_of_edge(datasets(edges=below).of_surface(SURFACES[0]), "large") == "inside"
+
+
+@pytest.mark.parametrize(
+    ("data", "expected"),
+    [
+        (with_edge(120.0, 90.0, 150.0), []),
+        (with_edge(37.0, 20.0, 90.0), [("short_edge", "finer", 37.0)]),
+        (with_edge(70.0, 40.0, 90.0), [("short_edge", "finer", 55.0)]),
+        (unresolved_edges(), [("short_edge", "finer", 55.0), ("long_edge", "larger", 25_000.0)]),
+    ],
+)
+def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
+    # The scans are reliable from 55 nm to 25 µm.
+    measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
+    assert [(one["edge"], one["code"], one["limit"].value) for one in measurements] == expected
+
+
+@pytest.mark.parametrize(
+    ("at_least", "expected"), [(1, ("larger", 25_000.0)), (0, ("finer", 55.0))]
+)
+def test_an_open_edge_says_on_which_side_to_measure(at_least, expected):
+    data = open_edges()
+    data["edge_at_least"].loc[{"side": "large"}] = at_least
+    measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
+    long = [(one["code"], one["limit"].value) for one in measurements if one["edge"] == "long_edge"]
+    assert long == [expected]
+
+
+def test_what_has_no_interval_says_why():
+    data = with_edge(120.0, np.nan, np.nan)
+    assert rows(edges=data)["short_edge"].fact.status == "few_parts"
+    whole = data.assign(interval_source=("surface", ["none"]))
+    assert rows(edges=whole)["short_edge"].fact.status == "whole_scan"
+    half = rows(edges=with_edge(120.0, 90.0, np.nan))["short_edge"].fact
+    assert (half.low, plain(half.high), half.status) == (90.0, None, "")
+    assert rows(force=without_interval(force()))["force_mean"].fact.status == "whole_scan"
+    endless = force()
+    endless["force_interval"].loc[{"bound": "low"}] = 0
+    endless["force_interval"].loc[{"bound": "high"}] = np.inf
+    fact = rows(force=endless)["force_mean"].fact
+    assert np.isnan([fact.low, fact.high]).all() and fact.status == "few_parts"
+
+
+def test_a_force_at_its_bound_is_told():
+    assert rows()["force_mean"].about["bounded"] is False
+    smooth = force()
+    smooth["smooth_bound"] = smooth["force"].isel(surface=0)
+    assert rows(force=smooth)["force_mean"].about["bounded"] is True
+
+
+def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_beyond():
+    of = datasets().of_surface(SURFACES[0])
+    assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
+    between, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
+    assert between.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
+    assert between.about["share"].value == 0.58 and between.about["range"].value == 10.0
+    assert beyond.fact.status == "not_computed" and np.isnan(beyond.fact.value)
+    one_range = force().sel(rho=[5.6])
+    assert np.isnan(rows(force=one_range)["range_sensitivity"].fact.value)
+
+
+def answer_of(data, measured, of_force=None):
+    """The verdict on edges with scans of these reliable wavelengths (nm)."""
+    scan = ("map", 2 * measured[1], 1, *measured, "pixels", np.nan)
+    found = rows(
+        edges=data, spectra=spectra(measured={"scan.spm": scan}), force=of_force or force()
+    )
+    told = facts.verdict(list(found.values()))
+    return told["answer"], told["band"]
+
+
+@pytest.mark.parametrize(
+    ("data", "measured", "expected"),
+    [
+        (edges(), (6, 25e3), ("yes", "found")),
+        (edges(), (55, 25e3), ("partly", "found")),
+        (edges(), (400, 1000), ("no", "found")),
+        (open_edges(), (6, 25e3), ("partly", "found")),
+        (with_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
+        (unresolved_edges(), (6, 25e3), ("no", "none")),
+    ],
+)
+def test_the_verdict_says_whether_scans_can_answer(data, measured, expected):
+    assert answer_of(data, measured) == expected
+
+
+def test_scans_that_lack_roughness_answer_in_part_at_most():
+    assert answer_of(edges(), (6, 25e3), continued(force(), small=0.25))[0] == "partly"
+    assert answer_of(edges(), (400, 1000), continued(force(), small=0.25))[0] == "no"
+
+
+def test_continued_roughness_has_its_own_force_and_the_verdict_both():
+    found = rows(force=continued(force(), small=0.25))
+    row = found["force_continued"]
+    assert row.fact.value == pytest.approx(0.16e-6) and row.fact.source == "extrapolated"
+    assert row.about["side"] == "small" and row.about["start"].value == 20.0
+    assert row.about["end"].value == 5.0
+    on_scans, extrapolated = facts.verdict(list(found.values()))["forces"]
+    assert (on_scans.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
+    assert np.isnan(on_scans.low)
+    alike = facts.verdict(list(rows().values()))
+    assert len(alike["forces"]) == 1 and alike["edges"][0].value == 37.0
+
+
+def test_own_forces_have_rows_of_their_surface_alone():
+    found = rows(fit())
+    assert found["measured_force"].fact.source == "measured"
+    assert found["measured_force"].about == {"tests": 40, "lopsided": False}
+    assert found["measured_work"].fact.value == pytest.approx(WORK)
+    changed = fit()
+    changed["continued_differs"].loc[{"side": "small"}] = 1
+    assert rows(changed)["continued_work"].fact.value == pytest.approx(WORK / 2)
+    assert "measured_force" not in rows(fit().assign_coords(surface=["other"]))
+
+
+@pytest.mark.parametrize(("high", "told"), [(700.0, False), (900.0, True)])
+def test_an_upper_end_that_few_tests_leave_open_is_told(high, told):
+    data = fit()
+    data["measured_force_interval"].loc[{"bound": "high"}] = 1e-9 * high
+    assert rows(data)["measured_force"].about["lopsided"] is told
+
+
+@pytest.mark.parametrize(("work", "told"), [(10.0, False), (50.8, True)])
+def test_a_work_beyond_that_of_any_solids_is_told(work, told):
+    data = fit()
+    data["work_of_adhesion"] = data["work_of_adhesion"] * 0 + work
+    assert rows(data)["measured_work"].about["beyond_solids"] is told
+
+
+def test_pooled_edges_are_of_several_surfaces_and_as_sure_as_the_least_sure():
+    of_first = list(rows().values())
+    assert facts.pooled_rows(edges(), [of_first]) == []
+    short, long = facts.pooled_rows(edges(2), [of_first, of_first])
+    assert (short.fact.name, short.fact.source) == ("pooled_short_edge", "artificial")
+    assert (short.fact.status, plain(short.fact.low)) == ("no_interval", None)
+    assert (long.fact.value, long.fact.low, long.fact.high) == (1500.0, 1200.0, 1875.0)
+    unresolved = edges(2).assign(
+        pooled_edge=("side", [np.nan] * 2), pooled_edge_at_least=("side", [1, 0])
+    )
+    assert facts.pooled_rows(unresolved, [of_first, of_first]) == []
+
+
+def fit_status(data):
+    return force_facts.fit_facts(force_facts.of_answer(data))
+
+
+def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():
+    assert fit_status(fit())["status"] == "one_surface"
+    both = fit_status(fit(2))
+    assert both["status"] == "region" and both["gaps"] == []
+    assert (both["best_range"].value, both["best_work"].value) == (5.6, WORK)
+    assert (both["region_range"].low, plain(both["region_range"].high)) == (3.2, None)
+    assert both["allows_range"] and both["range"].value == 5.6
+    below = fit(2).assign_attrs(range_of_adhesion=1.0)  # the region begins at 3.2 nm
+    assert not fit_status(below)["allows_range"]
+    parted = fit(2)
+    parted["region"].loc[{"rho": slice(6, 9)}] = np.nan
+    rho = parted["rho"].values
+    assert fit_status(parted)["gaps"] == [[rho[rho < 6].max(), rho[rho > 9].min()]]
+    nothing = fit(2)
+    nothing["region"] *= np.nan
+    assert fit_status(nothing)["status"] == "none"
+    nothing["work_of_adhesion_interval"] *= np.nan
+    assert fit_status(nothing)["status"] == "no_interval"

@@ -1,0 +1,51 @@
+"""Values with bounds, published values with their uncertainty, labels of surfaces."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.report.figures import tables
+
+FITS = xr.Dataset(
+    {
+        "force": ("surface", [1.0, 2.0]),
+        "force_interval": (("surface", "bound"), [[0.8, 1.2], [1.6, np.nan]]),
+        "label": ("surface", ["UNCD", "MCD"]),
+        "basis": ("surface", ["measured", "substitute"]),
+    },
+    {"surface": ["uncd", "mcd"], "bound": ["low", "high"]},
+)
+CONSTANTS = pd.DataFrame(
+    {"value": [0.05, 43.0], "uncertainty": [0.01, np.nan]},
+    index=["work_of_adhesion", "critical_wavelength_small"],
+)
+
+
+def test_values_have_the_ends_of_their_interval():
+    curves = tables.bounded(FITS, "force")
+    assert list(curves["low"]) == [0.8, 1.6] and curves["high"].isnull().values.tolist() == [0, 1]
+    assert "bound" not in curves.coords
+    assert tables.value_and_bounds(FITS.sel(surface="uncd"), "force") == {
+        "value": 1.0, "low": 0.8, "high": 1.2,
+    }  # fmt: skip
+
+
+def test_published_values_have_the_ends_of_their_uncertainty():
+    assert tables.published_edge(CONSTANTS, "small") == 43
+    (row,) = tables.published_rows(CONSTANTS, {"work_of_adhesion": "J/m2"}, "b").to_dict("records")
+    assert row["origin"] == "published" and row["unit"] == "J/m2"
+    assert np.allclose([row[end] for end in ("value", "low", "high")], [0.05, 0.04, 0.06])
+
+
+def test_rows_get_the_label_of_their_surface():
+    rows = pd.DataFrame({"group": ["mcd", "pooled"]})
+    table = tables.labelled([rows], FITS, ["group", "label", "basis"], "group")
+    assert table.iloc[0].tolist() == ["mcd", "MCD", "substitute"]
+    assert table.loc[1, "group"] == "pooled" and table.loc[1, ["label", "basis"]].isna().all()
+
+
+def test_sets_are_summed_up_by_values_of_their_own():
+    values = xr.DataArray(np.arange(100.0), dims="set")
+    summary = tables.over_sets(values[::-1])
+    numbers = {str(name): number.item() for name, number in summary.items()}
+    assert numbers == {"value": 49.0, "low": 4.0, "high": 94.0}

@@ -1,0 +1,41 @@
+"""The closed form beside computed forces: what is compared, on small surfaces."""
+
+import numpy as np
+import pytest
+from known_spectra import rough
+
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import Contact
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.theory.closed_form_errors import Trial, closed_form_errors, spectrum_of_grid
+from hardcontact.theory.summits import moment
+
+TRIAL = Trial(
+    pixels=256, realizations=2, sizes=(2560.0, 5120.0), ranges=(5.6, 20.0),
+    contact=Contact(radius=20e3, preload=1e-5, hardness=25e9, window=5120.0, count=4),
+    work=0.05, rho=5.6, tolerance=0.1, confidence=0.95, seed=1,
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def found():
+    return closed_form_errors({"a": rough(4, 500, 0.8, 40)}, TRIAL)
+
+
+def test_a_grid_holds_the_height_of_its_surfaces():
+    spectrum = rough(4, 500, 0.8, 10)
+    heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
+    expected = np.sqrt(moment(spectrum_of_grid(spectrum, 2560.0, 256), 0))
+    assert expected == pytest.approx(np.sqrt(np.mean(np.square(heights))), rel=0.03)
+    with pytest.raises(ValueError, match="expected waves between"):
+        spectrum_of_grid(spectrum, 1e-3, 4)
+
+
+def test_errors_are_predicted_over_computed(found):
+    assert set(found.error.dims) == {"surface", "map_size", "source", "rho"}
+    ratio = found.predicted_force / found.computed_force
+    assert found.error.values == pytest.approx(ratio.transpose(*found.error.dims).values)
+    assert found.error.sel(source="contacts").values == pytest.approx(1, abs=0.1)
+    inside = found.computed_force_interval
+    assert (inside.sel(bound="low") <= found.computed_force).all()
+    assert (found.computed_force <= inside.sel(bound="high")).all()

@@ -1,0 +1,139 @@
+"""Scaled contacts against closed forms and single contacts; edges against power laws."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+from known_spectra import rough
+from scipy.special import erf
+
+from hardcontact.band.filtered_masters import Filters, filtered_pull_off
+from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.theory.closed_form import closed_form
+from hardcontact.theory.edge_scaling import (
+    among_regimes,
+    edge_scaling,
+)
+
+CONTACTS = [
+    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
+    for preload in (2.5e-6, 20e-6)
+]
+FILTERS, COMBINATIONS = Filters("small", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
+
+
+def master(rms):
+    heights = rms * np.random.default_rng(3).standard_normal((64, 64))
+    return HeightMap(heights, 10.0, periodic=True, basis="substitute")
+
+
+def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
+    computed = filtered_pull_off(master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    force = computed["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
+    radius, rho = (np.array(values) for values in COMBINATIONS)
+    radius = radius[:, None]
+    # 2 pi R W, but for what lies outside the window of 640 nm.
+    rigid = 2 * np.pi * radius * 1e-9 * erf(640 / np.sqrt(8 * radius * rho)) ** 2
+    np.testing.assert_allclose(force[:, 0], rigid, rtol=2e-3)
+    # Eight pixels touch: the apex, its neighbours, and three of the four at the distance sqrt(2).
+    gaps = np.array([0, *[100] * 4, *[200] * 3]) / (2 * radius[..., None])
+    deeper = np.exp(gaps.max(-1) / rho)
+    flattened = (np.exp((gaps.max(-1, keepdims=True) - gaps) / rho[:, None]) - 1).sum(-1)
+    plastic = deeper * rigid - flattened * 100 / rho * 1e-9
+    np.testing.assert_allclose(force[:, 1], plastic, rtol=2e-3)
+
+
+def test_every_combination_is_that_of_single_contacts():
+    computed = filtered_pull_off(master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    single = filtered_pull_off(
+        master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, range=5.0)]
+    )
+    for name in ("pull_off_force", "unfiltered_pull_off_force"):
+        np.testing.assert_allclose(
+            computed[name].isel(radius=1, load=1, rho=1),
+            single[name].isel(radius=0, load=0, rho=0),
+        )
+    assert computed["area"].values == pytest.approx([100.0, 800.0])
+    assert computed["contact_area"].values == pytest.approx([100.0, 800.0])
+
+
+RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 11.2]
+CUTOFFS = np.geomspace(10, 2e4, 60)
+
+
+def power_law(radius_exponent, rho_exponent, contact_exponent):
+    """Return edges in nm over RADII, AREAS and RANGES; exponents may differ by realization."""
+    radius, area, rho = (
+        xr.DataArray(values, {name: values}, name)
+        for name, values in {"radius": RADII, "area": AREAS, "rho": RANGES}.items()
+    )
+    contact = np.sqrt(area / 400) ** contact_exponent
+    return (
+        600 * np.sqrt(radius / 1e5) ** radius_exponent * np.sqrt(rho / 4) ** rho_exponent * contact
+    )
+
+
+def curves(*exponents, scatter=0.0):
+    """Return ratios of three realizations whose long edge is a known power law, and that edge.
+
+    Exponents of the realizations scatter about those given, each edge about that of its exponents.
+    """
+    cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
+    noise = np.random.default_rng(5).standard_normal(3)
+    noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
+    edge, own = power_law(*exponents), power_law(*(one + noise for one in exponents))
+    # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge.
+    steep = np.log(1.1) * (1 + 2 * np.log(own * np.exp(noise) / cutoff))
+    ratio = np.exp(np.maximum(steep, 0)).expand_dims(surface=["a"])
+    ratio = xr.concat([1 / ratio, ratio], "side").assign_coords(side=["small", "large"])
+    return xr.Dataset(
+        {
+            "ratio": ratio.where(ratio["side"] == "large", 1.0),
+            "unfiltered_wavelength": (("surface", "side"), [[5.0, 3e4]]),
+            "contact_area": (("side", "area"), [AREAS, AREAS]),
+            "label": ("surface", ["A"]),
+            "basis": ("surface", ["substitute"]),
+        }
+    ), edge
+
+
+def edges(data, samples):
+    """Return the edges and exponents of ratios on a surface of which the spectrum is any."""
+    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
+    return edge_scaling(data, {"a": rough(30.0)}, contact, 0.1, Sampling(1, samples, 0.95))
+
+
+@pytest.mark.parametrize("exponents", [(1.0, 1.0, 0.0), (0.0, 0.2, 0.9), (0.0, 0.0, -0.8)])
+def test_exponents_are_those_of_a_known_power_law(exponents):
+    data, edge = curves(*exponents, scatter=0.02)
+    computed = edges(data, 50).sel(side="large", surface="a")
+    np.testing.assert_allclose(computed["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
+    np.testing.assert_allclose(computed["exponent"], exponents, atol=0.02)
+    low, high = bounds(computed, "exponent")
+    assert (low <= computed["exponent"]).all() and (computed["exponent"] <= high).all()
+
+
+def test_open_edges_are_left_out_and_few_give_no_exponent():
+    data, _ = curves(1.0, 1.0, 0.0)
+    computed = edges(data, 0).sel(side="small", surface="a")
+    assert computed["edge"].isnull().all() and computed["exponent"].isnull().all()
+
+
+SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
+
+
+def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
+    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
+    place, form = (
+        among_regimes(SPECTRA, contact).sel(surface="b"),
+        closed_form(SPECTRA["b"], contact),
+    )
+    assert place["over_range"].item() == pytest.approx(form.rms_height / 5.6)
+    level = form.closest_approach / form.rms_height
+    assert place["approach_level"].item() == pytest.approx(level)
+    # The table has forty points a decade.
+    roll_off = 20.0 / place["contact_over_rolloff"].item()
+    assert roll_off == pytest.approx(2500, rel=0.5)

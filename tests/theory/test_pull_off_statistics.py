@@ -1,0 +1,193 @@
+"""The distribution of forces over places and scans: closed forms, and designed surfaces."""
+
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+import pytest
+from known_spectra import rough, rounded
+from repository import ROOT
+from scipy import special, stats
+
+sys.path.insert(0, str(ROOT / "tests/benchmarks"))
+
+import validate_statistics
+
+from hardcontact.base import dataset
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import contact_of_area
+from hardcontact.theory.closed_form import contact_share, smooth_force
+from hardcontact.theory.pull_off_statistics import (
+    ForceStatistics,
+    field_variation,
+    force_scatter,
+    force_statistics,
+    number_variance,
+    over_scans,
+    summit_variation,
+)
+from hardcontact.theory.summits import LEVELS, banded, closest_approaches, clumps_above
+
+SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
+TABLE = pd.read_csv(validate_statistics.DATASET.with_suffix(".csv"))
+#: A sphere so flat that its highest summits obey the laws of high levels.
+FLAT = 1e12
+SIGMA = 4.0
+SURFACE = rounded(SIGMA, 100)
+
+
+def flat_contact(modulus, clumps=0.0):
+    """Return a contact of a modulus whose area is that of a number of mean clumps."""
+    waves = banded(SURFACE, 0, np.inf)
+    _, number, bearing = clumps_above(waves, FLAT)
+    highest = closest_approaches(waves, FLAT, 0.0).mean()
+    area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
+    level = closest_approaches(waves, FLAT, area).mean()
+    return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
+
+
+def drawn_sums(modulus, places=4000, points=400):
+    """Return sums of clumps over places: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
+    rng = generator(1, "clumps")
+    arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
+    level = closest_approaches(banded(SURFACE, 0, np.inf), FLAT, 0.0).mean()
+    radii = rng.choice(drawn_radii(rng, level), (places, points))
+    return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
+
+
+def drawn_radii(rng, level, count=400000):
+    """Return 1/sqrt(K) of summits of SURFACE, drawn by the curvatures of points at a level."""
+    # Of exp(-d²/2) the fourth moment is 3: h_xx and h_yy have the mean -t and the covariance
+    # [[2, 0], [0, 2]] given the height t, h_xy the variance 1.
+    xx, yy = -level + np.sqrt(2) * rng.standard_normal((2, count))
+    curvature = xx * yy - rng.standard_normal(count) ** 2
+    summit = (curvature > 0) & (xx < 0)
+    weight = curvature[summit] / curvature[summit].sum()
+    return 1 / np.sqrt(rng.choice(curvature[summit], count, p=weight))
+
+
+def test_radii_of_summits_scatter_as_drawn_ones():
+    waves = banded(SURFACE, 0, np.inf)
+    levels = closest_approaches(waves, FLAT, 0.0)
+    radii = drawn_radii(generator(1, "radii"), levels.mean())
+    assert summit_variation(waves, levels) == pytest.approx(radii.std() / radii.mean(), rel=0.05)
+
+
+@pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
+def test_many_points_make_weibull_s_law(modulus):
+    found = force_statistics(SURFACE, flat_contact(modulus))
+    weibull = stats.weibull_min(found.modulus, scale=1 / special.gamma(1 + 1 / found.modulus))
+    assert found.modulus == pytest.approx(modulus, rel=1e-3)
+    shares = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
+    assert found.quantile(shares) / found.force == pytest.approx(weibull.ppf(shares), rel=0.08)
+
+
+@pytest.mark.parametrize("clumps", [3.0, 30.0])
+def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
+    found = force_statistics(SURFACE, flat_contact(3.0, clumps))
+    # Exponential areas fill the contact with 1 + Poisson's number of clumps.
+    number = 1 + np.arange(200)
+    chance = stats.poisson.pmf(number - 1, found.clumps - 1)
+    centre = chance @ special.digamma(number)
+    spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
+    assert found.spread == pytest.approx(np.sqrt(spread) / found.modulus, rel=0.1)
+
+
+@pytest.mark.parametrize("clumps", [3.0, 30.0])
+def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
+    contact = flat_contact(3.0, clumps)
+    many = force_statistics(SURFACE, contact)
+    rigid = force_statistics(SURFACE, replace(contact, preload=0.0))
+    # The force of the area in contact itself is no clump's.
+    of_area = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
+    power, number = 2 / (many.modulus + rigid.modulus), 1 + np.arange(200)
+    chance = stats.poisson.pmf(number - 1, many.clumps - 1)
+    expected = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
+    found = (many.force - of_area) / rigid.force
+    assert found == pytest.approx(expected / special.gamma(1 + power), rel=0.05)
+
+
+@pytest.mark.parametrize("cover", [0.05, 0.3, 0.6])
+def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
+    def pressure(share):
+        return share / (1 - share) ** 2
+
+    slope = (pressure(cover + 1e-5) - pressure(cover - 1e-5)) / 2e-5
+    assert number_variance(cover) == pytest.approx(1 / slope, rel=1e-6)
+
+
+@pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
+def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
+    found, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
+    assert found.spread == pytest.approx(np.log(sums).std(), rel=0.1)
+    assert found.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
+
+
+def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
+    # exp(n s² exp(-d²/2l²)) expanded, and each power averaged over exp(-d²/2 spot).
+    rho, power = 3.0, np.arange(1, 40)
+    contact = contact_of_area(250e3, rho, 1.0, 0.0)
+    spot = 2 * contact.radius * rho
+    terms = (SIGMA / rho) ** (2 * power) / special.factorial(power) / (1 + power * spot / 100**2)
+    found = field_variation(banded(SURFACE, 0, np.inf), contact)
+    assert found == pytest.approx(np.sqrt(terms.sum()), rel=0.02)
+    assert found > 1.2 * np.sqrt(terms[0])
+
+
+def test_moments_and_quantiles_are_those_of_the_mixture():
+    found = ForceStatistics(
+        1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
+    )
+    shares = np.linspace(0, 1, 200001)[1:-1]
+    forces = found.quantile(shares)
+    assert found.force == pytest.approx(forces.mean(), rel=1e-3)
+    assert found.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
+    assert found.spread == pytest.approx(np.log(forces).std(), rel=1e-3)
+    assert found.probability(forces[::20000]) == pytest.approx(shares[::20000], abs=1e-4)
+
+
+def test_without_roughness_all_places_are_alike():
+    smooth = force_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
+    assert smooth.spread == 0
+    assert smooth.quantile(0.3) == pytest.approx(smooth.force)
+    assert smooth.force > 2 * np.pi * 250e3 * 1e-9
+
+
+def test_scans_add_the_scatter_of_their_means():
+    places = force_statistics(rough(4.0), SPHERE)
+    assert over_scans(rough(4.0), SPHERE, 0.0).spread == pytest.approx(places.spread)
+    ends = [force_statistics(rough(4.0 + change), SPHERE).force for change in (-0.1, 0.1)]
+    slope = np.log(ends[1] / ends[0]) / 0.2
+    expected = np.hypot(places.spread, slope * 4.0 * 0.05)
+    assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(expected, rel=0.02)
+
+
+def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_tolerance():
+    scatter = force_scatter(
+        {"a": rough(10.0)}, SPHERE, [5.6], {"a": 0.0}, tolerance=0.1, confidence=0.9
+    )
+    law = force_statistics(rough(10.0), SPHERE)
+    forces = law.quantile(np.linspace(0, 1, 20001)[1:-1])
+    shape = np.sqrt(2 * np.log(forces.mean() / np.median(forces)))
+    assert scatter["total_shape"].item() == pytest.approx(shape, rel=0.01)
+    needed = round(scatter["contacts_needed"].item())
+    samples = law.quantile(generator(1, "contacts").uniform(size=(2000, needed)))
+    within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
+    assert needed > 50 and within.mean() == pytest.approx(0.9, abs=0.02)
+
+
+def test_the_table_is_that_of_the_law():
+    stored = dataset.read(validate_statistics.DATASET)
+    for place in (0, 31, 69):
+        rows = list(validate_statistics.compared(stored.isel(surface=place)))
+        known = TABLE[TABLE["surface"] == place].reset_index(drop=True)
+        pd.testing.assert_frame_equal(pd.DataFrame(rows)[list(known)], known, rtol=2e-3, atol=1e-3)
+
+
+def test_forces_are_those_of_the_designed_surfaces():
+    row = validate_statistics.design(52)[51]
+    found = validate_statistics.computed(row)
+    stored = dataset.read(validate_statistics.DATASET).isel(surface=51)
+    for name in ("log_force", "level"):
+        np.testing.assert_allclose(found[name], stored[name], atol=6e-4)

@@ -1,0 +1,116 @@
+"""Sizes of scans: the validation table, and what makes it."""
+
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+from repository import ROOT
+
+sys.path.insert(0, str(ROOT / "tests/benchmarks"))
+
+from scan_windows import Windows, filtered_forces, mean_forces, mirrored_windows
+from validate_scan_sizes import (
+    TABLE,
+    Case,
+    ScanSizeRule,
+    correction_errors,
+    fitted_rule,
+    window_edges,
+)
+
+from hardcontact.base import dataset
+from hardcontact.contact.contact import Contact
+from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
+
+CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, count=2)
+WINDOWS = Windows([320.0, 640.0], 2, [2.0, 5.0], CONTACT)
+CUTOFFS = [90.0, 180.0, 400.0, 1000.0]
+
+
+def periodic(heights):
+    return HeightMap(heights, 20.0, periodic=True, basis="substitute")
+
+
+def random_heights(rms):
+    return rms * np.random.default_rng(5).standard_normal((64, 64))
+
+
+def test_the_table_holds_what_its_rule_predicts():
+    table = dataset.read(TABLE)
+    rule = ScanSizeRule(table["strength"].item(), table["exponent"].values)
+    for surface in table["surface"].values:
+        row = table.sel(surface=surface)
+        lengths = (row[name].item() for name in ("rms_height", "roll_off", "radius"))
+        case = Case(row["scan_size"].values[:, None], *lengths, row["rho"].values)
+        np.testing.assert_allclose(row["predicted_excess"], rule.excess(case))
+        at_needed = case._replace(size=row["size_needed"].values)
+        np.testing.assert_allclose(rule.excess(at_needed), table.attrs["allowed_excess"])
+    for tested, name in (("surfaces", "excess"), ("random surfaces", "known_excess")):
+        left = np.log(table[name] / table[f"predicted_{name}"])
+        error = table["error"].sel(tested=tested, kind="corrected")
+        np.testing.assert_allclose(error, np.sqrt((left**2).mean()))
+
+
+def test_a_rule_is_found_again_and_corrects_surfaces_it_was_not_fitted_to():
+    true = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
+    known, others = random_cases(1), random_cases(2)
+    rule = fitted_rule(known, true.excess(known))
+    np.testing.assert_allclose([rule.strength, *rule.exponents], [0.4, 1.2, 0.5, 0.3], atol=1e-3)
+    corrected, uncorrected = correction_errors(rule.excess(others), true.excess(others))
+    assert corrected < 1e-3 * uncorrected
+
+
+def random_cases(seed, count=40):
+    rng = np.random.default_rng(seed)
+    return Case(
+        rng.uniform(1000, 10e3, count),
+        rng.uniform(2, 50, count),
+        rng.uniform(400, 2500, count),
+        rng.choice([20e3, 250e3], count),
+        rng.uniform(2, 10, count),
+    )
+
+
+def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface():
+    """A surface made of mirror images of one window has no wave that this window lacks."""
+    heights = np.random.default_rng(2).normal(0, 4, (16, 16))
+    scan = HeightMap(heights, 20.0, periodic=False, basis="substitute")
+    whole = periodic(np.tile(mirror_stitch(level(scan)).heights, (2, 2)))
+    (window,) = mirrored_windows(whole, 320.0, 1)
+    on_window = filtered_forces(window, CUTOFFS, WINDOWS)
+    on_whole = filtered_forces(whole, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, count=4)))
+    np.testing.assert_allclose(on_window[:-1], on_whole[:-1], rtol=1e-5)
+    assert np.isnan(on_window[-1]) and on_whole[-1] == pytest.approx(1, abs=1e-6)
+
+
+def test_the_ratio_is_that_of_a_surface_less_its_long_waves():
+    heights = random_heights(3.0)
+    order = np.fft.fftfreq(64, 1 / 64)
+    transform = np.fft.fft2(heights)
+    transform[np.hypot(order[:, None], order) <= 1280 / 400] = 0
+    short_waves = periodic(np.fft.ifft2(transform).real)
+    force, ratio = filtered_forces(periodic(heights), [400.0], WINDOWS)
+    assert ratio * force == pytest.approx(mean_forces(short_waves, WINDOWS)[0], rel=1e-5)
+
+
+def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
+    ratios = [[1.5, 1.0, np.nan], [1.5, 1.2, np.nan], [2.0, 1.21, 1.0]]
+    forces = xr.Dataset(
+        {
+            "ratio": (("realization", "edge_size", "cutoff_wavelength"), [ratios, ratios]),
+            "pull_off_force": (("realization", "edge_size"), [[2.0, 3.0, 1.0]] * 2),
+            "period": ("edge_size", [1000.0, 1000.0, 8000.0]),
+            "mirrored": ("edge_size", [1, 1, 0]),
+        },
+        {"edge_size": [500.0, 501.0, 8000.0], "cutoff_wavelength": [250.0, 1000.0, 4000.0]},
+    )
+    edges = window_edges({"one": forces}).isel(surface=0)
+    # Linear in ln(ratio) over ln(wavelength): of four, four octaves away, and half of two.
+    share = np.log(1.1) / np.log(1.5)
+    assert edges["long_edge"].values[0] == pytest.approx(1000 * 0.25**share)
+    assert edges["long_edge"].values[2] == pytest.approx(2000, rel=1e-3)
+    assert np.isnan(edges["long_edge"][1]) and edges["long_edge_bound"][1] == 1000
+    assert edges["long_edge_status"][1] == "beyond the cell" and edges["long_edge_at_least"][1]
+    assert edges["force_over_largest"].values.tolist() == [2.0, 3.0, 1.0]

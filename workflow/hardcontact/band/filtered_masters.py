@@ -1,0 +1,134 @@
+"""Forces on a master, whole and filtered below or above every cutoff wavelength.
+
+The side ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from hardcontact.base import dataset
+from hardcontact.base.job import progress
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import (
+    CONTACT_AXES,
+    FORCE,
+    WORK_OF_ADHESION,
+    Axis,
+    load_axis,
+    plastic_forces,
+    range_axis,
+)
+from hardcontact.surfaces.filters import filtered_series
+from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.spectrum import spectrum_from
+from hardcontact.surfaces.synthesis import synthesized_master
+
+
+class Filters(NamedTuple):
+    """The cutoffs of one side, each of which filters a master alone."""
+
+    side: str  #: "small": wavelengths below the cutoff are removed; "large": those above.
+    pixels: int  #: Along an edge of the filtered surfaces.
+    cutoffs: Sequence[float]  #: In nm.
+
+
+def forces_at_cutoffs(
+    master: HeightMap,
+    filters: Filters,
+    forces: Callable[[HeightMap], NDArray[np.float64]],
+    axes: Mapping[str, Axis],
+) -> xr.Dataset:
+    """Return the forces on a periodic master, whole and filtered at every cutoff of a side.
+
+    `forces` takes a filtered surface and returns its forces (...) in N at 1 J/m², whose dimensions
+    and coordinates are the axes. ``pull_off_force`` (cutoff_wavelength, ...) and
+    ``unfiltered_pull_off_force`` (...) stand beside ``unfiltered_wavelength``, the end of the
+    unfiltered spectrum in nm.
+    """
+    side, pixels, cutoffs = filters
+    surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
+    results = (forces(surface) for surface in surfaces)
+    unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
+    end = 2 * master.size / pixels if side == "small" else master.size
+    nanometres = {"units": "nm", "long_name": "end of the unfiltered spectrum"}
+    cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
+    return xr.Dataset(
+        {
+            "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE),
+            "pull_off_force": (("cutoff_wavelength", *axes), np.array(filtered), FORCE),
+            "unfiltered_wavelength": ((), end, nanometres),
+        },
+        {"cutoff_wavelength": cutoff_axis, **axes},
+        {"work_of_adhesion": WORK_OF_ADHESION},
+    )
+
+
+def filtered_pull_off(
+    master: HeightMap,
+    filters: Filters,
+    contacts: Sequence[Contact],
+    sphere: HeightMap | None = None,
+    radii: Sequence[float] | None = None,
+    ranges: Sequence[float] | None = None,
+) -> xr.Dataset:
+    """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic.
+    filters : Filters
+        The cutoffs.
+    contacts : sequence of Contact
+        They differ in their load alone.
+    sphere : HeightMap or None
+        Roughness of the sphere; None for a smooth sphere.
+    radii, ranges : sequence of float or None
+        In nm; None for those of the first contact.
+
+    Returns
+    -------
+    xarray.Dataset
+        Forces at 1 J/m² over cutoff_wavelength, radius, load, rho, contact_y and contact_x, where
+        contacts are numbered. ``contact_area`` (load) is that of the pixels that touch and the
+        coordinate ``area`` (load) the preload over the hardness, both in nm².
+    """
+    contact, pixel_size = contacts[0], master.size / filters.pixels
+    spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
+    rhos = list(ranges or [contact.range])
+
+    def forces(surface: HeightMap) -> np.ndarray:
+        pairs = [bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
+        return np.array([plastic_forces(pair, contacts, rhos) for pair in pairs])
+
+    nm, places = {"units": "nm"}, np.arange(contact.count)
+    axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}
+    axes |= load_axis(contacts) | range_axis(rhos)
+    axes |= {axis: ((axis,), places, {}) for axis in CONTACT_AXES}
+    areas = ("load", [load.area for load in contacts], {"units": "nm2"})
+    touching = [load.pixels(pixel_size) * pixel_size**2 for load in contacts]
+    contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
+    filtered = forces_at_cutoffs(master, filters, forces, axes)
+    return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
+
+
+def varied_master(
+    side: str, key: tuple[Any, ...], scan: str, spectrum: str, scales: Mapping[str, Any]
+) -> HeightMap:
+    """Return the master of one side of a scan, of their files, with a spectrum that may be drawn.
+
+    The heights of the scan are multiplied by the factor of a drawn spectrum. The scales are the
+    argument of `synthesized_master`, the key selects the random numbers.
+    """
+    density, stitched = dataset.read(spectrum), read_height_map(scan)
+    if "height_factor" in density.attrs:
+        heights = stitched.heights * density.attrs["height_factor"]
+        stitched = replace(stitched, heights=heights)
+    return synthesized_master(side, generator(*key), stitched, scales, spectrum_from(density))

@@ -1,0 +1,92 @@
+"""The code that a script really uses: itself and the library's modules that it imports."""
+
+import ast
+import os
+from collections.abc import Iterator, Sequence
+from functools import cache
+from pathlib import Path
+
+import hardcontact
+from hardcontact.base.whole_file import whole_file
+
+#: The folder of the library that is imported, and that of the scripts beside it.
+LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
+SCRIPTS = LIBRARY.parent / "scripts"
+#: The versions of the packages that the library is used with.
+REQUIREMENTS = ("environment.txt", "workflow/constraints.txt")
+#: The same without comments, on which jobs depend: so that a comment makes no file stale.
+PINS = tuple(f"results/{Path(path).name}" for path in REQUIREMENTS)
+
+#: The templates of pages, and what every page holds: layout, macros, style and script.
+TEMPLATES = LIBRARY.parent / "report/templates"
+OF_EVERY_PAGE = ("base.html", "macros.html", "style.css", "page.js")
+
+
+def template_inputs(*names: str) -> list[str]:
+    """Return the files of the templates of a page, relative to the working directory."""
+    return [os.path.relpath(TEMPLATES / name) for name in (*names, *OF_EVERY_PAGE)]
+
+
+def write_pins() -> None:
+    """Write the requirements without comments, unless they are there already."""
+    for source, path in zip(REQUIREMENTS, PINS, strict=True):
+        lines = (line.partition("#")[0].strip() for line in Path(source).read_text().splitlines())
+        text = "".join(f"{line}\n" for line in lines if line)
+        if not Path(path).is_file() or Path(path).read_text() != text:
+            with whole_file(path) as temporary:
+                Path(temporary).write_text(text)
+
+
+@cache
+def code_inputs(script: str, *modules: str) -> Sequence[str]:
+    """Return the files that determine what a script does, relative to the working directory.
+
+    They are the script itself and the modules and packages of the library that it imports, by full
+    names, sorted; `modules` are those that it imports by a name it is given, the lists of pinned
+    packages come last. Imports that only a type checker sees do not count.
+    """
+    paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
+    pending = [*paths]
+    while pending:
+        new = _imports(pending.pop()) - paths
+        paths |= new
+        pending.extend(new)
+    return (*sorted(os.path.relpath(path) for path in paths), *PINS)
+
+
+@cache
+def _imports(path: Path) -> frozenset[Path]:
+    """Return the files of the library that are run when a file is imported."""
+    names = _imported(ast.parse(path.read_text("utf-8")))
+    return frozenset(file for name in names for file in _files(name))
+
+
+def _imported(tree: ast.AST) -> Iterator[str]:
+    """Yield the full names that a file imports, modules or what is in them."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
+            continue
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield str(node.module)
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+        elif not isinstance(node, ast.expr):  # which holds no import
+            yield from _imported(node)
+
+
+def _files(name: str) -> Iterator[Path]:
+    """Yield the files that are run to import a name, the packages above it included."""
+    first, *parts = name.split(".")
+    if first != LIBRARY.name:
+        return
+    path = LIBRARY
+    yield path / "__init__.py"
+    for part in parts:
+        path = path / part
+        if path.is_dir():
+            yield path / "__init__.py"
+        elif path.with_suffix(".py").is_file():
+            yield path.with_suffix(".py")
+        else:
+            return

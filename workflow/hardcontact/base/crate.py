@@ -1,0 +1,124 @@
+"""The description of a finished study for archives: inputs, outputs, software, authors.
+
+It is an RO-Crate 1.1 of the profile Process Run Crate 0.5 (https://w3id.org/ro/wfrun/process/0.5).
+"""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import yaml
+from rocrate.model import ContextEntity
+from rocrate.rocrate import ROCrate
+
+from hardcontact.base import provenance
+from hardcontact.base.code import PINS
+from hardcontact.base.origin import digest
+
+NAME = "ro-crate-metadata.json"
+PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
+
+
+def describe(
+    folder: str | Path, study: str, citation: str | Path, versions: Mapping[str, str]
+) -> str:
+    """Return the RO-Crate of ``results/<study>`` as JSON text, to be written to `NAME` in it.
+
+    Every file below the folder, but for logs and benchmarks, is an output with its SHA-256; what
+    the study was made from is named by its path in the repository. The text is the same for the
+    same files, with versions by package. Raises ValueError with one line if a record is damaged.
+    """
+    cited = yaml.safe_load(Path(citation).read_text("utf-8"))
+    crate = ROCrate(version="1.1")
+    paper = _paper(crate, cited["references"][0])
+    _describe_root(crate, cited, study, paper)
+    outputs = [
+        crate.add_file(dest_path=path.relative_to(folder).as_posix(), properties={"sha256": value})
+        for path, value in _files(folder).items()
+    ]
+    inputs, code = list[ContextEntity](), list[ContextEntity]()
+    for path, value in provenance.sources(provenance.traced_records(folder)).items():
+        into = code if path.endswith((".py", *PINS)) else inputs
+        into.append(_entity(crate, f"#{path}", "CreativeWork", name=path, sha256=value))
+    software = _entity(
+        crate, "#software", "SoftwareApplication", name=cited["title"], hasPart=code,
+        license=crate.root_dataset["license"], author=crate.root_dataset["author"], citation=paper,
+        softwareRequirements=[
+            _entity(crate, f"#{name}", "SoftwareApplication", name=name, version=version)
+            for name, version in versions.items()
+        ],
+    )  # fmt: skip
+    crate.root_dataset["mentions"] = crate.add_action(
+        software, "#study", object=inputs, result=outputs, properties={"name": f"study {study}"}
+    )
+    return json.dumps(crate.metadata.generate(), indent=1, sort_keys=True, ensure_ascii=False)
+
+
+def described_files(folder: str | Path) -> dict[str, str]:
+    """Return path and SHA-256 of the files that the RO-Crate of ``results/<study>`` describes.
+
+    Empty if there is no crate; raises ValueError if it is damaged.
+    """
+    path = Path(folder, NAME)
+    try:
+        graph = json.loads(path.read_text("utf-8"))["@graph"] if path.is_file() else []
+        return {
+            Path(folder, entity["@id"]).as_posix(): entity["sha256"]
+            for entity in graph
+            if entity["@type"] == "File"
+        }
+    except (ValueError, KeyError, TypeError) as error:
+        raise ValueError(
+            f"{path}: expected a whole RO-Crate, found: {error}; delete it and run again"
+        ) from None
+
+
+def _files(folder: str | Path) -> dict[Path, str]:
+    """Return the outputs of a study and their digests, without what differs from run to run."""
+    return {
+        path: digest(path)
+        for path in sorted(Path(folder).rglob("*"))
+        if path.is_file()
+        and path.name not in (NAME, "report.html")
+        and not any(part.startswith(".") for part in path.relative_to(folder).parts)
+        and path.relative_to(folder).parts[0] not in ("logs", "benchmarks")
+    }
+
+
+def _describe_root(crate: ROCrate, cited: dict[str, Any], study: str, paper: ContextEntity) -> None:
+    """Say of the folder as a whole what it is, whose it is and under which licence."""
+    root = crate.root_dataset
+    root["name"] = f"{cited['title']}: study {study}"
+    root["description"] = (
+        "Datasets, verdicts and figures of a study of the pull-off force of rough contacts, after "
+        f"{cited['references'][0]['title']}. Surfaces that are substitutes are named as such."
+    )
+    root["datePublished"] = str(cited["date-released"])
+    root["license"] = _entity(
+        crate, f"https://spdx.org/licenses/{cited['license']}", "CreativeWork",
+        name=cited["license"],
+    )  # fmt: skip
+    root["author"] = [_author(crate, author) for author in cited["authors"]]
+    root["citation"] = paper
+    root["conformsTo"] = _entity(crate, PROFILE, "CreativeWork", name="Process Run Crate")
+
+
+def _entity(crate: ROCrate, identifier: str, kind: str, **properties: Any) -> ContextEntity:
+    return crate.add(ContextEntity(crate, identifier, properties={"@type": kind, **properties}))
+
+
+def _author(crate: ROCrate, author: dict[str, str]) -> ContextEntity:
+    """Add a person, or the group that a citation file names as an entity."""
+    name = author.get("name") or f"{author['given-names']} {author['family-names']}"
+    identifier = author.get("orcid", f"#{name.replace(' ', '-')}")
+    return _entity(crate, identifier, "Organization" if "name" in author else "Person", name=name)
+
+
+def _paper(crate: ROCrate, reference: dict[str, Any]) -> ContextEntity:
+    """Add the paper that the study is about."""
+    return _entity(
+        crate, f"https://doi.org/{reference['doi']}", "ScholarlyArticle",
+        name=reference["title"], datePublished=str(reference["year"]),
+        author=[_author(crate, author) for author in reference["authors"]],
+    )  # fmt: skip

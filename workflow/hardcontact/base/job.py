@@ -1,0 +1,128 @@
+"""One job of a rule: its log, its parameters, and whole files with their origin."""
+
+import json
+import logging
+import os
+import shutil
+import sys
+import traceback
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
+
+import xarray as xr
+
+from hardcontact.base import dataset as labelled
+from hardcontact.base.dataset import FileFormat
+from hardcontact.base.origin import Origin, digests, keep_records, refuse_changed
+from hardcontact.base.whole_file import whole_file
+
+_logger = logging.getLogger("hardcontact")
+
+Step = TypeVar("Step")
+
+
+class Job(NamedTuple):
+    """Inputs and parameters of a script, and the ways in which it writes its outputs.
+
+    An output is told by its place or its name in the rule.
+    """
+
+    input: Any  #: Paths by the names that the rule gives them, as those of the outputs.
+    output: Any
+    parameters: dict[str, Any]  #: The rule's `params.canonical`, decoded.
+    origin: Origin  #: What determines the files of the job.
+
+    def write(
+        self,
+        dataset: xr.Dataset,
+        title: str,
+        output: int | str = 0,
+        file_format: FileFormat = "NETCDF4",
+    ) -> None:
+        """Write a labelled dataset, with its origin."""
+        complete = dataset.assign_attrs(
+            title=title,
+            Conventions="CF-1.11",
+            history=f"made by the hardcontact study: {title}",
+            **self.origin.attributes(),
+        )
+        labelled.write(complete, self._path(output), file_format)
+
+    def write_text(self, text: str, output: int | str = 0) -> None:
+        """Write a text whole."""
+        with whole_file(self._path(output)) as path:
+            Path(path).write_text(text, "utf-8")
+
+    def copy(self, source: str | Path, output: int | str = 0) -> None:
+        """Copy a file, byte by byte."""
+        with whole_file(self._path(output)) as path:
+            shutil.copyfile(source, path)
+
+    def _path(self, output: int | str) -> str:
+        return str(self.output[output])
+
+
+@contextmanager
+def job(snakemake: Any) -> Iterator[Job]:
+    """Keep the log of a script and give it its `Job`, of what Snakemake gives to every script.
+
+    An input that is not as the job wrote that made it is refused, before anything is computed.
+    """
+    with job_log(snakemake.log[0]):
+        inputs, canonical_parameters = snakemake.input, snakemake.params.canonical
+        found = digests(inputs)
+        refuse_changed(found)
+        code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
+        origin = Origin(canonical_parameters, found, list(code))
+        parameters = json.loads(canonical_parameters)
+        yield Job(inputs, snakemake.output, parameters, origin)
+        keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
+    # Only in the process of a script that Snakemake started, which ends with its job: taking the
+    # interpreter down would cost a third of a second and do nothing.
+    if getattr(sys.modules["__main__"], "snakemake", None) is snakemake:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
+
+
+@contextmanager
+def job_log(path: str | Path) -> Iterator[None]:
+    """Keep the log of a job; an error goes there in full and to stderr in one line.
+
+    An error ends the process at once with exit code 1: netCDF that could not write crashes when
+    Python cleans up. Ctrl-C ends it without a word: the run as a whole says that it was stopped.
+    """
+    # Where the log cannot be written, the line on stderr is all there is.
+    logging.raiseExceptions, logging.lastResort = False, None
+    try:
+        handler = logging.FileHandler(path, mode="w", encoding="utf-8")
+        handler.setFormatter(logging.Formatter("%(asctime)s %(message)s", "%H:%M:%S"))
+        _logger.addHandler(handler)
+        _logger.setLevel(logging.INFO)
+        yield
+    except Exception as error:
+        _logger.error("failed\n%s", traceback.format_exc())
+        message = " ".join(str(error).split()) or type(error).__name__
+        written = Path(path).is_file() and Path(path).stat().st_size > 0
+        told = f"error: {message} (see {path})" if written else f"error: {message}"
+        print(told, file=sys.stderr, flush=True)
+        os._exit(1)
+    except KeyboardInterrupt:
+        os._exit(130)
+    else:
+        _logger.removeHandler(handler)
+        with suppress(OSError):  # the disk may be full
+            handler.close()
+
+
+def progress(steps: Iterable[Step], total: int, what: str) -> Iterator[Step]:
+    """Pass on steps and log how many of `total` are done, about ten times in all.
+
+    Their name, in the plural, is `what`.
+    """
+    for done, step in enumerate(steps, start=1):
+        yield step
+        if done == total or done * 10 // total > (done - 1) * 10 // total:
+            _logger.info("%s: %d of %d", what, done, total)

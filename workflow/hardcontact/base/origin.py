@@ -1,0 +1,118 @@
+"""What determined a file: parameters, inputs, code and the versions of packages.
+
+Datasets say it in their attributes. Of every file that a job makes, a record of it and the file's
+own SHA-256 stand beside the file, in a hidden folder.
+"""
+
+import hashlib
+import json
+import re
+from collections.abc import Iterable, Mapping
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from hardcontact.base.whole_file import whole_file
+
+#: Packages whose versions every file names.
+PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
+
+#: The folder of the records of files, beside them.
+RECORDS = ".origin"
+
+#: `Origin.attributes`, the digests of inputs decoded, and the `sha256` of the file.
+Record = dict[str, Any]
+
+
+def canonical(parameters: object) -> str:
+    """Return parameters as one sorted JSON text: equal text means equal parameters."""
+    return json.dumps(parameters, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
+
+
+def digest(path: str | Path) -> str:
+    """Return the SHA-256 of the content of a file."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def digests(paths: Iterable[str | Path]) -> dict[str, str]:
+    """Return the SHA-256 of each of the files, by path."""
+    return {Path(path).as_posix(): digest(path) for path in set(paths)}
+
+
+class Origin(NamedTuple):
+    """What a file was made from."""
+
+    parameters: str  #: Canonical JSON text.
+    inputs: dict[str, str]  #: SHA-256 by path.
+    code: list[str]  #: Paths among the inputs that are also digested together.
+
+    def attributes(self) -> dict[str, str]:
+        """Return the origin as texts: equal texts mean an equal file.
+
+        The time of writing is not among them: it would differ between equal files.
+        """
+        code = canonical({path: self.inputs[path] for path in self.code})
+        return {
+            "parameters": self.parameters,
+            "versions": canonical({name: version(name) for name in PACKAGES}),
+            "code_digest": hashlib.sha256(code.encode()).hexdigest(),
+            "input_digests": canonical(self.inputs),
+        }
+
+
+def record_path(path: str | Path) -> Path:
+    """Return the path of the record of a file."""
+    # A search for *.nc finds datasets alone.
+    return Path(path).parent / RECORDS / f"{Path(path).name}.json"
+
+
+def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
+    """Keep the origin and the SHA-256 of files that a job has made."""
+    for path, value in digests(paths).items():
+        record = origin.attributes() | {"input_digests": origin.inputs, "sha256": value}
+        with whole_file(record_path(path)) as temporary:
+            Path(temporary).write_text(canonical(record), "utf-8")
+
+
+def read_record(path: str | Path) -> Record | None:
+    """Return the record of a file, None if no job made the file.
+
+    Raises ValueError, with one line, if the record is damaged.
+    """
+    place = record_path(path)
+    if not place.is_file():
+        return None
+    try:
+        record: Record = json.loads(place.read_text("utf-8"))
+        inputs = {"input_digests": dict(record["input_digests"])}
+        return record | inputs | {"sha256": str(record["sha256"])}
+    except (ValueError, TypeError, KeyError) as error:
+        raise ValueError(
+            f"{path}: expected a whole record of its origin in {place}, found: "
+            f"{' '.join(str(error).split())}; delete {path} and run again"
+        ) from None
+
+
+def refuse_changed(found: Mapping[str, str]) -> None:
+    """Raise ValueError, in one line, if files are not as a job made them.
+
+    Files are given with their SHA-256; those that no job made are taken as they are.
+    """
+    records = {path: read_record(path) for path in sorted(found)}
+    lines = [
+        f"{path}: expected the file that the study wrote, found another"
+        for path, record in records.items()
+        if record and record["sha256"] != found[path]
+    ]
+    if lines:
+        raise ValueError("; ".join(lines) + "; delete it and run again")
+
+
+def pinned_versions(environment: str | Path) -> dict[str, str]:
+    """Return the installed versions of the packages that requirements of pip pin, in their order.
+
+    Only lines ``package==version`` count.
+    """
+    names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
+    return {name: version(name) for name in names}

@@ -1,0 +1,223 @@
+"""Intervals of means over whole scans, samples of what is uncertain, and log-normal fits.
+
+Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. A variable
+`name` has its interval in a second variable, `name_interval`, of one more dimension `bound`.
+"""
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from hardcontact.base.random import generator
+
+#: Logarithms of samples are held within this of that of the mean. Student's t of one degree of
+#: freedom, from two scans, has no moments: its extremes would leave the range of floating-point
+#: numbers, up or down, and products of samples with them. No end of an interval comes near.
+ENDLESS = 150.0
+
+#: The ends of an interval, in their order along the dimension `bound`.
+BOUNDS = ["low", "high"]
+
+
+def with_interval(
+    name: str,
+    dimensions: str | Sequence[str],
+    value: ArrayLike,
+    interval: ArrayLike,
+    attributes: dict[str, Any],
+    confidence: float,
+) -> dict[str, Any]:
+    """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
+
+    The dimensions are those of the value (...), the interval (..., 2) is its low and its high end.
+    Both have the attributes, units and the like; the confidence is one of the interval. The
+    coordinate `bound` comes with them.
+    """
+    named = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
+    return {
+        name: (named, value, attributes),
+        f"{name}_interval": xr.DataArray(
+            interval, {"bound": BOUNDS}, (*named, "bound"), attrs=attributes
+        ).assign_attrs(confidence=confidence),
+    }
+
+
+def bounds(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return the low and the high end of a variable's interval, without the dimension `bound`."""
+    interval = dataset[f"{name}_interval"]
+    return interval.sel(bound="low", drop=True), interval.sel(bound="high", drop=True)
+
+
+def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
+    """Return the central interval (..., 2) of samples (samples, ...), NaN where one is missing.
+
+    The confidence is the share of the samples inside; ends are NaN where all samples are missing.
+    """
+    samples, tail = np.asarray(samples), 50 * (1 - confidence)
+    if not len(samples):
+        return np.full((*samples.shape[1:], 2), np.nan)
+    # The function for missing samples takes the same numbers one by one, a hundred times slower.
+    percentile = np.nanpercentile if np.isnan(samples).any() else np.percentile
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
+        ends = percentile(samples, [tail, 100 - tail], axis=0)
+    return np.moveaxis(ends, 0, -1)
+
+
+def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
+    """Return the interval of a mean of independent values along a dimension by Student's t.
+
+    Missing values are NaN, and so are both ends, along the last dimension `bound`, for fewer than
+    two values. The confidence is the probability that the interval holds the mean.
+    """
+    from scipy import stats
+
+    mean, count = values.mean(dim), values.count(dim)
+    quantile = xr.apply_ufunc(stats.t.ppf, (1 + confidence) / 2, count - 1)
+    half = quantile * values.std(dim, ddof=1) / np.sqrt(count)
+    return interval_between(mean - half, mean + half).assign_attrs(confidence=confidence)
+
+
+def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
+    """Return the interval of a mean of positive values, by Student's t on their logarithms.
+
+    It lies about the logarithm of the mean; its half width is that of the mean of the logarithms.
+    Arguments and result are as of `student_interval`.
+    """
+    logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
+    about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
+    interval: xr.DataArray = values.mean(dim) * xr.apply_ufunc(np.exp, about_zero)
+    return interval.transpose(..., "bound").assign_attrs(confidence=confidence)
+
+
+def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
+    """Return both ends of an interval in one array, along a new last dimension `bound`."""
+    return xr.concat([low, high], pd.Index(BOUNDS, name="bound")).transpose(..., "bound")
+
+
+def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
+    """Draw means (samples, ...) of positive values of n independent scans (n, ...), in their unit.
+
+    They are of multivariate Student's t about the logarithm of the mean. A sample is ln(mean x) +
+    sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with d_i = ln x_i minus its mean, z_i normal and
+    c chi-squared of n - 1 degrees of freedom. At every place its distribution is that of
+    `student_log_interval`; all places share z and c, which keeps their correlation. NaN of fewer
+    than two values.
+    """
+    count = len(values)
+    if count < 2:
+        return np.full((samples, *values.shape[1:]), np.nan)
+    logarithms = np.log(values)
+    deviations = (logarithms - logarithms.mean(axis=0)) / np.sqrt(count * (count - 1))
+    normal = rng.standard_normal((samples, count))
+    share = np.sqrt(rng.chisquare(count - 1, samples) / (count - 1))
+    drawn = np.tensordot(normal / share[:, None], deviations, axes=1)
+    return np.asarray(values.mean(axis=0) * np.exp(np.clip(drawn, -ENDLESS, ENDLESS)))
+
+
+def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float) -> np.ndarray:
+    """Return the interval (..., 2) of a positive statistic of n scans by leaving out one at a time.
+
+    Student's t on the logarithm, whose standard error is that of the delete-one jackknife, of the
+    statistic (...) of all scans and those (n, ...) of all but one. The confidence is that the
+    interval holds the statistic of infinitely many scans. NaN of fewer than two scans, or where a
+    statistic is zero.
+    """
+    from scipy import stats
+
+    without = np.asarray(left_out, float)
+    logarithms = np.log(np.where(without > 0, without, np.nan))
+    count = len(logarithms)
+    if count < 2:
+        return np.full((*np.shape(value), 2), np.nan)
+    error = np.sqrt((count - 1) * logarithms.var(axis=0))
+    half = stats.t.ppf((1 + confidence) / 2, count - 1) * error
+    return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
+
+
+def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
+    """Return the shape (standard deviation of ln F) of the log-normal with this mean and median.
+
+    mean/median = exp(s²/2). It is biased if forces below a floor were not measured.
+    """
+    return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
+
+
+def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
+    """Fit the log-normal of greatest likelihood to forces (n,), left-censored below a floor, in N.
+
+    Returns its shape, its median in N and the censored share of forces; the first two are NaN if
+    all forces are below the floor.
+    """
+    below = forces < floor
+    if below.all():
+        return np.nan, np.nan, 1.0
+    logarithms = np.log(forces[~below])
+    centre, shape = logarithms.mean(), logarithms.std()
+    if below.any() and shape > 0:
+        limit = (np.log(floor) - centre) / shape
+        shift, stretch = _censored_normal_fit(limit, below.mean())
+        centre, shape = centre + shift * shape, stretch * shape
+    return float(shape), float(np.exp(centre)), float(below.mean())
+
+
+def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
+    """Return mean and deviation of the normal distribution of greatest likelihood.
+
+    Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
+    Only these numbers enter the likelihood.
+    """
+    from scipy import optimize, special
+
+    def negative_log_likelihood(parameters: np.ndarray) -> tuple[float, np.ndarray]:
+        """Return the mean over forces at mean and log deviation, and its gradient."""
+        mean, log_deviation = parameters
+        deviation = np.exp(log_deviation)
+        reduced = (limit - mean) / deviation
+        log_below = special.log_ndtr(reduced)
+        hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
+        square, known = (1 + mean**2) / deviation**2, 1 - censored
+        value = known * (log_deviation + square / 2) - censored * log_below
+        by_mean = known * mean / deviation**2 + censored * hazard / deviation
+        by_log_deviation = known * (1 - square) + censored * hazard * reduced
+        return value, np.array([by_mean, by_log_deviation])
+
+    fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
+    return float(fit.x[0]), float(np.exp(fit.x[1]))
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """How intervals follow from random samples.
+
+    A sample is drawn about the mean over scans or realizations, as `student_log_samples` does, or
+    from the distribution of published numbers within their uncertainty.
+    """
+
+    seed: int  #: The seed of the study.
+    samples: int  #: How many are drawn; without any, all intervals are NaN.
+    confidence: float  #: Of the intervals.
+    #: What the random numbers are for, before the names of `generator`.
+    stream: tuple[str, ...] = ("sampling",)
+
+    def generator(self, *names: str) -> np.random.Generator:
+        """Return the random generator for one of the quantities that are sampled."""
+        return generator(self.seed, *self.stream, *names)
+
+    def with_interval(
+        self,
+        name: str,
+        dimensions: str | Sequence[str],
+        value: ArrayLike,
+        samples: ArrayLike,
+        attributes: dict[str, Any],
+    ) -> dict[str, Any]:
+        """Return `with_interval` of the value (...) of all data and its samples (sample, ...)."""
+        interval = percentile_interval(samples, self.confidence)
+        return with_interval(name, dimensions, value, interval, attributes, self.confidence)

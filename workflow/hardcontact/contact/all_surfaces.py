@@ -1,0 +1,134 @@
+"""Datasets of all surfaces, with their names, stacked from those of single scans and masters."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, TypedDict
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.dataset import stack
+
+#: Datasets by their labels: the surface first.
+Parts = Mapping[tuple[Any, ...], xr.Dataset]
+CONTACT_AXES = ("contact_y", "contact_x")
+
+
+class Described(TypedDict):
+    """Label of each surface, and whether it was measured or is a substitute."""
+
+    labels: Mapping[str, str]
+    basis: Mapping[str, str]
+
+
+def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
+    """Return a dataset with the label and the basis of every surface of it."""
+    surfaces = dataset["surface"].values.tolist()
+    return dataset.assign(
+        label=("surface", [described["labels"][surface] for surface in surfaces]),
+        basis=("surface", [described["basis"][surface] for surface in surfaces]),
+    )
+
+
+def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
+    """Return `pull_off_of_pair` of one scan on all scans of the sphere, with contacts by number."""
+    # Positions of contacts differ between pixel sizes.
+    numbered = {
+        (scan,): pair.assign_coords({axis: range(pair.sizes[axis]) for axis in CONTACT_AXES})
+        for scan, pair in pairs.items()
+    }
+    return stack(numbered, ["sphere_scan"])
+
+
+def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
+    """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
+
+    The scans come from `over_sphere_scans`, with `window_change`, by (surface, scan).
+    ``contact_pixels`` (contact_model) are the most of any pair.
+    """
+    dimensions = ["surface", "scan"]
+    forces = stack(scans, dimensions)
+    largest = forces["contact_pixels"].max([*dimensions, "sphere_scan"], keep_attrs=True)
+    return with_names(forces.assign(contact_pixels=largest), described)
+
+
+def single_masters(
+    files: Iterable[tuple[Sequence[str], xr.Dataset]], realizations: int, load: str | None = None
+) -> Parts:
+    """Return the forces on each master, by the key of its file, realization and side.
+
+    The files come from `filtered_masters.filtered_pull_off`; realizations beyond the number asked
+    for are left out. With a load, the forces are those at it, at the single radius and range of the
+    file.
+    """
+    masters: dict[tuple[Any, ...], xr.Dataset] = {}
+    for key, file in files:
+        forces = file
+        if load is not None:
+            forces = file.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
+            forces = forces.drop_vars("contact_area")
+        for number in file["realization"].values.tolist():
+            if number <= realizations:
+                for side in file["side"].values.tolist():
+                    master = forces.sel(realization=number, side=side, drop=True)
+                    masters[*key, number, side] = master
+    return masters
+
+
+def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
+    """Return the `elastic_contacts_of_pair` of all surfaces and scans, by (surface, scan).
+
+    The ``pressure`` (surface, y, x) shows one contact on the first scan of each surface.
+    """
+    contacts = stack(
+        {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
+        ["surface", "scan"],
+    ).drop_encoding()  # whole numbers are missing where a scan is
+    pressures: dict[tuple[Any, ...], xr.Dataset] = {}
+    for (surface, _), scan in scans.items():
+        pressures.setdefault((surface,), scan[["pressure"]])
+    pressure = stack(pressures, ["surface"]).pressure
+    return with_names(contacts.assign(pressure=pressure), described)
+
+
+def stacked_forces(masters: Parts) -> xr.Dataset:
+    """Return the forces on all filtered masters, and their ratios to the unfiltered forces.
+
+    The masters come from `forces_at_cutoffs`, by (surface, realization, side); forces are NaN at
+    cutoffs of the other side. ``unfiltered_wavelength`` is over (surface, side), ``ratio``
+    (surface, realization, side, cutoff_wavelength, ...) compares means over contacts.
+    """
+    forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
+    contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
+    filtered, unfiltered = (
+        forces[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
+    )
+    ratio = (filtered / unfiltered).assign_attrs(
+        units="1", long_name="mean pull-off force over that unfiltered"
+    )
+    ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
+    scales = forces.assign(ratio=ratio, unfiltered_wavelength=ends)
+    scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
+    return scales
+
+
+def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
+    """Return forces of masters with the changes that another spectrum makes.
+
+    Both come from `stacked_forces`; varied masters have drawn spectra and the same random numbers.
+    ``ratio_shift`` and ``unfiltered_shift`` are changes of the logarithms of ``ratio`` and of the
+    mean ``unfiltered_pull_off_force``, NaN where there is no other master.
+    """
+    whole = "unfiltered_pull_off_force"
+    ratio = varied["ratio"] / scales["ratio"]
+    mean = varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES)
+    shifts = xr.Dataset({"ratio_shift": np.log(ratio), "unfiltered_shift": np.log(mean)})
+    for name in shifts.data_vars:
+        shifts[name].attrs = {"units": "1"}
+    return scales.merge(shifts, join="left", compat="no_conflicts")
+
+
+def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
+    """Return forces of masters with the wavelengths (nm) where artificial roughness begins."""
+    attributes = {"units": "nm", "long_name": "artificial roughness begins"}
+    lengths = [transitions[str(side)] for side in scales["side"].values]
+    return scales.assign(transition=("side", lengths, attributes))

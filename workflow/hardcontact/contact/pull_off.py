@@ -1,0 +1,201 @@
+"""Pull-off of a pair of scans: rigid and plastic, at every range, at several loads.
+
+Eq. 2 of the paper gives the attraction of a pixel at the gap g as (W/rho) exp(-g/rho) A_pix. Totals
+are sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.sphere_sums import outside_sums
+from hardcontact.surfaces.filters import interpolate
+
+#: Dimension, values and attributes of a coordinate.
+Axis = tuple[tuple[str], Any, dict[str, str]]
+
+Floats = NDArray[np.float64]
+
+#: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
+NEWTON_PER_JOULE_M2_NM = 1e-9
+#: J/m², of all stored forces: they are proportional to it.
+WORK_OF_ADHESION = 1.0
+#: Attributes of a stored force.
+FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
+
+CONTACT_AXES = ("contact_y", "contact_x")
+
+
+def load_axis(contacts: Sequence[Contact]) -> dict[str, Axis]:
+    """Return the coordinate of the loads of contacts, by name."""
+    return {"load": (("load",), [contact.load for contact in contacts], {"long_name": "load"})}
+
+
+def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
+    """Return the coordinate of ranges of adhesion."""
+    attributes = {"units": "nm", "long_name": "range of adhesion"}
+    return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
+
+
+def pull_off_force(
+    total: ArrayLike, rho: ArrayLike, pixel_size: float, work_of_adhesion: float
+) -> Floats:
+    """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
+
+    The sums and the ranges of adhesion rho, in nm as the pixel size, broadcast; W is in J/m².
+    Raises ValueError if a sum exceeds the range of floats: the highest point outside the window
+    stands many hundred rho above the contact.
+    """
+    if not np.isfinite(total).all():
+        raise ValueError(
+            "expected a range of adhesion that resolves the relief of the surface, "
+            f"found rho = {np.min(rho):g} nm, too small for it"
+        )
+    pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
+    return np.asarray(pixel_force * np.asarray(total))
+
+
+def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
+    """Return the sum (...) of exp(-gap/rho) where 1 (rigid contact) to k pixels touch.
+
+    At this approach every gap is larger by the same length than at that of `outside_sum` (...), of
+    `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch.
+    """
+    approach = gaps[..., contact_pixels - 1]
+    opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
+    return np.asarray(
+        contact_pixels + opened + outside_sum * np.exp((approach - gaps[..., -1]) / rho)
+    )
+
+
+def gaps_and_totals(
+    bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats
+) -> tuple[Floats, Floats]:
+    """Return gaps (contact, contact, k) and totals (count, rho, contact, contact)."""
+    contacts = all_lowest_gaps(bodies, max(counts))
+    along_edge = len(bodies.geometry.positions)
+    gaps = np.array([contact.gaps for contact in contacts.values()])
+    gaps = gaps.reshape(along_edge, along_edge, -1)
+    sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
+    totals = [
+        [opened_total(sums, gaps, count, rho) for sums, rho in sums_outside] for count in counts
+    ]
+    return gaps, np.array(totals)
+
+
+def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
+    """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
+
+    The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
+    ``closest_approach`` (contact_model, contact_y, contact_x) and ``contact_pixels``
+    (contact_model).
+    """
+    pixel_size = bodies.geometry.pixel_size
+    counts = [1, contact.pixels(pixel_size)]
+    gaps, forces = _forces(bodies, counts, ranges)
+    approaches = np.stack([gaps[..., 0], gaps[..., -1]])
+    positions = bodies.geometry.positions * pixel_size
+    beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
+    model_axes = ("contact_model", *CONTACT_AXES)
+    return xr.Dataset(
+        {
+            "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
+            "closest_approach": (model_axes, approaches, beyond_planes),
+            "contact_pixels": ("contact_model", counts, {"units": "1"}),
+        },
+        {"contact_model": ["rigid", "plastic"]}
+        | range_axis(ranges)
+        | {axis: (axis, positions, {"units": "nm"}) for axis in CONTACT_AXES},
+        {
+            "work_of_adhesion": WORK_OF_ADHESION,
+            "pixel_size": pixel_size,
+        },
+    )
+
+
+def plastic_forces(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]) -> Floats:
+    """Return the plastic forces (load, rho, contact, contact) of a pair in N at 1 J/m².
+
+    The contacts differ in their load alone, the ranges of adhesion are in nm.
+    """
+    counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
+    return _forces(bodies, counts, ranges)[1]
+
+
+def _forces(
+    bodies: Bodies, counts: Sequence[int], ranges: Sequence[float]
+) -> tuple[Floats, Floats]:
+    """Return gaps (contact, contact, k) and forces (count, rho, contact, contact) in N."""
+    rhos = np.asarray(ranges, float)
+    gaps, totals = gaps_and_totals(bodies, counts, rhos)
+    pixel_size = bodies.geometry.pixel_size
+    return gaps, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+
+
+def mean_pull_off_of_pair(
+    bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
+) -> xr.Dataset:
+    """Return plastic (load, rho) and rigid (rho) forces of a pair averaged over its contacts."""
+    counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
+    rigid, *plastic = _forces(bodies, [1, *counts], ranges)[1].mean(axis=(-2, -1))
+    return xr.Dataset(
+        {
+            "pull_off_force": (("load", "rho"), np.array(plastic), FORCE),
+            "rigid_pull_off_force": ("rho", rigid, FORCE),
+        },
+        load_axis(contacts) | range_axis(ranges),
+        {"work_of_adhesion": WORK_OF_ADHESION},
+    )
+
+
+def finer_pixel_change(bodies: Bodies, contact: Contact) -> xr.Dataset:
+    """Return the mean plastic force on pixels of half the size over that on those of a pair.
+
+    Both maps are Fourier interpolated, so that the surfaces stay the same.
+    """
+    geometry = bodies.geometry
+    substrate, sphere = bodies.substrate, bodies.roughness
+    finer = Bodies(
+        interpolate(substrate, 2 * substrate.pixels),
+        sphere and interpolate(sphere, 2 * sphere.pixels),
+        replace(
+            geometry,
+            pixel_size=geometry.pixel_size / 2,
+            window=2 * geometry.window,
+            positions=2 * geometry.positions,
+        ),
+    )
+    coarse, fine = (
+        plastic_forces(pair, [contact], [contact.range]).mean() for pair in (bodies, finer)
+    )
+    attributes = {"units": "1", "long_name": "force on half as large pixels over that on the own"}
+    change = ((), fine / coarse, attributes | {"rho": contact.range})
+    return xr.Dataset({"finer_pixel_change": change})
+
+
+def window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
+    """Return the largest change of the plastic force in a window larger by a period on each side.
+
+    The pairs are one substrate with several rough spheres.
+    """
+    changes = []
+    for bodies in pairs:
+        geometry = bodies.geometry
+        contact_pixels = contact.pixels(geometry.pixel_size)
+        contacts = all_lowest_gaps(bodies, contact_pixels)
+        wider = replace(geometry, window=geometry.window + 2 * bodies.substrate.pixels)
+        narrow, wide = (
+            outside_sums(replace(bodies, geometry=windowed), contacts, [contact.range])
+            + contact_pixels
+            for windowed in (geometry, wider)
+        )
+        changes.append(float(np.abs(wide / narrow - 1).max()))
+    attributes = {"units": "1", "long_name": "change of the force by a further period a side"}
+    return xr.Dataset({"window_change": ((), max(changes), attributes)}, {}, {"rho": contact.range})

@@ -1,1 +1,0 @@
-"""Range and work of adhesion, inferred from published forces; how robust they are."""

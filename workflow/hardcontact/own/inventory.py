@@ -1,0 +1,237 @@
+"""What the files of own surfaces hold: one entry a topography, and what cannot be read."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import PurePath
+
+import numpy as np
+
+from hardcontact.base.printing import print_length
+from hardcontact.config.grids import Grid
+from hardcontact.config.selection import CONTACT
+from hardcontact.own.request import Source
+from hardcontact.surfaces.contradictions import contradictions, told_contradictions
+from hardcontact.surfaces.measured_spectrum import measured_psd
+from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
+from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
+from hardcontact.surfaces.spectrum import Floats
+
+#: The use of scans that only enter the spectrum of their surface.
+SPECTRUM = "spectrum"
+#: How undefined pixels are filled, so that the file can be described.
+FILLING = "harmonic"
+#: Columns of the table that is printed.
+COLUMNS = (
+    "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
+    "tip radius", "reliable", "used for",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One topography: what its file says of it, and what was measured on it; lengths in nm."""
+
+    source: Source
+    dataset: str
+    channel: str
+    file_unit: str
+    kind: str
+    pixels: int  #: along an edge of a map, or points of a line scan
+    pixel_size: float
+    rms_height: float  #: levelled, of the sphere without its paraboloid
+    peak_to_valley: float  #: the same
+    relief: float  #: the largest difference in height, levelled or not
+    tip_radius: float | None
+    tip_given: bool  #: by the user, as the file does not state it
+    band: ReliableBand
+    density: Floats  #: C_iso (bins,) in nm⁴
+    undefined: int  #: pixels, which were filled
+    notes: tuple[str, ...]  #: what was done in reading
+
+    @property
+    def undefined_share(self) -> float:
+        """Share of undefined pixels of a map, or points of a line scan."""
+        return self.undefined / (self.pixels**2 if self.kind == "map" else self.pixels)
+
+    @property
+    def size(self) -> float:
+        """Edge of a map, or length of a line scan, in nm."""
+        return self.pixels * self.pixel_size
+
+    @property
+    def grid(self) -> Grid:
+        """The pixels of a map, as the checks of the study see them."""
+        return Grid(self.pixels, self.pixel_size, self.size, self.relief)
+
+    @property
+    def is_blind(self) -> bool:
+        """Whether no wavelength is reliable."""
+        return self.band.shortest > self.band.longest
+
+    @property
+    def name(self) -> str:
+        """The file, without its folder, and of a container the data file in it."""
+        file = PurePath(self.source.path).name
+        return f"{file}/{self.dataset}" if self.dataset else file
+
+
+def inventory(
+    sources: Sequence[Source], tip_radius: float | None, channel: str = "", unit: str = "none"
+) -> tuple[list[Entry], list[str], list[str]]:
+    """Read all topographies of files, of containers all members.
+
+    Returns the entries, a line for each member of a container that cannot be used beside others
+    that can, and a line for each problem. Tip radius (nm) and unit are of files that do not state
+    them; the channel is of files that are no containers.
+    """
+    entries: list[Entry] = []
+    unreadable: list[str] = []
+    problems: list[str] = []
+    for source in sources:
+        file_entries = []
+        faults = []
+        try:
+            for dataset in list_measurements(source.file):
+                try:
+                    file_entries.append(_entry(source, dataset or channel, tip_radius, unit))
+                except ValueError as error:
+                    file = f"{source.file}: "
+                    faults += [
+                        f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
+                        for line in str(error).splitlines()
+                    ]
+        except ValueError as error:
+            faults += str(error).splitlines()
+        entries += file_entries
+        # A member that cannot be used stops nothing: the user cannot take it out.
+        (unreadable if file_entries else problems).extend(faults)
+    # A scan that counts twice makes intervals too narrow. Formats round differently: twins have the
+    # same pixels, and size and roughness that agree within 1e-4.
+    for first, second in combinations(entries, 2):
+        alike = all(
+            getattr(first, name) == getattr(second, name) for name in ("kind", "pixels")
+        ) and np.allclose(
+            (first.size, first.rms_height, first.peak_to_valley),
+            (second.size, second.rms_height, second.peak_to_valley),
+            rtol=1e-4,
+            atol=0,
+        )
+        if alike and first.source.surface == second.source.surface:
+            problems.append(
+                f"{second.name}: expected each scan once, found that of {first.name} again"
+            )
+    return entries, unreadable, problems
+
+
+def by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
+    """Return the entries of each surface, in their order."""
+    surfaces: dict[str, list[Entry]] = {}
+    for entry in entries:
+        surfaces.setdefault(entry.source.surface, []).append(entry)
+    return surfaces
+
+
+def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a line for each surface whose scans contradict each other."""
+    for scans in by_surface(entries).values():
+        differences = contradictions(
+            np.array([scan.density for scan in scans]),
+            [scan.band.bins for scan in scans],
+            [scan.kind for scan in scans],
+            [scan.size for scan in scans],
+        )
+        yield from told_contradictions(differences, [scan.name for scan in scans])
+
+
+def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) -> Entry:
+    """Return the entry of one topography; raise ValueError if it cannot be used."""
+    measurement = read_measurement(source.file, dataset, FILLING, unit)
+    relief = np.ptp(measurement.heights)
+    if relief == 0:
+        raise ValueError(f"{source.file}: expected a rough surface, found constant height")
+    flat = flattened(measurement, source.sphere_radius)
+    levelled = flat.heights
+    if flat.kind != "map":  # A line scan is levelled by its mean line.
+        place = np.arange(len(levelled))
+        levelled = levelled - np.polynomial.Polynomial.fit(place, levelled, 1)(place)
+    _, density = measured_psd(flat)
+    stated = measurement.tip_radius
+    radius = tip_radius if stated is None else stated
+    return Entry(
+        source=source,
+        dataset=measurement.dataset,
+        channel=measurement.channel,
+        file_unit=measurement.file_unit,
+        kind=measurement.kind,
+        pixels=measurement.heights.shape[0],
+        pixel_size=measurement.pixel_size,
+        rms_height=float(levelled.std()),
+        peak_to_valley=float(np.ptp(levelled)),
+        relief=float(max(relief, np.ptp(levelled))),
+        tip_radius=radius,
+        tip_given=radius is not stated,
+        band=reliable_band(flat, radius, density),
+        density=density,
+        undefined=measurement.undefined,
+        notes=measurement.notes,
+    )
+
+
+def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
+    """Return a table of what was found and what it is used for, with notes on reading below."""
+    rows = [COLUMNS]
+    notes = []
+    for number, (entry, use) in enumerate(zip(entries, uses, strict=True), 1):
+        is_map, tip, band = entry.kind == "map", entry.tip_radius, entry.band
+        rows.append(
+            (
+                str(number),
+                entry.source.label,
+                entry.name,
+                entry.channel,
+                "height map" if is_map else "line scan",
+                print_length(entry.size),
+                f"{entry.pixels} x {entry.pixels}" if is_map else str(entry.pixels),
+                entry.file_unit,
+                print_length(entry.rms_height),
+                print_length(entry.peak_to_valley),
+                "unknown" if tip is None else print_length(tip),
+                "none"
+                if entry.is_blind
+                else f"{print_length(band.shortest)} to {print_length(band.longest)}",
+                use,
+            )
+        )
+        notes += [f"{number}: {note}" for note in entry.notes]
+        if band.limited_by != "pixels":
+            limit = LIMITS[band.limited_by]
+            notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join([*("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows), *notes])
+
+
+def table_rows(
+    entries: Sequence[Entry], contact: Sequence[Entry], tip_radius: str
+) -> list[dict[str, str]]:
+    """Return the rows of the table of surfaces by column; scans that make contacts come first.
+
+    The tip radius is the quantity that the user gave for files that state none, or empty.
+    """
+    in_contact = {id(entry) for entry in contact}
+    return [
+        {
+            "surface": surface,
+            "label": entry.source.label,
+            "scan": str(number),
+            "source": "measured",
+            "path": entry.source.path,
+            "dataset": entry.dataset,
+            "use": CONTACT if id(entry) in in_contact else SPECTRUM,
+            "tip_radius": tip_radius if entry.tip_given else "",
+        }
+        for surface, scans in by_surface(entries).items()
+        for number, entry in enumerate(
+            sorted(scans, key=lambda scan: id(scan) not in in_contact), 1
+        )
+    ]

@@ -1,0 +1,109 @@
+"""Forces on the masters of one surface: how surely their means are known.
+
+A master is a scan with artificial roughness, of which each realization draws its own. The mean over
+realizations therefore varies with the scans and, on the same scans, with the random numbers.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.dataset import stack
+from hardcontact.own.scan_parts import (
+    CONTACTS,
+    Parts,
+    Variance,
+    half_width,
+    jackknife_variance,
+    left_out_logarithms,
+    parts_of_scans,
+    quarters_of_contacts,
+)
+
+
+class Masters(NamedTuple):
+    """What masters are made of: realization r of scan (r - 1) modulo the number of scans."""
+
+    scans: Mapping[str, int]  #: Number of scans of each surface.
+    tiles: int  #: Mirrored scans along an edge of a large master.
+
+
+class MasterForces(NamedTuple):
+    """Forces on the masters of one surface and side."""
+
+    #: ``pull_off_force`` (realization, cutoff_wavelength, contact_y, contact_x) and
+    #: ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and the
+    #: ``ratio`` of their means over contacts.
+    forces: xr.Dataset
+    parts: Parts
+    cell: float  #: The longest wavelength in nm.
+
+
+def forces_of_masters(
+    scales: xr.Dataset, surface: str, side: str, masters: Masters
+) -> MasterForces:
+    """Return the forces, as in scales.nc, on the masters there are of one surface and side."""
+    cell = float(scales.unfiltered_wavelength.sel(surface=surface, side="large"))
+    tiles = masters.tiles if side == "large" else 1
+    cell *= tiles / masters.tiles
+    forces = scales.sel(surface=surface, side=side).dropna(
+        "realization", how="all", subset=["ratio"]
+    )
+    parts = parts_of_scans(
+        (forces.realization.values - 1) % masters.scans[surface],
+        quarters_of_contacts(forces.sizes["contact_y"], tiles),
+        cell / tiles / 2,
+        float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
+    )
+    return MasterForces(forces, parts, cell)
+
+
+def over_masters(
+    scales: xr.Dataset, masters: Masters, summary: Callable[[MasterForces], xr.Dataset]
+) -> xr.Dataset:
+    """Return a summary of the forces, as in scales.nc, over surface and side."""
+    summaries = {
+        (surface, side): summary(forces_of_masters(scales, surface, side, masters))
+        for surface in scales.surface.values.tolist()
+        for side in scales.side.values.tolist()
+    }
+    return stack(summaries, ["surface", "side"])
+
+
+def half_width_over_masters(
+    masters: MasterForces,
+    statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
+    shift: str,
+    confidence: float,
+) -> np.ndarray:
+    """Return the half width (...) of the interval of the logarithm of a mean over masters.
+
+    The statistic (realization, ...) is of the mean forces of a master with and without a filter.
+    Three scans or more differ in their realizations too, so that their scatter holds that of the
+    artificial roughness. The quarters of one or two scans share their realizations: another seed
+    moves all of them at once. The variance of a mean over realizations is added, whatever part of
+    it the quarters hold already: rather too wide an interval than one that leaves out the choice of
+    random numbers. Another spectrum, which the measurements allow as well, moves all realizations
+    at once, too: the mean square of its shifts (realization, ...) is added, if spectra were drawn.
+    """
+
+    def over_contacts(kept: xr.DataArray) -> xr.DataArray:
+        """Return the statistic (realization, ...) of the contacts (realization, y, x) kept."""
+        filtered = masters.forces.pull_off_force.where(kept).mean(CONTACTS)
+        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept).mean(CONTACTS)
+        return statistic(filtered, unfiltered).transpose("realization", ...)
+
+    left_out = left_out_logarithms(
+        masters.parts, "realization", lambda kept: over_contacts(kept).mean("realization")
+    )
+    sources = [jackknife_variance(left_out, masters.parts)]
+    count = masters.forces.sizes["realization"]
+    if masters.parts.conditional and count > 1:
+        logarithms = np.log(over_contacts(xr.DataArray(True)).values)
+        sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
+    shifts = masters.forces.get(shift)
+    if shifts is not None and shifts.notnull().any():
+        sources.append(Variance((shifts**2).mean("realization").values, count))
+    return half_width(sources, confidence)

@@ -1,0 +1,130 @@
+"""The band of own surfaces: edges with intervals from few scans, and edges that are left open."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.band.critical_band import Curve, described_edge, logarithmic_limits
+from hardcontact.base.statistics import with_interval
+from hardcontact.own.master_forces import (
+    MasterForces,
+    Masters,
+    half_width_over_masters,
+    over_masters,
+)
+from hardcontact.own.scan_parts import logarithmic_interval
+
+#: What an edge is described by: further dimensions, and attributes.
+EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
+    "edge": ((), {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"}),
+    "edge_bound": ((), {"units": "nm", "long_name": "limit of an open edge"}),
+    "edge_at_least": ((), {"units": "1", "long_name": "1 where an open edge is above its limit"}),
+    "edge_status": ((), {}),
+    "edge_interval": (("bound",), {"units": "nm", "long_name": "interval of the edge"}),
+    "interval_status": (("bound",), {}),
+}
+
+
+def band_edges(
+    scales: xr.Dataset, masters: Masters, tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return the edges of the band of every surface, with intervals from scans or their parts.
+
+    `scales` has the forces on the filtered masters, as in scales.nc; the tolerance is the relative
+    change of the force that counts.
+
+    Returns, over surface, side and cutoff_wavelength, ``scale_ratio``, the mean over realizations,
+    with its interval, from zero to infinity where it is not bounded; over surface and side the
+    variables of EDGE; over surface ``conditional`` (1 where the interval is conditional on one or
+    two scans), ``interval_source``, ``interval_scans``, label and basis. If several surfaces have
+    cutoffs in common, there are ``pooled_`` variables over side: mean and edge of their change
+    |ratio - 1|.
+    """
+    curves = over_masters(scales, masters, lambda forces: _ratios(forces, confidence))
+    curves = curves.transpose("surface", "side", ...)
+    sources = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
+    band = curves[["scale_ratio", "scale_ratio_interval"]].merge(sources)
+    band = band.assign(edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))).assign(
+        label=scales.label, basis=scales.basis
+    )
+    common = curves.change.notnull().all("surface").any("cutoff_wavelength").all()
+    if curves.sizes["surface"] > 1 and common:
+        band = band.assign(_pooled(curves, tolerance))
+    attributes = {name: scales.attrs[name] for name in ("rho", "sphere_radius")}
+    return band.assign_attrs(tolerance=tolerance, confidence=confidence, **attributes)
+
+
+def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
+    """Return the ratios of one surface and side with their interval, and where that comes from."""
+    half = half_width_over_masters(
+        masters, lambda filtered, unfiltered: filtered / unfiltered, "ratio_shift", confidence
+    )
+    ratio = masters.forces.ratio.mean("realization").values
+    interval = logarithmic_interval(ratio, half)
+    filled = interval
+    if not np.isnan(interval).all():
+        # A ratio without an interval among others that have one is the same in all parts: known.
+        filled = np.where(np.isnan(interval), ratio[:, None], interval)
+    # |ratio - 1| and its lowest and highest value within the interval: NaN where there is none.
+    change, ends = np.abs(ratio - 1), np.abs(filled - 1)
+    lowest = np.where((filled[:, 0] < 1) & (filled[:, 1] > 1), 0.0, ends.min(axis=-1))
+    change_interval = np.stack([lowest, ends.max(axis=-1)], axis=-1)
+    axis, unit = "cutoff_wavelength", {"units": "1"}
+    with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
+        logarithms = np.log(ratio), np.log(filled)
+    return xr.Dataset(
+        with_interval("scale_ratio", axis, ratio, interval, unit, confidence)
+        | with_interval("change", axis, change, change_interval, unit, confidence)
+        | with_interval("logarithm", axis, *logarithms, unit, confidence)
+        | {
+            "cell": masters.cell,
+            "conditional": int(masters.parts.conditional),
+            "interval_source": masters.parts.source,
+            "interval_scans": masters.parts.scans,
+        },
+        {axis: masters.forces[axis].variable},
+    )
+
+
+def edges_of_curves(
+    curves: xr.Dataset, measure: str, limits: tuple[float, float]
+) -> dict[str, Any]:
+    """Return the variables EDGE, over the dimensions of ``cell``, of several curves.
+
+    The curves have the measure, ln(ratio) or the change of several surfaces, and its interval
+    (cutoff_wavelength, ...), NaN at cutoffs that a curve does not have; ``cell`` (...), the longest
+    wavelength of the surface in nm; side as a coordinate. Within the limits, lower and upper, a
+    change counts as none.
+    """
+    dimensions, shape = curves.cell.dims, curves.cell.shape
+    edges = []
+    for place in np.ndindex(shape):
+        curve = curves.isel(dict(zip(dimensions, place, strict=True)))
+        side = str(curve.side.values)
+        curve = curve.dropna("cutoff_wavelength", subset=[measure])
+        curve = curve.sortby("cutoff_wavelength", ascending=side == "small")
+        values = np.vstack([curve[measure].values, curve[f"{measure}_interval"].values.T])
+        cutoffs = curve.cutoff_wavelength.values
+        edges.append(described_edge(Curve(side, float(curve.cell), cutoffs, values, limits)))
+    return {
+        name: (
+            (*dimensions, *further),
+            np.array([edge[name] for edge in edges]).reshape(*shape, *[2 for _ in further]),
+            attributes,
+        )
+        for name, (further, attributes) in EDGE.items()
+    }
+
+
+def _pooled(curves: xr.Dataset, tolerance: float) -> dict[str, Any]:
+    """Return mean change and edge of all surfaces, at the cutoffs that all have.
+
+    The ends of its interval are the means of the ends of the surfaces. As these are independent,
+    that is wider than it need be.
+    """
+    mean = curves[["change", "change_interval"]].mean("surface", skipna=False, keep_attrs=True)
+    mean = mean.assign(cell=curves.cell.min("surface"))
+    edges = edges_of_curves(mean, "change", (-np.inf, tolerance))
+    pooled = edges | {name: mean[name] for name in ("change", "change_interval")}
+    return {f"pooled_{name}": variable for name, variable in pooled.items()}

@@ -1,0 +1,245 @@
+"""Range and work of adhesion that the user's own measured forces allow: fit.nc.
+
+Forces F are measured, forces f are computed at 1 J/m²: at every range the work W = F/f(rho) makes
+them agree. One surface gives a curve W(rho). Of several surfaces, the region holds the pairs of
+range and work that lie within the intervals of all of them at once. Tests scatter log-normally.
+"""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base.dataset import stack
+from hardcontact.base.statistics import (
+    Sampling,
+    bounds,
+    lognormal_shape,
+    percentile_interval,
+    with_interval,
+)
+from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.own.predicted_force import PLASTIC, ScanForces, forces_of_scans
+from hardcontact.own.scan_parts import sampled_deviations
+from hardcontact.paper.error_map import fit
+
+#: Logarithms of a sampled mean beyond this are as good as infinite.
+ENDLESS = 50.0
+#: Ranges of adhesion of the curves, from the least to the greatest one computed.
+FINE_RANGES = 401
+
+NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
+
+
+class MeasuredTests(NamedTuple):
+    """Tests on one surface."""
+
+    mean: float  #: Of the forces in N.
+    shape: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
+    number: int  #: Of the tests.
+
+
+def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
+    """Return the tests on one surface, from its rows of `config.tables.measured_forces`."""
+    count = int(forces["count"].sum())
+    mean = float(np.average(forces["mean"], weights=forces["count"]))
+    if count < 2:
+        return MeasuredTests(mean, np.nan, count)
+    if len(forces) == 1:
+        return MeasuredTests(mean, float(lognormal_shape(mean, forces["median"].iloc[0])), count)
+    return MeasuredTests(mean, float(np.log(forces["mean"]).std(ddof=1)), count)
+
+
+def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
+    """Draw mean forces (samples,) in N of a log-normal of which a few tests are known.
+
+    The generalized pivot of the logarithm of the mean, mu + s²/2, is m - z s*/sqrt(n) + s*²/2 with
+    s*² = (n - 1) s²/chi²(n - 1); z is normal, m and s are mean and deviation of the logarithms of n
+    tests. Its deviation from m + s²/2 is added to the logarithm of the mean measured. NaN for a
+    single test, whose scatter is unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan.
+    Inference 115 (2003) 103.
+    """
+    if tests.number < 2:
+        return np.full(samples, np.nan)
+    freedom, variance = tests.number - 1, tests.shape**2
+    drawn = variance * freedom / rng.chisquare(freedom, samples)
+    normal = rng.standard_normal(samples)
+    deviation = (drawn - variance) / 2 - normal * np.sqrt(drawn / tests.number)
+    return np.asarray(tests.mean * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
+
+
+def fit_measured(
+    adhesion: xr.Dataset, forces: pd.DataFrame, sizes: Mapping[str, float], sampling: Sampling
+) -> xr.Dataset:
+    """Fit range and work of adhesion to measured forces, with the roughness of the scans.
+
+    Forces are at 1 J/m², as in adhesion.nc; those measured are of `config.tables.measured_forces`,
+    the sizes of the scans in nm. Means of tests and of scans are sampled.
+
+    Returns, over surface (those with forces), ``measured_force`` in N with its interval, ``tests``,
+    label and ``interval_source``. Over contact_model, surface and rho (a fine grid) is
+    ``work_of_adhesion`` in J/m² with its interval. Over contact_model and rho is ``region``, the
+    lowest and highest work in J/m² that all surfaces allow, NaN where they allow none; its extent
+    ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those computed is
+    allowed, and ``region_status``, found, open or none. Of several surfaces there is the best fit
+    ``best_range``, ``best_work`` and ``best_error``. Of two, ``exact_pairs`` counts the pairs that
+    give both forces: where there are some, two unknowns fit two numbers by construction, and
+    ``best_error`` is NaN.
+    """
+    radius, rhos = float(adhesion.attrs["sphere_radius"]), adhesion.rho.values
+    surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
+    tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
+    target = np.array([test.mean for test in tests])
+    means = [
+        sampled_means(sampling.generator("tests", name), test, sampling.samples)
+        for name, test in zip(surfaces, tests, strict=True)
+    ]
+    models = {}
+    for model in adhesion.contact_model.values.tolist():
+        model_forces = adhesion.pull_off_force.sel(contact_model=model)
+        scans = [
+            forces_of_scans(model_forces.sel(surface=name), sizes[name], radius)
+            for name in surfaces
+        ]
+        works = [
+            mean[:, None] / _sampled_forces(scan, name, sampling)
+            for mean, scan, name in zip(means, scans, surfaces, strict=True)
+        ]
+        force = np.array([scan.mean for scan in scans])
+        models[(model,)] = _fit(force, target, np.stack(works, axis=1), rhos, sampling.confidence)
+    # Tests and parts of scans, which intervals come from, are the same for all contact models.
+    sources = [
+        scan.parts[0].source if test.number > 1 else "one_test"
+        for scan, test in zip(scans, tests, strict=True)
+    ]
+    variables = sampling.with_interval(
+        "measured_force", "surface", target.tolist(), np.stack(means, axis=1), NEWTON
+    ) | {
+        "tests": ("surface", [test.number for test in tests], ONE),
+        "interval_source": ("surface", sources),
+        "label": adhesion.label.sel(surface=surfaces),
+    }
+    fitted = stack(models, ["contact_model"]).assign_coords(surface=surfaces).assign(variables)
+    return fitted.assign_attrs(
+        basis="measured",
+        confidence=sampling.confidence,
+        sphere_radius=adhesion.attrs["sphere_radius"],
+    )
+
+
+def _sampled_forces(scans: ScanForces, surface: str, sampling: Sampling) -> np.ndarray:
+    """Draw mean forces (sample, rho) of a surface, with the same random numbers at every range."""
+    deviations = [
+        sampled_deviations(sampling.generator("scans", surface), left_out, parts, sampling.samples)
+        for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
+    ]
+    return np.asarray(scans.mean * np.exp(np.stack(deviations, axis=1)))
+
+
+def _fit(
+    force: np.ndarray, target: np.ndarray, works: np.ndarray, rhos: np.ndarray, confidence: float
+) -> xr.Dataset:
+    """Return the fit of one contact model.
+
+    Forces (surface, rho) are computed at 1 J/m² and (surface,) measured, in N; works (sample,
+    surface, rho) in J/m² have tests and scans resampled. The region takes the intervals of n
+    surfaces, independent of each other, at the confidence c^(1/n), so that all of them together
+    hold the true pair with the confidence c.
+    """
+    count = len(target)
+    # A single range stays single.
+    fine = np.union1d(np.geomspace(rhos[0], rhos[-1], FINE_RANGES if len(rhos) > 1 else 1), rhos)
+    force = on_fine_grid(force, rhos, fine)
+
+    def intervals(confidence: float) -> np.ndarray:
+        """Return the intervals of the works (surface, fine rho, 2)."""
+        ends = np.moveaxis(percentile_interval(works, confidence), -1, 0)
+        return np.moveaxis(on_fine_grid(ends, rhos, fine), 0, -1)
+
+    joint = intervals(confidence ** (1 / count))
+    region = np.stack([joint[..., 0].max(axis=0), joint[..., 1].min(axis=0)], axis=-1)
+    region[~(region[:, 0] < region[:, 1])] = np.nan
+    work_of_adhesion = target[:, None] / force
+    best_range, best_work, best_error, exact_pairs = np.nan, np.nan, np.nan, 0
+    if count > 1:
+        place, work, error = fit(force, target)
+        best_range, best_work, best_error = float(fine[place]), float(work), float(error)
+    if count == 2:
+        above = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
+        exact_pairs = int(np.count_nonzero(np.diff(above)))
+    if exact_pairs:
+        best_error = np.nan  # of the grid of ranges alone
+    variables = with_interval(
+        "work_of_adhesion", ("surface", "rho"), work_of_adhesion, intervals(confidence), ENERGY,
+        confidence,
+    ) | {
+        "region": (("rho", "bound"), region, ENERGY),
+        "best_range": ((), best_range, NM),
+        "best_work": ((), best_work, ENERGY),
+        "best_error": ((), best_error, ONE),
+        "exact_pairs": ((), exact_pairs, ONE),
+    }  # fmt: skip
+    return xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
+
+
+def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:
+    """Return the extent of a region (rho, bound), and which of its ends are open.
+
+    Where the region reaches a range at the end of those computed, it may go on beyond: the range
+    has no limit there, nor has the work.
+    """
+    allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
+    ranges, works, status = np.full(2, np.nan), np.full(2, np.nan), np.full(2, "none", "<U5")
+    if len(allowed):
+        ends = allowed[[0, -1]]
+        open_ends = ends == [0, len(fine) - 1]
+        ranges = np.where(open_ends, np.nan, fine[ends])
+        status = np.where(open_ends, "open", "found")
+        if not open_ends.any():
+            works = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
+    return {
+        "region_range": ("bound", ranges, NM),
+        "region_work": ("bound", works, ENERGY),
+        "region_status": ("bound", status),
+    }
+
+
+def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
+    """Return a fit to measured forces with the works of adhesion at the range that is asked for.
+
+    The work is a measured force over that computed at 1 J/m². Where continued roughness changes the
+    computed force by a factor, it changes the work by one over that: W F_scan/F_continued. Masters
+    were computed at one range and in plastic contact alone, so that this is no curve.
+
+    The fit is of `fit_measured`, the predicted forces, as in force.nc, are over the same surfaces
+    and others. ``continued_work`` (surface, side) is in J/m²; in its interval the relative ends of
+    measured and computed force, which are independent, are added as squares of their logarithms.
+    With it come ``continued_differs`` and ``transition`` of the forces, and the attribute
+    ``range_of_adhesion``, at which ``work_of_adhesion`` is to be compared.
+    """
+    surface_force = force.sel(surface=fitted.surface)
+    measured, computed = fitted.measured_force, surface_force.continued_force
+    less, more = (np.log(end / measured) for end in bounds(fitted, "measured_force"))
+    low, high = bounds(surface_force, "continued_force")
+    above = np.log(high / computed)
+    below = np.log(low.where(low > 0) / computed).where(low != 0, -np.inf)
+    work = (measured / (computed / force.attrs["work_of_adhesion"])).transpose("surface", "side")
+    ends = [-np.hypot(less, above), np.hypot(more, below)]
+    interval = xr.concat([work * np.exp(end) for end in ends], "bound")
+    continued = with_interval(
+        "continued_work",
+        work.dims,
+        work.values,
+        interval.transpose(*work.dims, "bound").values,
+        ENERGY | {"long_name": f"work with continued roughness, {PLASTIC} contact"},
+        fitted.attrs["confidence"],
+    )
+    return (
+        fitted.assign(continued)
+        .assign(
+            continued_differs=surface_force.continued_differs, transition=surface_force.transition
+        )
+        .assign_attrs(range_of_adhesion=force.attrs["range_of_adhesion"])
+    )

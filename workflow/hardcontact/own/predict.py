@@ -1,0 +1,151 @@
+"""The command `hardcontact predict`: force, edges and regime from a spectrum, without a study."""
+
+import json
+import math
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+import pandas as pd
+
+from hardcontact.base.code import TEMPLATES
+from hardcontact.base.number import Number, plain
+from hardcontact.base.printing import print_length, print_quantity
+from hardcontact.base.whole_file import whole_file
+from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.model import Study
+from hardcontact.config.own_spectrum import own_spectrum
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.smooth_sphere import PAPER_MODULUS
+from hardcontact.own.request import QUANTITIES, add_shared, options
+from hardcontact.theory.prediction import CHANGE, prediction, tabor, too_wide
+
+DESCRIPTION = """\
+Predict the pull-off force of a smooth sphere from the power spectral density of a
+surface, in closed form, within seconds:
+
+  hardcontact predict my-psd.csv --radius 250um --range 5.6nm --work 46mJ/m2
+
+The table has a header and these columns, with the unit of each in a column of its own:
+  wavevector (q = 2 pi/wavelength, e.g. rad/nm) or wavelength (e.g. nm)
+  c_iso (h_rms² = 1/(2 pi) ∫ q C_iso dq, e.g. nm4) or c_1d (h_rms² = (1/pi) ∫ C_1D dq, e.g. nm3)
+for example, in five rows or more,
+
+  wavelength,wavelength_unit,c_iso,c_iso_unit
+  1000,nm,4.8e7,nm4
+
+A c_iso of 0 says that there is no roughness of this wavelength. In place of a table FILE may
+be a height map, a line scan or a container of them: their spectrum is measured, and only the
+wavelengths at which it is reliable count, and then also those that continue them.
+"""
+
+
+def predict_arguments(arguments: Sequence[str]) -> Namespace:
+    """Return the parsed command line, without the command; a wrong one ends the program."""
+    parser = ArgumentParser(
+        "hardcontact predict", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
+    )
+    parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
+    add_shared(parser)
+    parser.add_argument("--modulus", help="effective modulus of both bodies (that of the paper's)")
+    parser.add_argument(
+        "--dataset", "--channel", default="", metavar="NAME",
+        help="the only scan of a container that counts, or the channel of another file",
+    )  # fmt: skip
+    for name in WRITERS:
+        parser.add_argument(f"--{name}", metavar="FILE", help="write the numbers; - for stdout")
+    return parser.parse_args(arguments)
+
+
+def predict(arguments: Namespace) -> str:
+    """Return the prediction in words, and write the files of numbers that were asked for.
+
+    A file named - is returned in place of the words. Raises ValueError with a line for each
+    problem.
+    """
+    quantities, faults = options(arguments)
+    radius, rho, work, preload, hardness = (
+        quantities[name].number for name in ("radius", "range", "work", "preload", "hardness")
+    )
+    contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
+    wide = too_wide(contact)
+    if wide and not faults:
+        faults.append(f"--{wide}")
+    if arguments.json == arguments.csv == "-":
+        faults.append("--csv: expected a file, as --json goes to stdout, found -")
+    reader = partial(
+        own_spectrum,
+        [arguments.file],
+        dataset=arguments.dataset,
+        tip_radius=quantities["tip"].number if "tip" in quantities else None,
+        unit=arguments.unit,
+    )
+    _, (spectrum, notes, joined) = refuse_all([partial(refuse_lines, faults), reader])
+    numbers = {
+        name: Number(name, option.number, option.unit, status="given" if option.given else "paper")
+        for name, option in quantities.items()
+        if name in QUANTITIES
+    }
+    numbers |= prediction(spectrum, contact, Study().scales.tolerance, arguments.file, joined)
+    modulus = quantities["modulus"].number if "modulus" in quantities else PAPER_MODULUS
+    status = "given" if "modulus" in quantities else "paper"
+    numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
+    numbers["tabor_parameter"] = tabor(contact, modulus)
+    texts = {name: quantities[name].text for name in QUANTITIES}
+    report = "\n".join([*notes, _report(numbers, texts)])
+    for name, write in WRITERS.items():
+        path = getattr(arguments, name)
+        if path == "-":
+            report = write(numbers)
+        elif path is not None:
+            with whole_file(path) as temporary:
+                Path(temporary).write_text(write(numbers) + "\n", "utf-8")
+    return report
+
+
+def _json(numbers: Mapping[str, Number]) -> str:
+    """Return numbers by name, each with value and unit; interval and status where there are any."""
+    entries = {
+        name: {"value": plain(number.value), "unit": number.unit}
+        | (
+            {"interval": [number.low, number.high]}
+            if math.isfinite(number.low + number.high)
+            else {}
+        )
+        | ({"status": number.status} if number.status else {})
+        for name, number in numbers.items()
+    }
+    return json.dumps(entries, indent=2, allow_nan=False)
+
+
+def _csv(numbers: Mapping[str, Number]) -> str:
+    """Return numbers as a table, a row each; cells are empty where there is nothing."""
+    columns = ["quantity", "value", "unit", "low", "high", "status"]
+    table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
+    finite = table.replace([math.inf, -math.inf], math.nan)
+    return str(finite.to_csv(index=False, lineterminator="\n")).rstrip("\n")
+
+
+#: Writers of files of numbers, by the option that names the file.
+WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
+
+
+def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
+    """Return the prediction in words; the texts are those of the quantities of the command line."""
+    # Imported here: it takes as long as a prediction.
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    environment = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {"length": print_length, "quantity": print_quantity}
+    environment.tests["known"] = math.isfinite
+    meanings = {name: meaning for name, (_, meaning) in QUANTITIES.items()}
+    report = environment.get_template("prediction.txt").render(
+        numbers=numbers, texts=texts, meanings=meanings, change_that_matters=CHANGE
+    )
+    return report.rstrip()

@@ -1,0 +1,399 @@
+"""Every key of a study of own surfaces that depends on its scans, with reasons in words."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from hardcontact.base.printing import print_length, print_quantity
+from hardcontact.config import model
+from hardcontact.config.faults import refuse_lines
+from hardcontact.config.grids import (
+    CONTACT_PIXELS,
+    MAP_PIXELS,
+    PENETRATION_OVER_RANGE,
+    least_range,
+)
+from hardcontact.config.limits import carrying_pixels, pressed_depth, window_images
+from hardcontact.contact.bearing_area import TILE
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.own.contact_scans import contact_scans, draw_sizes
+from hardcontact.own.inventory import FILLING, Entry, by_surface, contradicting
+from hardcontact.surfaces.extrapolated_spectrum import FEWEST
+from hardcontact.surfaces.reliable_band import LIMITS
+
+#: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
+#: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
+TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4
+#: The sphere above its apex at the edge of the window, over the range of adhesion (14 in the paper)
+#: and over the rms height.
+RANGES_IN_WINDOW, RMS_IN_WINDOW = 14, 4
+#: The most images of a scan, mirrored, along an edge of the window: all hold the same summits.
+IMAGES = 10
+#: The share of the force on a smooth sphere that the window should hold.
+SHARE = 0.99
+#: The longest range of adhesion that is proposed unasked, in nm: the longest of the paper's study.
+LONGEST_RANGE = 40.0
+#: The range of adhesion over the shortest, and the longest over it, that forces are computed at.
+RANGE_SPAN = 8.0
+#: Edge of the large-scale master over that of a scan, and over the window.
+SCANS, WINDOWS = 8, 1.6
+#: The finest pixels worth computing, in nm: half the distance of atoms.
+FINEST = 0.15
+#: Numbers of contacts along an edge of the array. Even ones fall evenly on the quarters of a scan.
+COUNTS = (20, 16, 12, 10, 8, 6, 4)
+#: Seconds that the contacts of one filtered surface may take.
+CONTACT_SECONDS = 2.0
+#: Seconds a contact pixel and image of the cell in the window, and a tile in the window (measured).
+SECONDS_A_PIXEL, SECONDS_A_TILE = 4e-7, 4e-8
+#: The least ratio of neighbouring cutoffs: forces in between are as good interpolated.
+RATIO = 1.15
+#: Share of undefined pixels from which the user is told how they are filled.
+MANY_UNDEFINED = 0.05
+
+
+class Effort(NamedTuple):
+    """What a study may cost."""
+
+    pixels: int  #: along an edge of masters, if scans do not have more
+    cutoffs: int  #: on each side
+    realizations: int  #: masters of each side
+    fewest: int  #: masters of each side whose contacts take long
+    contacts: int  #: along an edge of the array
+    ranges: int  #: of adhesion
+
+
+#: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
+FULL = Effort(pixels=4096, cutoffs=14, realizations=5, fewest=3, contacts=20, ranges=12)
+QUICK = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ranges=5)
+
+
+class Choice(NamedTuple):
+    """A value that is chosen, as YAML has it: its key with dots, and a reason or nothing."""
+
+    key: str
+    value: object
+    reason: str
+
+
+class Proposal(NamedTuple):
+    """What is chosen for scans."""
+
+    contact: list[Entry]  #: scans that contacts are made on; others only enter the spectrum
+    choices: list[Choice]
+    quick: list[Choice]  #: what differs at quick effort
+    reasons: list[str]  #: for the scans of contacts, by surface
+    cautions: list[str]  #: what the user should know before believing the answer
+
+
+def propose(
+    entries: Sequence[Entry], sphere: str | None, probe: Contact, range_given: bool = False
+) -> Proposal:
+    """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
+
+    The probe has radius, load and range of adhesion; the user gave its range, or it is the usual
+    one. Raises ValueError with a line for each problem: no height map, surfaces with scans too
+    different for one study, a range of adhesion that is too short, a preload that is too high.
+    """
+    summits = draw_sizes(entries, sphere, probe)
+    scans, reasons = contact_scans(entries, sphere, probe, summits)
+    substrates = [scan for scan in scans if scan.source.surface != sphere]
+    coarsest = max(substrates, key=lambda scan: scan.pixel_size)
+    smallest = min(substrates, key=lambda scan: scan.size)
+    if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
+        raise ValueError(
+            "--surface: expected scans of similar size on all surfaces, found "
+            f"{print_length(smallest.size)} on {smallest.source.surface} and pixels of "
+            f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
+            "make a study of each"
+        )
+    contact, shortest_range, why = _contact(scans, substrates, probe, range_given)
+    full = list(_choices(substrates, contact, shortest_range, why, FULL))
+    quick = list(_choices(substrates, contact, shortest_range, why, QUICK))
+    usual = {choice.key: choice.value for choice in full}
+    if gaps := sum(entry.undefined > 0 for entry in entries):
+        reason = f"{gaps} of the files have undefined pixels"
+        full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
+    cautions = [*_contact_cautions(substrates, probe.range, contact, why, summits)]
+    cautions += [
+        f"{scan.name}: no wavelength is reliable, {scan.band}"
+        for scan in substrates
+        if scan.is_blind
+    ]
+    cautions += contradicting(entries)
+    cautions += [
+        f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and filled with "
+        "heights smoother than the surface"
+        for entry in entries
+        if entry.undefined_share > MANY_UNDEFINED
+    ]
+    differing = [
+        choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]
+    ]
+    return Proposal(scans, full, differing, reasons, cautions)
+
+
+def refuse_unreliable(entries: Sequence[Entry]) -> None:
+    """Refuse surfaces of which too few wavelengths are reliable for a spectrum, a line each."""
+    faults = []
+    for surface, scans in by_surface(entries).items():
+        count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
+        if count < FEWEST:
+            bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
+            faults.append(
+                f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
+                f"wavelengths (ten a decade), found {count}: {bands}; add one of another size"
+            )
+    refuse_lines(faults)
+
+
+def _contact(
+    scans: Sequence[Entry], substrates: Sequence[Entry], probe: Contact, range_given: bool
+) -> tuple[Contact, float, dict[str, str]]:
+    """Return the probe with a window, and with a longer range of adhesion if the scans need it.
+
+    The scans of contacts are given with those of the sphere and without. Returned are also the
+    shortest range (nm) that the scans permit, and the reasons for window and range by key.
+    """
+    window, _ = _window(scans, probe.radius, probe.range)
+    shortest, why = _shortest_range(scans, substrates, probe, window)
+    rho = max(probe.range, shortest)
+    # A wider window, as a longer range needs, does not raise the shortest range.
+    window, window_reason = _window(scans, probe.radius, rho)
+    faults = []
+    if rho > probe.range and (range_given or shortest > LONGEST_RANGE):
+        usual = "" if range_given else "the usual "
+        faults.append(
+            f"--range: expected at least {shortest:.3g} nm on these scans, where {why}, "
+            f"found {usual}{probe.range:.4g} nm"
+        )
+    carried = min(
+        min(
+            carrying_pixels(window, scan.grid),
+            CONTACT_PIXELS / COUNTS[-1] ** 2 / window_images(window, scan.size),
+        )
+        * (scan.pixel_size * 1e-9) ** 2
+        for scan in scans
+    )
+    most = carried * probe.hardness
+    if probe.preload > most:
+        faults.append(
+            f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
+            f"scans can carry at this hardness, found {print_quantity(probe.preload, 'N')}"
+        )
+    refuse_lines(faults)
+    range_reason = "as given" if range_given else "the paper's"
+    if rho > probe.range:
+        range_reason = f"the least on these scans, where {why}"
+    reasons = {"contact.window": window_reason, "scales.range": range_reason}
+    return replace(probe, range=rho, window=window), shortest, reasons
+
+
+def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:
+    """Return the edge of the window (nm) for a range of adhesion (nm), and the reason."""
+    rms_height = max(scan.rms_height for scan in scans)
+    finest = min(scan.pixel_size for scan in scans)
+    smallest = min(scan.size for scan in scans)
+    height, what = RANGES_IN_WINDOW * rho, f"{RANGES_IN_WINDOW} ranges of adhesion"
+    if RMS_IN_WINDOW * rms_height > height:
+        height, what = RMS_IN_WINDOW * rms_height, f"{RMS_IN_WINDOW} rms heights"
+    edge, reason = min(
+        (2 * math.sqrt(2 * radius * height), f"at its edge the sphere is {what} above its apex"),
+        (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
+        (2 * IMAGES * smallest, f"{IMAGES} mirrored scans, which all have the same summits"),
+    )
+    digit = 10.0 ** (math.floor(math.log10(edge)) - 2)
+    return float(f"{math.floor(edge / digit) * digit:.3g}"), reason
+
+
+def _shortest_range(
+    scans: Sequence[Entry], substrates: Sequence[Entry], probe: Contact, window: float
+) -> tuple[float, str]:
+    """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
+    tiles = _tiles(substrates, window, FULL.pixels)
+    limits = [least_range(probe.radius, window, scan.grid) for scan in scans]
+    for scan in substrates:
+        master = scan.grid._replace(size=scan.size * tiles)
+        limits.append(least_range(probe.radius, window, master))
+        depth = pressed_depth(probe, scan.relief)
+        pressed = f"the preload presses the bodies some {depth:.3g} nm into each other"
+        limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), pressed))
+    return max(limits)
+
+
+def _tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
+    """Return the stitched scans along an edge of large-scale masters of so many pixels.
+
+    The master is eight scans long, as in the paper, and longer than the window (nm), if its pixels
+    suffice.
+    """
+    size = min(scan.size for scan in substrates)
+    wanted = math.ceil(max(SCANS * size, WINDOWS * window) / (2 * size) * (1 - 1e-9))
+    return max(1, min(wanted, pixels // max(2 * scan.pixels for scan in substrates)))
+
+
+def _contact_cautions(
+    substrates: Sequence[Entry],
+    usual_range: float,
+    contact: Contact,
+    why: Mapping[str, str],
+    summits: Mapping[str, float],
+) -> Iterator[str]:
+    """Yield what the user should know of contacts on these scans, in sentences."""
+    if contact.range > usual_range:
+        yield (
+            f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
+            f"it is {why['scales.range']}"
+        )
+    share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
+    if share < SHARE:
+        yield (
+            f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
+            "show too little of what the sphere feels, and forces come out too low"
+        )
+    largest = max(scan.pixel_size for scan in substrates) ** 2
+    if contact.area < largest:
+        yield (
+            f"the preload is carried by {contact.area:.3g} nm², less than a pixel of the scans "
+            f"({largest:.3g} nm²): one pixel touches, and hardness and preload do not matter "
+            "on the scans"
+        )
+    for surface, drawn in summits.items():
+        size = min(scan.size for scan in substrates if scan.source.surface == surface)
+        low, high = finite_scan_ratio(size, drawn)
+        if high > 1:
+            yield (
+                f"{surface}: the sphere finds its highest points within some "
+                f"{print_length(LARGE_ENOUGH * drawn)}, the scans are {print_length(size)} wide: "
+                f"forces on such scans come out {low:g} to {high:g} times too high"
+            )
+
+
+def _choices(
+    substrates: Sequence[Entry],
+    contact: Contact,
+    shortest_range: float,
+    why: Mapping[str, str],
+    effort: Effort,
+) -> Iterator[Choice]:
+    """Yield what is computed at some effort, within what the checks permit."""
+    small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
+    count, slow = _count(substrates, contact, small_pixels, effort.contacts)
+    masters = effort.fewest if slow else effort.realizations
+    surfaces = [scan.source.surface for scan in substrates]
+    most_scans = max(map(surfaces.count, surfaces))
+    if effort is QUICK:
+        realizations = max(masters, min(most_scans, 3))
+    else:
+        masters_a_scan = max(1, round(masters / most_scans))
+        realizations = min(most_scans * masters_a_scan, 2 * effort.realizations)
+    ranges = [_nm(rho) for rho in _ranges(contact.range, shortest_range, effort.ranges)]
+    permitted = f"these scans permit {shortest_range:.3g} nm or more"
+    yield Choice("contact.window", _nm(contact.window), why["contact.window"])
+    yield Choice("contact.count", count, "contacts along an edge of their array")
+    yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
+    yield Choice("scales.range", _nm(contact.range), why["scales.range"])
+    yield Choice("scales.realizations", realizations, "masters on each side")
+    yield from _master_choices(substrates, contact, effort, small_pixels)
+
+
+def _master_choices(
+    substrates: Sequence[Entry], contact: Contact, effort: Effort, small_pixels: int
+) -> Iterator[Choice]:
+    """Yield what masters and their filters are."""
+    tiles = _tiles(substrates, contact.window, effort.pixels)
+    large_pixels = max(2 * scan.pixels for scan in substrates) * tiles
+    size = min(scan.size for scan in substrates)
+    finest = max(2 * scan.size / small_pixels for scan in substrates)
+    coarsest = max(scan.pixel_size for scan in substrates)
+    shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.range) / 16)
+    small = _cutoffs(4 * finest, size, effort.cutoffs)
+    large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
+    small_transition, large_transition, reason = _transitions(substrates)
+    above = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    edge = f"mirrored scans along an edge, {print_length(2 * size * tiles)}"
+    yield Choice("scales.small.pixels", small_pixels, f"{print_length(finest)} a pixel")
+    yield Choice("scales.small.transition", _nm(small_transition), reason)
+    yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
+    yield Choice("scales.large.pixels", large_pixels, "those of the scans")
+    yield Choice("scales.large.tiles", tiles, edge)
+    yield Choice("scales.large.transition", _nm(large_transition), above)
+    yield Choice("scales.large.cutoffs", large, "to half the size of the master")
+
+
+def _small_pixels(scan: Entry, contact: Contact, most: int) -> int:
+    """Return the pixels of small-scale masters of one scan: stitched, halved repeatedly."""
+    pixels = 2 * scan.pixels
+    while 2 * pixels <= most:
+        pixel_size = scan.size / pixels
+        seconds = _contact_seconds(scan, contact, pixel_size)
+        if pixel_size < FINEST or COUNTS[-1] ** 2 * seconds > CONTACT_SECONDS:
+            break
+        pixels *= 2
+    return pixels
+
+
+def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
+    """Return about how long (s) one contact, and all its images, take on pixels of a size (nm)."""
+    images = window_images(contact.window, scan.size)
+    tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
+    return contact.pixels(pixel_size) * images * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
+
+
+def _count(
+    substrates: Sequence[Entry], contact: Contact, small_pixels: int, most: int
+) -> tuple[int, bool]:
+    """Return the contacts along an edge that time and memory permit, and whether they take long.
+
+    The pixels of all contacts are kept in memory: on scans with their images, and on masters.
+    """
+    seconds, kept = 0.0, 0.0
+    for scan in substrates:
+        images, finest = window_images(contact.window, scan.size), 2 * scan.size / small_pixels
+        for pixel_size, repeated in ((scan.pixel_size, images), (finest, 1.0)):
+            seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
+            kept = max(kept, contact.pixels(pixel_size) * repeated)
+    for count in COUNTS:
+        slow = count**2 * seconds > CONTACT_SECONDS
+        if count <= most and count**2 * kept <= CONTACT_PIXELS and not slow:
+            break
+    return count, slow
+
+
+def _cutoffs(shortest: float, longest: float, most: int) -> list[str]:
+    """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
+    steps = int(math.log(longest / shortest) / math.log(RATIO))
+    wavelengths = np.geomspace(shortest, longest, min(most, max(steps, 1) + 1))
+    return [_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
+
+
+def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
+    """Return the wavelengths (nm) beyond which roughness is artificial, and why the shorter one."""
+    longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in substrates):.3g}")
+    ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
+    ends += [(scan.band.shortest, LIMITS[scan.band.limited_by]) for scan in substrates]
+    wavelength, reason = max(ends)
+    shortest = float(f"{wavelength:.3g}")
+    if shortest > longest:
+        return longest, longest, f"no wave of the scan is reliable ({reason})"
+    return shortest, longest, f"{reason}; below, roughness is artificial"
+
+
+def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
+    """Return ranges of adhesion (nm) about that of the masters, which is one of them."""
+    accepted = model.quantity("scales.range")
+    shortest = max(shortest_range, rho / RANGE_SPAN, accepted.low)
+    longest = min(rho * RANGE_SPAN, accepted.high)
+    below = np.geomspace(shortest, rho, count // 2 + 1)[:-1]
+    above = np.geomspace(rho, longest, count - count // 2)[1:]
+    rounded = {float(f"{length:.2g}") for length in (*below[1:], *above)}
+    return sorted({shortest, rho, *(length for length in rounded if length > shortest)})
+
+
+def _nm(length: float) -> str:
+    """Return a length (nm) as the configuration has it."""
+    return f"{length:.12g} nm"

@@ -1,1 +1,0 @@
-"""Answers for own surfaces: few scans, own forces, edges that may be open."""

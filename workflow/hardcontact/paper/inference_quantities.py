@@ -1,0 +1,228 @@
+"""Numbers about range and work of adhesion, and about the scales of roughness.
+
+Forces in N, lengths in nm, works of adhesion in J/m². Each function returns a number as
+`base.number` does; in brackets its dimensions. `paper` holds the numbers of
+resources/paper/parameters.csv under their names.
+"""
+
+import numpy as np
+import xarray as xr
+from scipy import special
+
+from hardcontact.base.statistics import bounds
+from hardcontact.paper.numbers import (
+    least,
+    mean_over_contacts,
+    mean_over_scans,
+    number,
+    quotient,
+    variable_as_number,
+)
+from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
+
+
+def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the mean force at the published work and the longest range of atomic interactions.
+
+    Linear between the ranges computed (contact_model, surface).
+    """
+    force = variable_as_number(inference, "mean_force")
+    at_range: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
+    return paper["work_of_adhesion"] * at_range
+
+
+def only_plastic_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return by how much plastic contact fits and rigid contact does not ().
+
+    Above one, the least error is above the published threshold for rigid and below it for plastic
+    contact.
+    """
+    error = variable_as_number(inference, "best_error")
+    rigid, plastic = (error.sel(contact_model=model, drop=True) for model in ("rigid", "plastic"))
+    return _only_second_fits(rigid, plastic, paper)
+
+
+def only_longer_range_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return by how much some range fits and none of atomic interactions does (contact_model).
+
+    Above one, the least error is above the published threshold at ranges of atomic interactions,
+    and below it over all ranges.
+    """
+    error = inference["error_of_range"]
+    atomic = error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
+    return _only_second_fits(number(atomic), variable_as_number(inference, "best_error"), paper)
+
+
+def only_one_minimum_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return by how much the best minimum along the range fits and no other (contact_model).
+
+    Above one, the error is below the published threshold at the best and above it at the second;
+    where there is no second one, its error counts as infinite.
+    """
+    second = inference["minimum_error"].sel(minimum=2, drop=True).fillna(np.inf)
+    return _only_second_fits(number(second), variable_as_number(inference, "best_error"), paper)
+
+
+def _only_second_fits(misfit: xr.Dataset, fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the smaller of the first error over the threshold and its inverse for the second."""
+    threshold = number(paper["error_threshold"], paper["error_threshold"], paper["error_threshold"])
+    return least(quotient(misfit, threshold), quotient(threshold, fit))
+
+
+def error_overlap(laws: xr.Dataset) -> xr.Dataset:
+    """Return the least upper over the greatest lower end of the errors of all laws (case).
+
+    Above one the intervals of all errors overlap.
+    """
+    low, high = bounds(laws, "fit_error")
+    return number(high.min("law") / low.max("law"))
+
+
+def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest pressure of Eq. 1 at the published pair, over the most of a mechanism.
+
+    Over law, of those but Eq. 1. An energy C/g^m gives the pressure m C/g^(m + 1). At the gap g the
+    ratio goes as g^(m + 1) exp(-g/rho), which is largest at (m + 1) rho.
+    """
+    others = [law for law in LAWS if law != EXPONENTIAL]
+    power = xr.DataArray([law.exponent + 1 for law in others], dims="law")
+    known = xr.DataArray([law.known for law in others], {"law": [law.name for law in others]})
+    rho = 1e-9 * paper["range_of_adhesion"]
+    pressure = paper["work_of_adhesion"] / rho * np.exp(-power)
+    return number(pressure * (power * rho) ** power / ((power - 1) * known))
+
+
+def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:
+    """Return the least mean relative error of the force ratios at one range (contact_model)."""
+    return number(inference["ratio_error"].min("rho_fine"))
+
+
+def half_width_of_range(inference: xr.Dataset) -> xr.Dataset:
+    """Return half the extent in range of the region of small error (contact_model)."""
+    return _half_width(inference["region_range"])
+
+
+def half_width_of_work(inference: xr.Dataset) -> xr.Dataset:
+    """Return half the extent in work of adhesion of the region of small error (contact_model)."""
+    return _half_width(inference["region_work"])
+
+
+def _half_width(region: xr.DataArray) -> xr.Dataset:
+    low, high = (region.sel(bound=end, drop=True) for end in ("low", "high"))
+    return number((high - low) / 2)
+
+
+def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
+    """Return the radius sqrt(D rho) in nm of the disk that attracts the published sphere ()."""
+    return number((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
+
+
+def interaction_radius_at_fit(inference: xr.Dataset) -> xr.Dataset:
+    """Return this radius in nm of the study's sphere at the fitted range (contact_model)."""
+    diameter = 2 * inference.attrs["sphere_radius"]
+    area: xr.Dataset = diameter * variable_as_number(inference, "range_of_adhesion")
+    return area.map(np.sqrt)
+
+
+def interaction_share(paper: xr.Dataset) -> xr.Dataset:
+    """Return the share of the force on a plane within the interaction radius ().
+
+    The attraction of a ring falls as exp(-r²/D rho): 1 - 1/e of it lies within sqrt(D rho).
+    """
+    area = paper["sphere_diameter"] * paper["range_of_adhesion"]
+    share = 1 - np.exp(-(interaction_radius(paper)["value"] ** 2) / area)
+    return number(xr.DataArray(share))
+
+
+def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
+    """Return the share of the attraction on the nearer half of a sinusoidal gap in contact (rho).
+
+    Of exp(-a(1 - cos x)/rho) this is (1 + L0/I0)/2 at a/rho, with the modified Struve and Bessel
+    functions: 1/2 where all places attract alike. Amplitude a and ranges rho are the paper's.
+    """
+    ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
+    ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)
+    share = (1 + special.modstruve(0, ratio) / special.iv(0, ratio)) / 2
+    return number(xr.DataArray(share, {"rho": ranges}, "rho"))
+
+
+def band_edge(band: xr.Dataset) -> xr.Dataset:
+    """Return where the force leaves its tolerance, or a bound on where it does (side, group).
+
+    A curve that never leaves counts as the last cutoff of its side.
+    """
+    known = band["cutoff_wavelength"].where(band["scale_change"].notnull())
+    last = known.max("cutoff_wavelength").where(
+        band["side"] == "small", known.min("cutoff_wavelength")
+    )
+    low, high = bounds(band, "critical_wavelength")
+    return number(band["critical_wavelength"].fillna(last), low, high)
+
+
+def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the critical wavelength over sqrt(D rho) at the published range (side, group).
+
+    D is the diameter of the study's sphere.
+    """
+    radius = (2 * band.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
+    ratio: xr.Dataset = variable_as_number(band, "critical_wavelength") / radius
+    return ratio
+
+
+def change_outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest change of the force by cutoffs outside the published band (side, group).
+
+    Cutoffs up to the published one count for the small side, from it for the large one.
+    """
+    return _largest_change(band, _outside_band(band, paper))
+
+
+def change_inside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest change of the force by cutoffs inside the published band (side, group)."""
+    return _largest_change(band, ~_outside_band(band, paper))
+
+
+def small_scale_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest change by cutoffs among the artificial small scales of a scan (group)."""
+    added = band["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
+    return _largest_change(band, added).sel(side="small", drop=True)
+
+
+def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
+    shortest, longest = (paper[f"critical_wavelength_{side}"] for side in SIDES)
+    cutoff = band["cutoff_wavelength"]
+    return (cutoff <= shortest).where(band["side"] == "small", cutoff >= longest)
+
+
+def _largest_change(band: xr.Dataset, counted: xr.DataArray) -> xr.Dataset:
+    """Return the largest change of the force by the cutoffs that count (side, group)."""
+    return variable_as_number(band, "scale_change").where(counted).max("cutoff_wavelength")
+
+
+def smoothest_ratio(band: xr.Dataset) -> xr.Dataset:
+    """Return the force over the unfiltered one at the largest short cutoff (surface)."""
+    return _of_small_side(band, "scale_ratio").isel(cutoff_wavelength=-1, drop=True)
+
+
+def stylus_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the change of the force at the short cutoff nearest a stylus's radius (group)."""
+    radius = paper["stylus_radius"].item()
+    change = _of_small_side(band, "scale_change")
+    return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
+
+
+def _of_small_side(band: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable of the small side at the cutoffs it has, in ascending order."""
+    values = variable_as_number(band, name).sel(side="small", drop=True)
+    cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
+    return values.sel(cutoff_wavelength=np.sort(cutoffs))
+
+
+def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
+    """Return the force at the largest short cutoff over 2 pi R W of a flat plane (surface)."""
+    force = mean_over_contacts(scales["pull_off_force"].sel(side="small"))
+    force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
+    radius = 1e-9 * scales.attrs["sphere_radius"]  # m; the forces are those at W = 1 J/m2
+    fraction = force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius)
+    return mean_over_scans(fraction, scales.attrs["confidence"], "realization")

@@ -1,0 +1,171 @@
+"""The pool that sets of substitute scans are drawn from: forces of each scan at several heights.
+
+A set multiplies the heights of each of its scans by a factor. Forces on a smooth sphere are
+computed at a few rms heights that span what a set may ask for, and interpolated between them.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple, TypedDict
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from scipy.interpolate import make_interp_spline
+
+from hardcontact.base.job import progress
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.surfaces.conditioning import Targets, scan_targets
+from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
+from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_from
+from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
+from hardcontact.surfaces.substitute_spectra import rows_of_surface
+
+#: Least height of a pool, over the mean height: no set of a few scans has a smoother one.
+LEAST = 0.05
+
+
+class PoolSettings(TypedDict):
+    """What the scans of a pool and their contacts are made with."""
+
+    seed: int  #: The seed of the study.
+    surface: str  #: Name of the substrate.
+    scan: ScanGrid
+    contact: Contact  #: With a smooth sphere.
+    ranges: list[float]  #: Of adhesion, in nm.
+
+
+class PoolSources(NamedTuple):
+    """What forces of scans of a pool are computed from."""
+
+    density: Spectrum  #: C_iso of the substrate.
+    targets: Targets
+    heights: Floats  #: Of `pool_heights`.
+    settings: PoolSettings
+
+
+def pool_sources(
+    spectrum: xr.Dataset,
+    table1: pd.DataFrame,
+    constants: pd.DataFrame,
+    parameters: Mapping[str, Any],
+) -> PoolSources:
+    """Return what forces of scans of a pool are computed from.
+
+    The spectrum is that of a substrate, Table 1 and constants are those of `published`, the
+    parameters those of the rule.
+    """
+    surface, definitions = parameters["surface"], parameters["table1"]
+    grid, rows = ScanGrid(**parameters["scan"]), rows_of_surface(table1, surface, **definitions)
+    targets = scan_targets(spectrum, rows, constants, definitions, grid)
+    if targets is None:
+        raise ValueError(f"{surface}: expected a published rms height, found none")
+    return PoolSources(
+        spectrum_from(spectrum),
+        targets,
+        pool_heights(targets, parameters["scans"], parameters["amplitudes"]),
+        PoolSettings(
+            seed=parameters["seed"],
+            surface=surface,
+            scan=grid,
+            contact=Contact(radius=parameters["radius"], **parameters["contact"]),
+            ranges=parameters["ranges"],
+        ),
+    )
+
+
+def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
+    """Return the rms heights (amplitudes,), in nm and ascending, that forces are computed at.
+
+    No value of a sample of n lies farther from its mean than (n - 1)/sqrt(n) of its standard
+    deviations. The heights are evenly spaced in their root: forces change faster where heights are
+    small. A set of one scan has no deviation, so that a single height is enough.
+    """
+    mean = targets.means["rms_height"]
+    if scans == 1:
+        return np.array([mean])
+    reach = targets.deviation * (scans - 1) / np.sqrt(scans)
+    least = max(mean - reach, LEAST * mean)
+    return np.asarray(np.linspace(least**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
+
+
+def height_weights(heights: Floats, at: Floats) -> Floats:
+    """Return the weights (at, amplitude) of a cubic spline in the root of heights (nm)."""
+    if len(heights) == 1:
+        return np.ones((len(at), 1))
+    degree = min(3, len(heights) - 1)
+    spline = make_interp_spline(np.sqrt(heights), np.eye(len(heights)), k=degree)
+    return np.asarray(spline(np.sqrt(at)))
+
+
+def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
+    """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
+
+    Parameters
+    ----------
+    numbers : sequence of int
+        Of the scans in the pool.
+    sources : PoolSources
+        Mean and deviation of its targets become attributes.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x),
+        the logarithm of forces in N, and METRICS of the scan as it was drawn.
+    """
+    parts = [
+        _pool_scan(number, sources)
+        for number in progress(numbers, len(numbers), "scans of the pool")
+    ]
+    targets = sources.targets
+    return xr.concat(parts, pd.Index(list(numbers), name="scan")).assign_attrs(
+        mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.deviation
+    )
+
+
+def _pool_scan(number: int, sources: PoolSources) -> xr.Dataset:
+    """Return the forces and the roughness of one scan."""
+    density, _, heights, settings = sources
+    rng = generator(settings["seed"], settings["surface"], number, "pool")
+    scan = level(drawn_scan(rng, density, settings["scan"]))
+    return forces_at_heights(scan, heights, settings["contact"], settings["ranges"])
+
+
+def forces_at_heights(
+    scan: HeightMap, heights: Floats, contact: Contact, ranges: Sequence[float]
+) -> xr.Dataset:
+    """Return the forces on a levelled scan at several rms heights, and its roughness.
+
+    Returns METRICS of the scan as it is, and ``log_force`` (rms_height_of_force, contact_model,
+    rho, contact_y, contact_x), the logarithm of forces in N on a smooth sphere.
+    """
+    roughness = metrics(scan)
+    forces = []
+    for height in heights:
+        scaled = replace(scan, heights=height / roughness["rms_height"] * scan.heights)
+        pair = bodies(mirror_stitch(scaled), None, contact)
+        forces.append(pull_off_of_pair(pair, contact, ranges)["pull_off_force"])
+    axis = xr.DataArray(heights, dims="rms_height_of_force", name="rms_height_of_force")
+    computed = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
+    log_force: xr.DataArray = xr.apply_ufunc(np.log, computed).astype("float32")
+    places = range(contact.count)
+    return xr.Dataset(
+        {
+            "log_force": log_force.assign_attrs(
+                units="1", long_name="logarithm of the pull-off force in N at W = 1 J/m2"
+            )
+        }
+        | {
+            name: ((), roughness[name], {"units": unit, "long_name": long_name})
+            for name, (unit, long_name) in METRICS.items()
+        },
+        {
+            "rms_height_of_force": ("rms_height_of_force", heights, {"units": "nm"}),
+            "contact_y": places,
+            "contact_x": places,
+        },
+    )

@@ -1,0 +1,163 @@
+"""Sets in which the scans of one surface have rare protrusions, and what they say of adhesion.
+
+A surface has the same protrusions on all of its scans; another draw of them makes another surface.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base.job import progress
+from hardcontact.base.random import generator
+from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.paper import error_map
+from hardcontact.paper.inference import FINE_RANGES, UNITS, Pair, Published
+from hardcontact.paper.pool import PoolSources, forces_at_heights, height_weights
+from hardcontact.surfaces.conditioning import group_heights
+from hardcontact.surfaces.height_map import level
+from hardcontact.surfaces.protrusions import draw_protrusions, with_protrusions
+from hardcontact.surfaces.substitute_scans import drawn_scan
+
+CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+#: A set agrees where mean and median force of the protruded surface lie within this factor of the
+#: published ones, at the range and work of adhesion that fit the set best.
+FACTOR = 2.0
+ONE, NEWTON = {"units": "1"}, {"units": "N"}
+#: Of protrusions, with their units.
+OF_PROTRUSIONS = {"density": "um-2", "height": "1", "width": "nm"}
+
+
+def compute_protruded(numbers: Sequence[int], scans: int, sources: PoolSources) -> xr.Dataset:
+    """Return the forces of some protruded surfaces, each with so many scans, on a smooth sphere.
+
+    Parameters
+    ----------
+    numbers : sequence of int
+        Of the surfaces.
+    scans : int
+        Of each surface. Their rms heights get the mean and the deviation of the targets.
+    sources : PoolSources
+        Of the surface without protrusions.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over variant: ``pull_off_force`` (rho, contact) in N at 1 J/m² of all contacts on all scans,
+        plastic, and ``density`` (1/µm²), ``height`` (rms heights) and ``width`` (nm).
+    """
+    surfaces = [
+        _protruded_surface(number, scans, sources)
+        for number in progress(numbers, len(numbers), "protruded surfaces")
+    ]
+    return xr.concat(surfaces, pd.Index(list(numbers), name="variant"))
+
+
+def _protruded_surface(number: int, scans: int, sources: PoolSources) -> xr.Dataset:
+    """Return forces and protrusions of one surface."""
+    density, targets, heights, settings = sources
+    seed, surface = settings["seed"], settings["surface"]
+    protrusions = draw_protrusions(generator(seed, surface, number, "protrusions"))
+    log_forces, rms_heights = [], []
+    for scan_number in range(1, scans + 1):
+        rng = generator(seed, surface, number, scan_number, "protruded scan")
+        scan = level(drawn_scan(rng, density, settings["scan"]))
+        protruded = with_protrusions(rng, scan, protrusions)
+        computed = forces_at_heights(protruded, heights, settings["contact"], settings["ranges"])
+        log_forces.append(computed["log_force"].sel(contact_model=CONTACT_MODEL, drop=True))
+        rms_heights.append(computed["rms_height"].item())
+    # With more scans than five a height of a group may lie below those computed.
+    wanted = group_heights(np.array(rms_heights), targets.means["rms_height"], targets.deviation)
+    weights = height_weights(heights, np.maximum(wanted, heights[0]))
+    by_scan = [
+        log_force.dot(xr.DataArray(weight, dims="rms_height_of_force"))
+        for log_force, weight in zip(log_forces, weights, strict=True)
+    ]
+    forces: xr.DataArray = xr.apply_ufunc(np.exp, xr.concat(by_scan, "scan"))
+    forces = forces.stack(contact=["scan", "contact_y", "contact_x"])
+    values = {name: ((), getattr(protrusions, name), {"units": unit})
+              for name, unit in OF_PROTRUSIONS.items()}  # fmt: skip
+    force = forces.transpose("rho", "contact").drop_vars(
+        ["contact", *forces.indexes["contact"].names]
+    )
+    return xr.Dataset({"pull_off_force": force.assign_attrs(NEWTON), **values})
+
+
+def judge_protruded(
+    protruded: xr.Dataset, surface: str, sets: xr.Dataset, measured: Published
+) -> xr.Dataset:
+    """Fit range and work of adhesion to each set with each protruded surface in place of its own.
+
+    Parameters
+    ----------
+    protruded : xarray.Dataset
+        Of `compute_protruded`.
+    surface : str
+        The surface that has protrusions.
+    sets : xarray.Dataset
+        ``mean_force`` (set, surface, rho) and ``sphere_factor`` (surface, rho) of plastic contact,
+        as in sets.nc.
+    measured : Published
+        Published forces, range and work of adhesion.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over (variant, set): ``range_of_adhesion`` (nm), ``work_of_adhesion`` (J/m²),
+        ``best_error``, and at this pair ``mean_force`` and ``median_force`` (N) of the protruded
+        surface; ``agrees`` is 1 where both lie within FACTOR of the published ones. Over variant,
+        at the published pair: ``mean_at_published``, ``median_at_published`` and
+        ``spread_at_published``, the standard deviation of ln F; and density, height and width of
+        the protrusions.
+    """
+    ranges = protruded["rho"].values
+    fine = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
+    factor = sets["sphere_factor"].sel(surface=surface, drop=True)
+    forces = (protruded["pull_off_force"] * factor).transpose("variant", "contact", "rho")
+    curves = sets["mean_force"].transpose("set", "surface", "rho")
+    target = measured.forces["mean_force"].reindex(curves["surface"].values).to_numpy()
+    fits = []
+    for variant in forces["variant"].values:
+        own = forces.sel(variant=variant)
+        replaced = curves.where(curves["surface"] != surface, own.mean("contact"))
+        best, work, error = error_map.fit(on_fine_grid(replaced.values, ranges, fine), target)
+        at_fits = on_fine_grid(own.values, ranges, fine[best]) * work  # (contact, set)
+        of_set = {
+            "range_of_adhesion": (fine[best], UNITS["range_of_adhesion"]),
+            "work_of_adhesion": (work, UNITS["work_of_adhesion"]),
+            "best_error": (error, ONE),
+            "mean_force": (at_fits.mean(axis=0), NEWTON),
+            "median_force": (np.median(at_fits, axis=0), NEWTON),
+        }
+        fits.append(
+            xr.Dataset(
+                {
+                    name: ("set", values, attributes)
+                    for name, (values, attributes) in of_set.items()
+                },
+                {"set": sets["set"]},
+            ).assign(_at_pair(own, measured.pair))
+        )
+    judged = xr.concat(fits, protruded["variant"])
+    published = measured.forces.loc[surface]
+    within = [
+        abs(np.log(judged[name] / published[name])) <= np.log(FACTOR)
+        for name in ("mean_force", "median_force")
+    ]
+    return judged.assign(protruded[list(OF_PROTRUSIONS)]).assign(
+        agrees=(within[0] & within[1]).astype("int8")
+    )
+
+
+def _at_pair(
+    forces: xr.DataArray, pair: Pair
+) -> dict[str, tuple[tuple[()], float, dict[str, str]]]:
+    """Return mean, median and spread of forces (contact, rho) of one surface at a pair."""
+    rho, work = pair
+    at_pair = on_fine_grid(forces.values, forces["rho"].values, np.array([rho]))[:, 0] * work
+    return {
+        "mean_at_published": ((), float(at_pair.mean()), NEWTON),
+        "median_at_published": ((), float(np.median(at_pair)), NEWTON),
+        "spread_at_published": ((), float(np.log(at_pair).std()), ONE),
+    }

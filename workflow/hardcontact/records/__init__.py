@@ -1,1 +1,0 @@
-"""What is kept of every file: whole-file writing, provenance, logs, code that made it."""

@@ -1,0 +1,166 @@
+"""What makes the answer of a surface less sure, as codes with values: scans, pixels, intervals.
+
+Each caution is a mapping with its `code`; the words for it stand in the template of the page. What
+an edge or a force rests on, and what a measurement cannot see, stands in their own rows.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.number import Number
+from hardcontact.contact.finite_scan import LEAST_TRIED
+from hardcontact.report.artificial import measurement_name, measurements
+from hardcontact.report.datasets import Datasets, at_range
+from hardcontact.report.quantities import between, number_of
+from hardcontact.surfaces.contradictions import contradictions
+
+Caution = Mapping[str, Any]
+
+#: Share of the force on a smooth sphere that a window holds as good as whole.
+WHOLE = 0.99
+#: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
+FEW_PIXELS = 10
+
+
+def cautions(of: Datasets) -> list[Caution]:
+    """Return what makes the answer of one surface less sure, the gravest first.
+
+    Those that change the force by more than the tolerance of the band are `grave`.
+    """
+    tolerance = of.edges.attrs["tolerance"]
+    too_small = of.force["finite_scan_ratio"].values[0] > 1 + tolerance
+    cut = at_range(of.force)["window_share"].item() < 1 - tolerance
+    one_pixel = of.force.attrs["contact_area"] < of.force["pixel_area"].item()
+    both = [{"code": "window_and_small_scan"}] if cut and too_small else []
+    judged = [
+        (_blind_scans(of), True),
+        (_window(of.force), cut),
+        (_scan_size(of), too_small),
+        (both, True),
+        (_pixels(of.force), one_pixel),
+        (_intervals(of.force), False),
+        (_contradictions(of.spectra), False),
+        (_beyond_scans(of), False),
+    ]
+    return [one | {"grave": bool(grave)} for some, grave in judged for one in some]
+
+
+def _blind_scans(of: Datasets) -> list[dict[str, Any]]:
+    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
+    all_scans = measurements(of.spectra)
+    of_contact = (all_scans["kind"].values.astype(str) == "map") & np.isclose(
+        all_scans["pixel_size"].values ** 2, of.force["pixel_area"].item()
+    )
+    reliable = (all_scans["reliable"].values == 1).any(axis=1)
+    blind = of_contact.any() and not reliable[of_contact].any()
+    return [{"code": "blind_scans"}] if blind else []
+
+
+def _window(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return that the window holds too little of the force, at the range asked for or others."""
+    rho, share, here = force["rho"].values, force["window_share"].values, at_range(force)
+    if here["window_share"] < WHOLE:
+        first, place, held = np.nan, here["rho"].item(), here["window_share"].item()
+    elif (share < WHOLE).any():
+        first, place, held = float(rho[share < WHOLE].min()), float(rho.max()), float(share.min())
+    else:
+        return []
+    return [
+        {
+            "code": "window",
+            "share": Number("share", held),
+            "window": Number("window", float(force.attrs["window"]), "nm"),
+            "at": Number("at", place, "nm"),
+            "from": Number("from", first, "nm"),
+        }
+    ]
+
+
+def _scan_size(of: Datasets) -> list[dict[str, Any]]:
+    """Return that scans are smaller than contacts need, and by how much that raises forces."""
+    low, high = map(float, of.force["finite_scan_ratio"].values)
+    if high == 1:
+        return []
+    size, draw_size = of.topography["scan_size"].item(), of.force["draw_size"].item()
+    return [
+        {
+            "code": "small_scan",
+            "size": Number("size", size, "nm"),
+            "draw_size": Number("draw_size", draw_size, "nm"),
+            "share": Number("share", size / draw_size),
+            "ratio": between("ratio", low, high),
+            "tried": Number("tried", LEAST_TRIED if size / draw_size < LEAST_TRIED else np.nan),
+        }
+    ]
+
+
+def _pixels(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return that few pixels carry the preload, or one that is larger than need be."""
+    area, pixel = float(force.attrs["contact_area"]), force["pixel_area"].item()
+    if area >= FEW_PIXELS * pixel:
+        return []
+    return [
+        {
+            "code": "few_pixels" if area >= pixel else "one_pixel",
+            "area": Number("area", area, "nm2"),
+            "pixel_area": Number("pixel_area", pixel, "nm2"),
+            "pixels": Number("pixels", area / pixel),
+        }
+    ]
+
+
+def _intervals(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return that intervals are conditional on the scans at hand; why some miss their rows tell."""
+    if not force["conditional"].item() or force["interval_source"].item() == "none":
+        return []
+    shared = number_of(force, "correlation_of_parts", name="correlation", strict=False)
+    scans = int(force["interval_scans"].item())
+    return [{"code": "conditional", "scans": scans, "correlation": shared}]
+
+
+def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
+    """Return the two measurements of a surface that contradict each other most, if any do."""
+    all_scans = measurements(spectra)
+    pairs = contradictions(
+        *(all_scans[name].values for name in ("psd", "reliable", "kind", "size"))
+    )
+    return [
+        {
+            "code": "contradiction",
+            "measurements": [
+                measurement_name(all_scans.isel(measurement=place))
+                for place in (pair.higher, pair.lower)
+            ],
+            "band": between("band", pair.shortest, pair.longest, "nm"),
+            "factor": Number("factor", pair.factor),
+            "others": len(pairs) - 1,
+        }
+        for pair in pairs[:1]
+    ]
+
+
+def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
+    """Return how the spectrum continues below the wavelengths measured, and above them."""
+    spectra, topography = of.spectra, of.topography
+    wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
+    shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
+    tail = {
+        "code": "tail",
+        "hurst": Number("hurst", spectra["tail_hurst"].item(), source="extrapolated"),
+        "fitted": between("fitted", shortest, longest, "nm"),
+        "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
+        "ended_by": str(spectra["tail_ended_by"].item()),
+    }
+    if not np.isfinite(spectra["rolloff"].item()):
+        return [tail]
+    long_waves = {
+        "code": "long_waves",
+        "rolloff": Number("rolloff", spectra["rolloff"].item(), "nm", source="extrapolated"),
+        "above": number_of(spectra, "longest_measured"),
+        "of_scans": Number("of_scans", float(topography["rms_height"].mean()), "nm"),
+        "whole": number_of(topography, "all_scales_rms_height"),
+    }
+    return [tail, long_waves]

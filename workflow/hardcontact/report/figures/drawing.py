@@ -1,0 +1,133 @@
+"""Drawing of a figure: its sheet, and the files that it is written to: PDF, PNG, SVG, its table."""
+
+import importlib
+import inspect
+import re
+from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
+from io import BytesIO
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.collections import Collection
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
+
+from hardcontact.base import dataset, published
+from hardcontact.base.whole_file import whole_file
+from hardcontact.report.figures import style
+
+WIDTH = 7.0  # inch: two columns of a journal page
+FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
+RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
+SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
+MAX_VECTOR_POINTS = 1000  # of a curve or of symbols that the SVG holds as such
+SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of the same widths, whichever a reader has
+KINDS = ("pdf", "png", "svg", "csv")
+READERS = {
+    "published_constants": published.constants,
+    "published_pull_off": published.pull_off,
+}
+
+
+def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
+    """Draw a figure, named as its module.
+
+    Inputs are the paths of the datasets and published tables that it is drawn from, outputs those
+    of its "pdf", "png", "svg" and "csv".
+    """
+    module = importlib.import_module(f"hardcontact.report.figures.{name}")
+    drawn_from = {
+        key: READERS.get(key, dataset.read)(inputs[key])
+        for key in inspect.signature(module.draw).parameters
+    }
+    with style.print_style():
+        table, figure = module.draw(**drawn_from)
+        save(figure, table, module.TITLE, outputs)
+
+
+def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:
+    """Write a figure and the table of its numbers, with its title.
+
+    Outputs are the paths of "pdf", "png", "svg" and "csv". The bytes are the same each time, and
+    all files are written or none.
+    """
+    style.freeze_layout(figure)
+    with ExitStack() as stack:
+        paths = {kind: stack.enter_context(whole_file(outputs[kind])) for kind in KINDS}
+        table.to_csv(paths["csv"], index=False, float_format="%.8g", lineterminator="\n")
+        metadata = {"Title": title}
+        figure.savefig(
+            paths["png"], format="png", dpi=RESOLUTION, metadata=metadata | {"Software": None}
+        )
+        figure.savefig(
+            paths["pdf"], format="pdf", dpi=RESOLUTION, metadata=metadata | {"CreationDate": None}
+        )
+        Path(paths["svg"]).write_bytes(svg_bytes(figure, title))
+
+
+def svg_bytes(figure: Figure, title: str, resolution: float = SVG_RESOLUTION) -> bytes:
+    """Return a figure as SVG for pages.
+
+    Its text is text, which is a third of the size of drawn letters. Curves and symbols of many
+    points become images; the resolution of images is in dots per inch.
+    """
+    for artist in figure.findobj(_has_many_points):
+        artist.set_rasterized(True)
+    buffer = BytesIO()
+    metadata = {"Title": title, "Date": None}
+    with mpl.rc_context({"svg.fonttype": "none"}):
+        figure.savefig(buffer, format="svg", dpi=resolution, metadata=metadata)
+    svg = buffer.getvalue().replace(b"'DejaVu Sans'", SVG_FONTS)
+    # Hundredths of a point are enough, and indentation is a tenth of the file.
+    return re.sub(rb"\s+", b" ", re.sub(rb"(\.\d\d)\d+", rb"\1", svg))
+
+
+def _has_many_points(artist: Artist) -> bool:
+    """Test if a line or a collection has too many points for an SVG."""
+    if isinstance(artist, Line2D):
+        return bool(np.size(artist.get_xdata()) > MAX_VECTOR_POINTS)
+    if isinstance(artist, Collection):
+        points = sum(np.size(path.vertices) // 2 for path in artist.get_paths())
+        marks = np.size(artist.get_offsets()) // 2
+        return bool(max(points, marks) > MAX_VECTOR_POINTS)
+    return False
+
+
+def create(height: float, surfaces: xr.Dataset) -> Figure:
+    """Return an empty figure of print width and the given height (inch).
+
+    A line at its foot names the surfaces that are substitutes. The dataset has `label(surface)` and
+    `basis(surface)`, "substitute" or "measured", or both as attributes for a single surface.
+    """
+    footer = FOOTER / height
+    layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
+    figure = Figure(figsize=(WIDTH, height), layout=layout)
+    labels, basis = (
+        np.atleast_1d(surfaces[name] if name in surfaces else surfaces.attrs[name])
+        for name in ("label", "basis")
+    )
+    substitutes = labels[basis == "substitute"]
+    note = "all surfaces measured"
+    if substitutes.size:
+        names = ", ".join(map(str, substitutes))
+        note = f"substitute surfaces: {names} (synthesised from published statistics)"
+    figure.text(0.006, 0.05 / height, note, fontsize=7, style="italic", va="bottom")
+    return figure
+
+
+def create_rows(
+    height: float, surfaces: xr.Dataset, *rows: tuple[float, Sequence[float]]
+) -> tuple[Figure, list[np.ndarray]]:
+    """Return such a figure and the panels of each row, given by relative height and widths."""
+    figure = create(height, surfaces)
+    grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
+    return figure, [
+        grid[row].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
+        for row, (_, widths) in enumerate(rows)
+    ]

@@ -1,0 +1,210 @@
+"""Fig. 3: how the pull-off forces are distributed, published and computed."""
+
+from collections.abc import Sequence
+from string import ascii_lowercase
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from scipy.stats import lognorm
+
+from hardcontact.base.printing import print_formatted
+from hardcontact.base.statistics import lognormal_shape
+from hardcontact.contact.force_curves import at_range
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Fig. 3: distribution of the pull-off forces"
+CHAPTER = "3. Adhesion"
+CAPTION = """\
+Forces computed with plastic contact for all scans and positions, at the published range ρ and
+work of adhesion W (filled) and at the fitted ones (outlined). Solid black: the log-normal
+distribution that follows from the published mean and median. Dashed, below: the log-normal
+fitted to the computed forces. Grey: forces the experiment could not resolve.
+
+Above the lower panels stands the shape s of the log-normal, published, s = sqrt(2
+ln(mean/median)), and of the fit, with its {{ inference.confidence | percent }} interval over
+scans; forces below the floor count as censored. The measured forces themselves are not public.
+Above, on linear axes, the published distribution is shown over the same bins as the computed
+ones; below, both axes are logarithmic. Drawn from adhesion.nc and inference.nc, published
+values from parameters.csv and pull_off.csv of resources/paper.
+"""
+
+CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+LINEAR_BINS = 24
+BINS_PER_DECADE = 8
+AT_PUBLISHED: style.Look = {"color": "0.4", "alpha": 0.55}
+AT_FIT: style.Look = {"edgecolor": "0.2", "linewidth": 1.2}
+PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0}
+COMPUTED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
+QUANTITIES = {  # computed variable, unit
+    "lognormal_shape": ("lognormal_shape", "1"),
+    "lognormal_median": ("lognormal_median", "N"),
+    "mean_force": ("force_mean", "N"),
+    "median_force": ("force_median", "N"),
+}
+COLUMNS = [
+    "surface", "label", "basis", "origin", "pair", "quantity", "panel", "force_low", "force_high",
+    *tables.VALUE_COLUMNS,
+]  # fmt: skip
+
+Pairs = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
+
+
+def draw(
+    adhesion: xr.Dataset,
+    inference: xr.Dataset,
+    published_constants: pd.DataFrame,
+    published_pull_off: pd.DataFrame,
+) -> tuple[pd.DataFrame, Figure]:
+    """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
+
+    Forces are taken at the published pair of range and work of adhesion, and at the fitted one: a
+    `pair`. The table has the probability density of each bin between `force_low` and `force_high`,
+    of the linear panels "1" and of the logarithmic panels "2", and the numbers of the log-normals.
+    """
+    fit = inference.sel(contact_model=CONTACT_MODEL)
+    floor, work = inference.attrs["force_floor"], adhesion.attrs["work_of_adhesion"]
+    pairs: dict[str, pd.Series | xr.Dataset] = {
+        "published": published_constants["value"],
+        "fitted": fit,
+    }
+    forces = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
+    forces_of_all = {
+        name: at_range(forces, float(pair["range_of_adhesion"]))
+        * (float(pair["work_of_adhesion"]) / work)
+        for name, pair in pairs.items()
+    }
+    colours = style.colours(inference["surface"].values)
+    figure = drawing.create(5.0, inference)
+    grid = figure.subplots(2, len(colours), squeeze=False)
+    frames = []
+    for letter, (surface, colour), (linear, logarithmic) in zip(
+        ascii_lowercase, colours.items(), grid.T, strict=False
+    ):
+        surface_forces = {  # a surface with fewer scans than others has NaN in place of theirs
+            name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
+            for name, values in forces_of_all.items()
+        }
+        numbers = _numbers(published_pull_off, fit.sel(surface=surface))
+        value = numbers.pivot(index="pair", columns="quantity", values="value")
+        lognormals = [
+            lognorm(value["lognormal_shape"][pair], scale=value["lognormal_median"][pair])
+            for pair in ("", "published")  # of the paper, and of the forces computed at its pair
+        ]
+        rows = [
+            _draw_linear(linear, surface_forces, lognormals[0], colour),
+            _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour),
+            numbers,
+        ]
+        label = fit["label"].sel(surface=surface).item()
+        style.label_panel(linear, f"{letter}_1", str(label))
+        published_pair = fit.sel(surface=surface, pair="published")
+        computed = tables.value_and_bounds(published_pair, "lognormal_shape")
+        shape = f"published $s$ = {value['lognormal_shape']['']:.2f}"
+        shape += f"\nhere {print_formatted(computed, '.2f')}"
+        style.label_panel(logarithmic, f"{letter}_2", shape)
+        for axes in (linear, logarithmic):
+            axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
+            axes.set_xlabel("pull-off force (µN)")
+        frames.append(pd.concat(rows).assign(surface=surface))
+    for axes in grid[:, 0]:
+        axes.set_ylabel("probability density (1/µN)")
+    published, fitted = (style.print_pair(pair) for pair in pairs.values())
+    handles = [
+        Patch(label=f"computed, published {published}", lw=0, **AT_PUBLISHED),
+        Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),
+        Line2D([], [], label="published log-normal", **PUBLISHED_LINE),
+        Line2D([], [], label="log-normal of the forces at the published pair", **COMPUTED_LINE),
+        Patch(color="0.85", label=f"below {floor * 1e9:.0f} nN"),
+    ]
+    style.legend_above(figure, handles, 3)
+    return tables.labelled(frames, inference, COLUMNS), figure
+
+
+def _numbers(published: pd.DataFrame, fit: xr.Dataset) -> pd.DataFrame:
+    """Return the numbers that describe the forces of one surface, published and at each pair."""
+    surface = fit["surface"].item()
+    mean, median = published["mean_force"][surface], published["median_force"][surface]
+    values = (lognormal_shape(mean, median), median, mean, median)
+    frames = [
+        tables.rows_of("", name, unit, "published", pair="", value=value)
+        for (name, (_, unit)), value in zip(QUANTITIES.items(), values, strict=True)
+    ]
+    for pair in ("published", "fitted"):
+        for name, (variable, unit) in QUANTITIES.items():
+            computed = tables.value_and_bounds(fit.sel(pair=pair), variable)
+            frames.append(tables.rows_of("", name, unit, pair=pair, **computed))
+    return pd.concat(frames, ignore_index=True)
+
+
+def _draw_linear(axes: Axes, forces_by_pair: Pairs, published: Any, colour: str) -> pd.DataFrame:
+    """Draw the computed histograms and the published log-normal over the same bins, in µN.
+
+    The bins reach from zero to a high quantile of each distribution.
+    """
+    ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
+    edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
+    computed = _draw_histograms(axes, forces_by_pair, edges, colour)
+    density = np.diff(published.cdf(edges)) / np.diff(edges)
+    axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **PUBLISHED_LINE)
+    axes.set_xlim(0, edges[-1] / style.MICRONEWTON)
+    axes.set_ylim(bottom=0)
+    axes.locator_params(nbins=4)
+    rows = _bin_rows(edges, density).assign(origin="published", pair="")
+    return pd.concat([rows, computed]).assign(panel="1")
+
+
+def _draw_logarithmic(
+    axes: Axes, forces_by_pair: Pairs, lognormals: Sequence[Any], floor: float, colour: str
+) -> pd.DataFrame:
+    """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN.
+
+    The bins, even in the logarithm, hold every force.
+    """
+    every = np.concatenate(list(forces_by_pair.values()))
+    first, last = np.log10(every.min()), np.log10(every.max())
+    steps = np.arange(np.floor(first * BINS_PER_DECADE), np.ceil(last * BINS_PER_DECADE) + 2)
+    edges = 10 ** (steps / BINS_PER_DECADE)
+    rows = _draw_histograms(axes, forces_by_pair, edges, colour)
+    exceeded = [lognormal.ppf(0.999) for lognormal in lognormals]
+    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *exceeded])
+    line = np.geomspace(*ends, 200)
+    for lognormal, look in zip(lognormals, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
+        curve = lognormal.pdf(line) * style.MICRONEWTON
+        axes.plot(line / style.MICRONEWTON, curve, **look)
+    bars = rows["value"][rows["value"] > 0] * style.MICRONEWTON
+    axes.set(xscale="log", yscale="log", xlim=np.divide(ends, style.MICRONEWTON))
+    # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
+    axes.set_ylim(bars.min() / 3, bars.max() * 10)
+    return rows.assign(panel="2")
+
+
+def _draw_histograms(
+    axes: Axes, forces_by_pair: Pairs, edges: np.ndarray, colour: str
+) -> pd.DataFrame:
+    """Fill the histogram at the published pair, and outline that at the fitted one.
+
+    Forces beyond the bins count in the total.
+    """
+    looks: dict[str, style.Look] = {
+        "published": {**AT_PUBLISHED, "color": colour, "fill": True},
+        "fitted": {**AT_FIT, "edgecolor": colour},
+    }
+    frames = []
+    for pair, look in looks.items():
+        forces = forces_by_pair[pair]
+        density = np.histogram(forces, edges)[0] / (forces.size * np.diff(edges))
+        axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **look)
+        frames.append(_bin_rows(edges, density).assign(origin="computed", pair=pair))
+    return pd.concat(frames)
+
+
+def _bin_rows(edges: np.ndarray, density: np.ndarray) -> pd.DataFrame:
+    """Return a row for each bin (N) with its probability density (1/N)."""
+    rows = pd.DataFrame({"force_low": edges[:-1], "force_high": edges[1:], "value": density})
+    return rows.assign(quantity="probability_density", unit="1/N")

@@ -1,0 +1,159 @@
+"""Fig. 6: which length scales of roughness the pull-off force depends on."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from hardcontact.band.critical_band import POOLED, last_cutoff
+from hardcontact.base.printing import print_share
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Fig. 6: the length scales that matter"
+CHAPTER = "6. Scales"
+CAPTION = """\
+Mean pull-off force without all roughness (a) below a short, (b) above a long cutoff, over that
+with all. Middle: how far the ratio is from one; black: mean over all substrates. Lower: the
+cutoff at which this exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
+1.8 µm. Hatched: artificial roughness.
+
+Lines and symbols: mean over realizations; bars: its {{ inference.confidence | percent }}
+interval, at most to a decade beyond all values. Intervals know the realizations on one set of
+scans alone; those of many sets stand in the figure of the sets. Grey: the change that counts as
+none. An edge lies between two cutoffs computed, or between the first of them and the end of the
+unfiltered spectrum; an arrow says that it lies beyond the last cutoff computed. Hatched:
+wavelengths beyond the transitions, {{ scales.small.transition }} and
+{{ scales.large.transition }}, where roughness made from the spectrum replaces the scan's, as in
+the paper, also at wavelengths that a scan holds; all long edges above
+{{ scales.large.transition }} lie there. Drawn from scales.nc, band.nc and
+resources/paper/parameters.csv.
+"""
+
+PUBLISHED: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
+COLUMNS = [
+    "side", "group", "label", "basis", "origin", "quantity", "cutoff_wavelength",
+    *tables.VALUE_COLUMNS, "beyond",
+]  # fmt: skip
+ENDS = ["value", "low", "high"]
+
+
+def draw(
+    band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame
+) -> tuple[pd.DataFrame, Figure]:
+    """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
+
+    The table has `ratio` and its distance from one, `change`, against `cutoff_wavelength` (nm), and
+    the critical wavelengths. `beyond` names the numbers that lie beyond the last cutoff computed
+    and are empty.
+    """
+    figure = drawing.create(6.2, band)
+    grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
+    frames = []
+    edges = {side: tables.published_edge(published_constants, side) for side in style.REMOVED}
+    for letter, (side, edge), column in zip("ab", edges.items(), grid.T, strict=True):
+        side_band = band.sel(side=side)
+        curves = {
+            name: tables.bounded(side_band, f"scale_{name}").dropna("cutoff_wavelength", how="all")
+            for name in ("ratio", "change")
+        }
+        end_cutoff = last_cutoff(side_band["scale_ratio"], side)
+        critical = tables.as_rows(tables.bounded(side_band, "critical_wavelength"))
+        critical["value"] = critical["value"].fillna(end_cutoff)
+        _draw_ratios(column[0], curves["ratio"], band.attrs["scale_tolerance"])
+        _draw_changes(column[1], curves["change"], band)
+        _draw_critical(column[2], critical, side_band, end_cutoff)
+        transition = float(scales["transition"].sel(side=side))
+        artificial = (0.0, transition) if side == "small" else (transition, np.inf)
+        for axes in column:
+            axes.axvline(edge, zorder=1, **PUBLISHED)
+            axes.label_outer()
+            style.shade_artificial(axes, [artificial])
+        style.label_panel(column[0], letter, style.REMOVED[side])
+        for name, curve in curves.items():
+            rows = tables.computed_rows(curve, quantity=name, unit="1", side=side)
+            frames.append(rows.rename(columns={"surface": "group"}))
+        published = pd.DataFrame([{"group": POOLED, "origin": "published", "value": edge}])
+        rows = pd.concat([_edge_rows(critical, end_cutoff), published])
+        frames.append(rows.assign(quantity="critical_wavelength", unit="nm", side=side))
+    for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
+        style.end_near_values(row)
+        for axes in row:
+            style.label_logarithmic(axes.yaxis, at=digits)
+    grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
+    style.legend_above(figure, _legend_handles(band, *edges.values()))
+    figure.align_ylabels(grid[:2, 0])
+    return tables.labelled(frames, band, COLUMNS, "group"), figure
+
+
+def _edge_rows(critical: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
+    """Return the rows without numbers at the last cutoff; the column `beyond` names them."""
+    beyond = np.isclose(critical[ENDS], end_cutoff)
+    names = [", ".join(np.array(ENDS)[row]) for row in beyond]
+    return critical.assign(**critical[ENDS].mask(beyond), beyond=names, origin="computed")
+
+
+def _looks(band: xr.Dataset) -> dict[str, style.Look]:
+    """Return colour and marker of each group: those of its surface, black for all pooled."""
+    return {**style.looks(band["surface"].values), POOLED: {"color": "black", "marker": "h"}}
+
+
+def _draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
+    """Draw ratio against cutoff (nm), and the tolerance in grey."""
+    axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
+    for look, curve in style.by_surface(ratio):
+        style.draw_bars(axes, curve["cutoff_wavelength"], curve, elinewidth=0.7, **look)
+    axes.set(xscale="log", yscale="log")
+    style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
+
+
+def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
+    """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
+    percent = change / style.PERCENT
+    cutoffs = percent["cutoff_wavelength"]
+    looks = _looks(band)
+    pooled_look = looks.pop(POOLED)
+    for surface, look in looks.items():
+        axes.plot(cutoffs, percent["value"].sel(group=surface), color=look["color"], lw=0.8)
+    style.draw_bars(axes, cutoffs, percent.sel(group=POOLED), elinewidth=0.9, lw=1.8, **pooled_look)
+    axes.axhline(band.attrs["scale_tolerance"] / style.PERCENT, color="0.6", lw=0.8, zorder=0)
+    axes.set(yscale="log", ylabel="|ratio − 1| (%)")
+
+
+def _draw_critical(
+    axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, end_cutoff: float
+) -> None:
+    """Mark the critical wavelength (nm) of each group with its interval, arrows beyond the last."""
+    looks = _looks(side_band)
+    labels = side_band["label"].to_series().to_dict() | {POOLED: "mean of all"}
+    arrow = ">" if side_band["side"].item() == "small" else "<"
+    ends = critical.set_index("group")[ENDS]
+    for row_number, (group, look) in enumerate(looks.items()):
+        value, low, high = ends.loc[[group]].to_numpy()[0]
+        axes.plot([low, high], [row_number] * 2, color=look["color"], lw=1.4)
+        if np.isclose([value, low, high], end_cutoff).any():
+            axes.plot(
+                end_cutoff, row_number, arrow, color=look["color"], ms=5, mew=0, clip_on=False
+            )
+        if not np.isclose(value, end_cutoff):
+            axes.plot(value, row_number, **look)
+    axes.set_yticks(range(len(looks)), [labels[group] for group in looks])
+    axes.set(ylim=(len(looks) - 0.4, -0.6), xlabel="cutoff wavelength (nm)")
+
+
+def _legend_handles(band: xr.Dataset, short: float, long: float) -> list[Artist]:
+    """Return one entry a group and one for each kind of line."""
+    confidence = print_share(band.attrs["confidence"])
+    tolerance = print_share(band.attrs["scale_tolerance"])
+    return [
+        *style.surface_handles(band),
+        Line2D([], [], lw=1.8, label="mean |ratio − 1| of all", **_looks(band)[POOLED]),
+        Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
+        Patch(color="0.88", lw=0, label=f"change below {tolerance}"),
+        Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED),
+        Patch(label="artificial roughness", **style.ARTIFICIAL),
+        Line2D([], [], ls="none", marker=">", ms=5, color="0.3", label="beyond the last cutoff"),
+    ]

@@ -1,0 +1,110 @@
+"""Asperities: how few patches carry the pull-off force, and how far apart they lie."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from hardcontact.band.critical_band import POOLED
+from hardcontact.base.printing import print_share
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "The asperities that carry the force"
+CHAPTER = "5. Asperities"
+CAPTION = """\
+The pixels that carry most of the pull-off force form patches. Against the range of adhesion ρ,
+with plastic contact: (a) share of the whole force on the largest patch, (b) on the two largest,
+(c) number of patches, (d) diameter of the circle that holds as much of the force. Symbols:
+median over contacts; bands: between quartiles.
+
+Pixels that touch at an edge or a corner belong to one patch; contacts are a sample on all scans;
+the circle of (d) is about the centre of force. Dotted: half of the force; the paper says that on
+MCD and NCD most of it comes from just one or two asperities. Black lines in (d): the same diameter
+for a smooth sphere on a smooth plane (solid), and the radius √(2Rρ) (dash-dotted) of the disk that
+the paper compares with the long critical wavelength. Grey line and band: the computed critical
+wavelength of all substrates at the range of Fig. 6, with its {{ inference.confidence | percent }}
+interval; dashed: published, 1.8 µm. Drawn from asperities.nc, band.nc and
+resources/paper/parameters.csv.
+"""
+
+MICROMETRE = 1000  # nm
+QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
+QUANTITIES = {  # title, axis, unit, printed unit
+    "largest_share": ("largest patch", "share of the force", "1", 1),
+    "two_largest_share": ("two largest patches", "share of the force", "1", 1),
+    "patches": ("patches with {share:g} % of the force", "number of patches", "1", 1),
+    "extent": ("diameter that holds {share:g} % of the force", "length (µm)", "nm", MICROMETRE),
+}
+
+
+def draw(
+    asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
+) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
+
+    The table has the median over contacts with its quartiles `low` and `high`.
+    """
+    figure = drawing.create(5.2, asperities)
+    grid = figure.subplots(2, 2, sharex=True)
+    share = asperities.attrs["share"]
+    frames = []
+    for letter, axes, (name, (title, label, unit, printed)) in zip(
+        "abcd", grid.ravel(), QUANTITIES.items(), strict=True
+    ):
+        quartiles = asperities[name].quantile(list(QUARTILES.values()), ["scan", "contact"])
+        curves = quartiles.assign_coords(quantile=list(QUARTILES)).to_dataset("quantile")
+        frames.append(tables.computed_rows(curves, panel=letter, quantity=name, unit=unit))
+        for look, curve in style.by_surface((curves / printed).assign(label=asperities["label"])):
+            style.fill_interval(axes, curve, "rho", look["color"])
+            axes.plot(curve["rho"], curve["value"], label=str(curve["label"].item()), **look)
+        axes.set_ylabel(label)
+        style.label_panel(axes, letter, title.format(share=100 * share))
+    for axes in grid[0]:
+        axes.axhline(0.5, color="0.4", lw=0.8, ls=":", label="half of the force (a, b)")
+        axes.set_ylim(0, 1)
+    frames.append(_draw_smooth(grid[1, 1], asperities))
+    frames.append(_draw_critical(grid[1, 1], band, published_constants))
+    for axes in grid[1]:
+        axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
+        style.label_logarithmic(axes.xaxis, axes.yaxis)
+    entries = style.legend_entries((grid[0, 0], grid[1, 1]))
+    entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=style.OPACITY, lw=0)
+    figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=4)
+    return tables.tidy(frames, asperities, "rho"), figure
+
+
+def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
+    """Draw lengths (µm) against rho of a smooth sphere on a plane.
+
+    The attraction there falls with the distance r from the apex as exp(-r²/(2Rρ)).
+    """
+    radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
+    extent = 2 * radius * np.sqrt(-np.log(1 - asperities.attrs["share"]))
+    frames = []
+    for name, lengths, label, dashes in (
+        ("smooth_extent", extent, "smooth sphere on a plane (d)", "-"),
+        ("interaction_radius", radius, "interaction radius √(2Rρ) (d)", "-."),
+    ):
+        look: style.Look = {"color": "black", "lw": 0.9, "ls": dashes, "label": label}
+        axes.plot(lengths["rho"], lengths / MICROMETRE, **look)
+        frames.append(tables.computed_rows(lengths, panel="d", quantity=name, unit="nm"))
+    return pd.concat(frames)
+
+
+def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+    """Draw the long critical wavelength (µm) of all, computed with its interval, and published."""
+    pooled_band = band.sel(side="large", group=POOLED)
+    edge = tables.value_and_bounds(pooled_band, "critical_wavelength")
+    value, low, high = (length / MICROMETRE for length in edge.values())
+    published = tables.published_edge(published_constants, "large")
+    confidence = print_share(band.attrs["confidence"])
+    axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
+    if np.isfinite([low, high]).all():
+        axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")
+    look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
+    axes.axhline(published / MICROMETRE, **look)
+    name = "critical_wavelength"
+    published_row = tables.rows_of("d", name, "nm", "published", value=published)
+    return pd.concat([tables.rows_of("d", name, "nm", **edge), published_row])

@@ -1,0 +1,79 @@
+"""Closed form of the pull-off force compared with computed forces, and the role of single peaks."""
+
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "The pull-off force in closed form"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Forces computed on the largest random surfaces (symbols), the closed form (solid) and its
+first term alone (dotted). (b) Closed form over computed force. (c) (σ/ρ)/(m/σ): above one
+single peaks decide, below one many points do.
+
+For a random surface whose heights are normally distributed the mean pull-off force follows from
+the power spectrum alone: exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force on a smooth surface for
+all points that do not touch, where σ is the rms height, ρ the range of adhesion and m the
+height of closest approach, and the forces of the summits that touch and of the plastic contact
+area. Bars in (a): {{ inference.confidence | percent }} intervals over the surfaces. In (b) the
+closest approach is that which the spectrum lets expect (solid) or that computed (dashed); grey:
+within a factor of two. Where (σ/ρ)/(m/σ) exceeds one, the attraction comes from heights that
+only single peaks reach. Drawn from closed_form.nc.
+"""
+
+#: Where closest approach comes from: its line, and as it is printed.
+SOURCES = {
+    "spectrum": ("-", "closed form of the spectrum alone"),
+    "contacts": ("--", "with computed approaches"),
+}
+
+
+def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing.
+
+    Rows without a panel are both edges of the band.
+    """
+    figure = drawing.create(3.3, closed_form)
+    panels = figure.subplots(1, 3)
+    forces, errors, freezing = panels
+    largest = closed_form.isel(map_size=-1)
+    for look, surface_data in style.by_surface(largest):
+        rho = surface_data["rho"]
+        force = tables.bounded(surface_data, "computed_force") / style.MICRONEWTON
+        style.draw_bars(forces, rho, force, ls="none", elinewidth=0.8, **look)
+        for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
+            predicted = surface_data[name].sel(source="spectrum") / style.MICRONEWTON
+            forces.plot(rho, predicted, color=look["color"], lw=0.9, ls=dashes)
+        for source, (dashes, _) in SOURCES.items():
+            errors.plot(rho, surface_data["error"].sel(source=source), ls=dashes, **look)
+        freezing.plot(rho, surface_data["whole_freezing"], **look)
+    forces.set(ylabel="pull-off force (µN)", yscale="log", ylim=(1e-3, None))
+    errors.set(ylabel="closed form / computed", yscale="log", ylim=(0.3, 3))
+    freezing.set(ylabel="(σ/ρ) / (m/σ)", yscale="log")
+    for axes in panels:
+        axes.set(xscale="log", xlabel="range of adhesion ρ (nm)")
+        style.label_logarithmic(axes.xaxis, axes.yaxis)
+    style.label_panel(forces, "a", f"on maps of {largest['map_size'].item() / 1000:g} µm")
+    style.label_panel(errors, "b", "its error")
+    style.label_panel(freezing, "c", "freezing, all scales")
+    errors.axhspan(0.5, 2, color="0.93", zorder=0)
+    for axes in (errors, freezing):
+        axes.axhline(1, color="0.4", lw=0.8, ls=":")
+    freezing.annotate("single peaks", (0.97, 0.95), xycoords="axes fraction", ha="right", va="top")
+    freezing.annotate("many points", (0.03, 0.05), xycoords="axes fraction")
+    handles = [
+        *style.surface_handles(closed_form),
+        Line2D([], [], color="0.3", ls="none", marker="o", label="computed"),
+        *(Line2D([], [], color="0.3", ls=ls, label=label) for ls, label in SOURCES.values()),
+        Line2D([], [], color="0.3", ls=":", label="its first term alone"),
+    ]
+    style.legend_above(figure, handles)
+    forces_drawn = (("a", f"{name}_force", "N") for name in ("computed", "predicted", "first_term"))
+    columns = [*forces_drawn, ("b", "error", "1"), ("c", "whole_freezing", "1")]
+    edges = tables.computed_rows(closed_form["edge"], panel="", unit="nm")
+    edges["quantity"] = "edge_" + edges.pop("side")
+    frames = [tables.drawn_rows(closed_form, *columns), edges]
+    return tables.tidy(frames, closed_form, "map_size", "source", "rho"), figure

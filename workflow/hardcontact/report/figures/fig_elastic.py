@@ -1,0 +1,129 @@
+"""Elastic contact: its pressure over the hardness, its pull-off force over the rigid one."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
+
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Elastic contact"
+CHAPTER = "2. Contact"
+CAPTION = """\
+(a) Pressure of one elastic contact on each substrate at the preload, around its peak; from blue
+to red at the hardness. (b) Share of the contact area whose pressure exceeds the hardness. (c)
+Peak pressure beside the hardness (solid) and a smooth sphere's (dashed). (d) Change of the
+pull-off force from rigid to elastic bodies.
+
+All stands at the pixels of the scans; shorter waves have higher slopes and pressures. Grey in
+(a): no contact; pressures beyond the scale have its end colours. Published: in (b), grey, "in
+most of the contact area"; in (c) 135 MPa for the smooth sphere by Hertz; in (d) "virtually
+indistinguishable", and no numbers. Forces of (d) are computed in the same window for both, at
+the published range and work of adhesion. In (b-d) each dot is one contact, those of a scan
+stand in one column, and the bar is the median over all contacts of a substrate. Drawn from
+elastic.nc.
+"""
+
+GIGAPASCAL = 1e9
+PRESSURES = "RdBu_r"  # white at the hardness
+TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
+NO_CONTACT = "0.75"
+MOST = 0.5  # share of the contact area that the paper calls "most"
+LEVELS = {  # attribute: origin, label, line
+    "hardness": ("given", "hardness", "-"),
+    "hertz_peak_pressure": ("computed", "smooth sphere (Hertz)", "--"),
+}
+SPREAD = 0.6  # of the scans of one surface, in places of surfaces
+
+
+def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
+
+    The table has a row for each contact, for the median of each surface, and for the levels they
+    are compared with, the published one as `low` to `high`.
+    """
+    surfaces = elastic.sizes["surface"]
+    figure, (maps, (shares, peaks, forces)) = drawing.create_rows(
+        4.6, elastic, (1, (1,) * surfaces), (1.3, (1, 1, 1))
+    )
+    ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
+    _draw_pressures(maps, elastic)
+
+    _draw_contacts(shares, elastic["hard_share"])
+    shares.axhspan(MOST, 1, color="0.88", zorder=0)
+    middle = shares.get_xlim()[1] / 2
+    shares.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
+    shares.set(ylim=(-0.03, 1.12), ylabel="share of contact area")
+    style.label_panel(shares, "b", "pressure above hardness")
+
+    _draw_contacts(peaks, elastic["peak_pressure"] / GIGAPASCAL)
+    for name, (_, label, dashes) in LEVELS.items():
+        level = elastic.attrs[name] / GIGAPASCAL
+        peaks.axhline(level, color="black", lw=0.9, ls=dashes, label=label)
+    peaks.set(yscale="log", ylabel="peak pressure (GPa)")
+    style.label_logarithmic(peaks.yaxis, at=(1,))
+    peaks.legend()
+    style.label_panel(peaks, "c", "highest pressure")
+
+    excess = (ratio - 1) / style.PERCENT
+    _draw_contacts(forces, excess)
+    forces.axhline(0, color="0.7", lw=0.6, zorder=0)
+    forces.set_ylabel("elastic / rigid pull-off − 1 (%)")
+    style.label_panel(forces, "d", f"differs by up to {abs(excess).max().item():.2g} %")
+
+    for axes in (shares, peaks, forces):
+        axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED)
+    frames = []
+    for panel, name, unit, values in (
+        ("b", "hard_share", "1", elastic["hard_share"]),
+        ("c", "peak_pressure", "Pa", elastic["peak_pressure"]),
+        ("d", "elastic_over_rigid", "1", ratio),
+    ):
+        medians = values.median(["scan", "contact"])
+        frames += [
+            tables.computed_rows(values, panel=panel, quantity=name, unit=unit),
+            tables.computed_rows(medians, panel=panel, quantity=f"{name}_median", unit=unit),
+        ]
+    frames.append(tables.rows_of("b", "hard_share", "1", "published", low=MOST, high=1.0))
+    for name, (origin, _, _) in LEVELS.items():
+        frames.append(tables.rows_of("c", name, "Pa", origin, value=elastic.attrs[name]))
+    return tables.tidy(frames, elastic, "scan", "contact"), figure
+
+
+def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
+    """Map the pressure of one contact of each surface, white at the hardness."""
+    hardness = elastic.attrs["hardness"] / GIGAPASCAL
+    ticks = hardness * TICKS
+    pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
+    reach = 1.1 * style.half_width((pressure > 0).any("surface"))
+    for position, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
+        # Positions that belong to the pixels of other surfaces alone hold no value here.
+        surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
+        shown, norm = surface_data.where(surface_data > 0), LogNorm(ticks[0], ticks[-1])
+        image = axes.pcolormesh(
+            shown["x"], shown["y"], shown, norm=norm, cmap=PRESSURES, **style.PIXELS
+        )
+        axes.set(facecolor=NO_CONTACT, aspect="equal", xlabel="x (nm)")
+        axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
+        axes.locator_params(nbins=4)
+        axes.label_outer()
+        style.label_panel(axes, f"a_{position}", str(surface_data["label"].item()))
+    row[0].set_ylabel("y (nm)")
+    bar = row[0].figure.colorbar(image, ax=row, pad=0.01, extend="both")
+    bar.set_label("pressure (GPa)\nline: hardness")
+    bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
+    bar.minorticks_off()
+    bar.ax.axhline(hardness, color="black", lw=1.0)
+
+
+def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
+    """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
+    offsets = np.linspace(-SPREAD / 2, SPREAD / 2, values.sizes["scan"])[:, None]
+    for position, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
+        surface_data = values.sel(surface=surface).transpose("scan", "contact")
+        places = np.broadcast_to(position + offsets, surface_data.shape)
+        axes.plot(places.ravel(), surface_data.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6)
+        axes.hlines(surface_data.median(), position - 0.45, position + 0.45, color=colour, lw=1.6)
+    axes.set_xlim(-0.6, values.sizes["surface"] - 0.4)

@@ -1,0 +1,38 @@
+"""Elastic pressure over the hardness against the shortest wavelength of a surface."""
+
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Which waves make contacts yield"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+Mean pressure of elastic contact over the hardness, E* h'/(1.67 H), with the rms slope h' of all
+waves of a surface down to a shortest one; from 1 (line) on contacts yield.
+
+The bearing area, preload over hardness, takes every contact as plastic. A surface whose curve
+is below 1 at the pixels of its scans yields with shorter waves, where the curve passes 1; below
+1 nm these are waves of a few atoms. Drawn from elastic_limit.nc.
+"""
+
+MIN_INDEX = 0.01  # that is drawn
+
+
+def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw one curve for each surface; from 1 (line) on contacts yield."""
+    figure = drawing.create(3.0, elastic_limit)
+    axes = figure.subplots()
+    index = elastic_limit["slope_index"]
+    visible = elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
+    for look, surface in style.by_surface(visible):
+        label, index = str(surface["label"].item()), surface["slope_index"]
+        axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
+    axes.axhline(1, color="black", lw=0.9)
+    axes.set(xscale="log", yscale="log", xlabel="shortest wavelength (nm)")
+    axes.set_ylabel("elastic pressure / hardness, E*h'/(1.67 H)")
+    axes.legend(loc="lower left")
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
+    rows = tables.drawn_rows(visible, ("", "slope_index", "1"))
+    return tables.tidy([rows], elastic_limit, "shortest_wavelength"), figure

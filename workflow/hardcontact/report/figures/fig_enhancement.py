@@ -1,0 +1,96 @@
+"""Whether plasticity and a long range of adhesion move the short edge of the critical band."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from hardcontact.band.critical_band import POOLED
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Plasticity and range of adhesion together make small roughness negligible"
+CHAPTER = "6. Scales"
+CAPTION = """\
+Fig. 6a for rigid and plastic contact at a short and at the published range of adhesion ρ. Below:
+the short edge of the band.
+
+At the edge the force has changed by {{ scales.tolerance | percent }}. The paper argues that a long
+range and plasticity enhance each other, so that wavelengths below 43 nm (dashed) do not matter. A
+rigid sphere touches in one pixel. Bars: {{ inference.confidence | percent }} interval over
+realizations; arrows: no edge above the shortest cutoff. Contacts and pixels are those of the sets.
+Drawn from enhancement.nc and resources/paper/parameters.csv.
+"""
+
+COLUMNS = [
+    "panel", "group", "label", "basis", "origin", "quantity", "contact_model", "rho",
+    "cutoff_wavelength", *tables.VALUE_COLUMNS,
+]  # fmt: skip
+
+
+def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
+    """Draw force ratios and short edges of every contact model and range of adhesion.
+
+    The table has the force ratio (1) by surface and cutoff (nm), and the short edge (nm) by group.
+    """
+    bands = enhancement.sel(side="small")
+    cases = [(model, rho) for model in bands["contact_model"].values for rho in bands["rho"].values]
+    figure = drawing.create(4.4, enhancement)
+    grid = figure.subplots(
+        2, len(cases), sharex=True, sharey="row", height_ratios=(3, 1.5), squeeze=False
+    )
+    edge = tables.published_edge(published_constants, "small")
+    frames = []
+    for letter, (model, rho), (above, below) in zip("abcd", cases, grid.T, strict=True):
+        band = bands.sel(contact_model=model, rho=rho)
+        ratio = tables.bounded(band, "scale_ratio").dropna("cutoff_wavelength", how="all")
+        edges = tables.bounded(band, "critical_wavelength")
+        _draw_ratios(above, ratio, enhancement.attrs["tolerance"])
+        _draw_edges(below, edges, ratio["cutoff_wavelength"].values, bands)
+        for axes in (above, below):
+            axes.axvline(edge, **style.PUBLISHED_RANGE)
+        below.set_xlabel("cutoff (nm)")
+        style.label_panel(above, letter, f"{model}, ρ = {rho:g} nm")
+        columns = {"panel": letter, "contact_model": model, "rho": rho}
+        rows = tables.computed_rows(ratio, quantity="ratio", unit="1", **columns)
+        frames.append(rows.rename(columns={"surface": "group"}))
+        frames.append(
+            tables.computed_rows(edges, quantity="critical_wavelength", unit="nm", **columns)
+        )
+    grid[0, 0].set_ylabel("pull-off force / unfiltered")
+    handles = [
+        *style.surface_handles(enhancement),
+        Line2D([], [], color="black", marker="h", label="mean |ratio − 1| of all"),
+        Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
+        Patch(color="0.88", label=f"change below {enhancement.attrs['tolerance']:.0%}"),
+    ]
+    style.legend_above(figure, handles)
+    return tables.labelled(frames, enhancement, COLUMNS, "group"), figure
+
+
+def _draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
+    """Draw the force ratio of each surface against cutoff (nm)."""
+    axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
+    for look, curve in style.by_surface(ratio):
+        style.draw_bars(axes, curve["cutoff_wavelength"], curve, elinewidth=0.7, ms=3, **look)
+    axes.set(xscale="log", yscale="log")
+    style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
+
+
+def _draw_edges(axes: Axes, edges: xr.Dataset, cutoffs: np.ndarray, bands: xr.Dataset) -> None:
+    """Draw the short edge (nm) of each group, an arrow where it lies below the first cutoff."""
+    looks = style.looks(bands["surface"].values) | {POOLED: {"color": "black", "marker": "h"}}
+    labels = bands["label"].to_series().to_dict() | {POOLED: "mean of all"}
+    for row, (group, look) in enumerate(looks.items()):
+        edge = edges.sel(group=group)
+        axes.plot([edge["low"], edge["high"]], [row, row], color=look["color"], lw=1)
+        value = edge["value"].item()
+        if value < cutoffs[0]:
+            axes.plot(cutoffs[0], row, marker="<", color=look["color"], ms=5)
+        else:
+            axes.plot(value, row, ms=4, **look)
+    axes.set_yticks(range(len(looks)), [labels[group] for group in looks])
+    axes.set_ylim(len(looks) - 0.5, -0.5)
+    style.label_logarithmic(axes.xaxis, at=(1, 2, 5))

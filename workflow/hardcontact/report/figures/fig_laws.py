@@ -1,0 +1,96 @@
+"""Other laws of attraction: their pressure, and edges of the critical band by each."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.report.figures import drawing, style, tables
+from hardcontact.theory.interaction_laws import LAWS, pressure
+
+TITLE = "Other laws of attraction"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Attraction against the gap by other laws than Eq. 1 of the paper, each with the range and
+the work of adhesion that come nearest to the forces of Eq. 1 at the published pair. (b) Short
+and (c) long edge of the critical band by each law.
+
+The force of any law that decays steadily is a mixture of the forces of exponential laws (Eq. 1);
+its range is work of adhesion over attraction at contact. Edges are those of each surface and of
+their mean, at the range that comes nearest to Eq. 1 (full) and at an atomic spacing (open). Where
+a symbol is missing, the edge lies beyond the last cutoff. Bars:
+{{ inference.confidence | percent }} intervals over scans and their masters. Drawn from laws.nc.
+"""
+
+# Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.
+COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933")
+DASHES = ("-", "--", "-.", ":")
+MARKERS = ("o", "s", "^", "D")
+LOOKS: dict[str, style.Look] = {
+    law.name: {"color": colour, "marker": marker}
+    for law, colour, marker in zip(LAWS, COLOURS, MARKERS, strict=True)
+}
+GAPS = np.geomspace(0.1, 300.0, 200)  # nm
+PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
+PANELS = {"small": ("b", "short edge (nm)"), "large": ("c", "long edge (nm)")}
+FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2"}
+
+
+def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) pressures, (b, c) edges of the band; a `group` is a substrate or all pooled."""
+    figure, ((pressures, *edges),) = drawing.create_rows(3.2, laws, (1, (1, 1.2, 1.2)))
+    _draw_pressures(pressures, laws)
+    frames = [tables.drawn_rows(laws, *(("a", name, unit) for name, unit in FITS.items()))]
+    for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
+        _draw_edges(axes, laws, side)
+        style.label_panel(axes, panel, title)
+        column = (panel, "critical_wavelength", "nm")
+        frames.append(tables.drawn_rows(laws.sel(side=[side]), column))
+    handles = [
+        Line2D([], [], ls=dashes, label=law.label, **LOOKS[law.name])
+        for law, dashes in zip(LAWS, DASHES, strict=True)
+    ]
+    mark: style.Look = {"ls": "none", "marker": "o", "color": "0.3"}
+    handles += [
+        Line2D([], [], label="range that comes nearest to Eq. 1", **mark),
+        Line2D([], [], label="range of an atomic spacing", mfc="white", **mark),
+    ]
+    style.legend_above(figure, handles, 6)
+    return tables.tidy(frames, laws, "law", "case", "side", surfaces="group"), figure
+
+
+def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
+    """Draw the pressure of every law at the length and work equivalent to Eq. 1."""
+    case = laws.sel(case="equivalent")
+    for law, colour, dashes in zip(LAWS, COLOURS, DASHES, strict=True):
+        law_data = case.sel(law=law.name)
+        rho, work = law_data["range_of_law"].item(), law_data["work_of_adhesion"].item()
+        values = PRESSURE * work / rho * pressure(law, GAPS, rho)
+        axes.plot(GAPS, values, color=colour, ls=dashes)
+    axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
+    axes.set_ylim(bottom=1e-7)
+    style.label_logarithmic(axes.xaxis, at=(1,))
+    style.label_panel(axes, "a", "laws of like force")
+
+
+def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
+    """Draw the edges of each surface and of all pooled, the laws side by side.
+
+    Filled marks are for ranges equivalent to Eq. 1, open marks for an atomic spacing.
+    """
+    edges = tables.bounded(laws, "critical_wavelength").sel(side=side)
+    places = np.arange(edges.sizes["group"])
+    offsets = np.linspace(-0.3, 0.3, len(LOOKS))
+    fills: dict[str, style.Look] = {"equivalent": {}, "atomic": {"mfc": "white"}}
+    for (case, fill), shift in zip(fills.items(), (0, 0.07), strict=True):
+        for (law, look), offset in zip(LOOKS.items(), offsets, strict=True):
+            law_data = edges.sel(case=case, law=law)
+            marks = look | fill | {"ls": "none", "ms": 3.5, "lw": 0.8}
+            style.draw_bars(axes, places + offset + shift, law_data, **marks)
+    labels = laws["label"].to_series()
+    groups = [labels.get(group, "mean of all") for group in laws["group"].values]
+    axes.set_xticks(range(len(groups)), groups, **style.TILTED)
+    axes.set(yscale="log")
+    style.label_logarithmic(axes.yaxis)

@@ -1,0 +1,87 @@
+"""Which surface decides the fit of range and work of adhesion: each is left out in turn."""
+
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Which surface decides range and work of adhesion"
+CHAPTER = "3. Adhesion"
+CAPTION = """\
+(a) Range and (b) work of adhesion that fit the forces of all surfaces or all but one best, and (c)
+the error that is left.
+
+Contact is plastic. Dots: median of many equally good sets of substitute scans; bars: 90 % of them.
+Stars: the study's own scans. Dashed: the published range, work and bound of the error; grey: the
+published uncertainty. A fit of two numbers to three forces has one force left to test it, that to
+four has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
+"""
+
+CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+PANELS = {  # by variable: title, unit as printed, unit drawn, unit of the table, published constant
+    "range_of_adhesion": ("range ρ", "nm", 1.0, "nm", "range_of_adhesion"),
+    "work_of_adhesion": ("work $W$", "mJ/m²", style.MILLIJOULE, "J/m2", "work_of_adhesion"),
+    "best_error": ("mean relative error", "1", 1.0, "1", "error_threshold"),
+}
+COLUMNS = ["panel", "left_out", "label", "basis", "origin", "quantity", *tables.VALUE_COLUMNS]
+
+
+def draw(
+    leave_one_out: xr.Dataset, published_constants: pd.DataFrame
+) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) range, (b) work and (c) error of the fits to all surfaces and to all but one.
+
+    The table has the median over sets with SHARE_OF_SETS of them, of `origin` "sets", and the
+    numbers of the study's own scans, "computed". `left_out` is "none" or a surface.
+    """
+    fits = leave_one_out.sel(contact_model=CONTACT_MODEL)
+    figure = drawing.create(2.6, leave_one_out)
+    panels = figure.subplots(1, len(PANELS), sharey=True)
+    frames = []
+    for letter, axes, name in zip("abc", panels, PANELS, strict=True):
+        title, printed_unit, unit, table_unit, constant = PANELS[name]
+        published = tables.published_rows(published_constants, {constant: table_unit}, letter)
+        value, low, high = published[["value", "low", "high"]].iloc[0] / unit
+        axes.axvspan(low, high, color="0.85", lw=0)
+        axes.axvline(value, **style.PUBLISHED_RANGE)
+        over_sets = tables.over_sets(fits[f"set_{name}"])
+        _draw_rows(axes, over_sets / unit, fits[name] / unit)
+        axes.set(xscale="log", xlabel=title if printed_unit == "1" else f"{title} ({printed_unit})")
+        style.label_logarithmic(axes.xaxis, at=(1, 3))
+        style.label_panel(axes, letter, title)
+        columns = {"panel": letter, "quantity": name, "unit": table_unit}
+        frames += [
+            published,
+            tables.as_rows(over_sets).assign(origin="sets", **columns),
+            tables.computed_rows(fits[[name]].rename({name: "value"}), **columns),
+        ]
+    labels = leave_one_out["label"].to_series()
+    names = [
+        "all surfaces" if left_out == NONE_LEFT_OUT else f"without {labels[left_out]}"
+        for left_out in fits["left_out"].values
+    ]
+    panels[0].set_yticks(range(len(names)), names)
+    panels[0].invert_yaxis()
+    handles = [
+        Line2D([], [], ls="none", marker="o", color="0.3", label="median of the sets"),
+        Line2D([], [], color="0.3", label="90 % of the sets"),
+        Line2D([], [], ls="none", label="the study's own scans", **style.FIT_STAR),
+        Line2D([], [], label="published", **style.PUBLISHED_RANGE),
+    ]
+    style.legend_above(figure, handles)
+    return tables.labelled(frames, leave_one_out, COLUMNS, "left_out"), figure
+
+
+def _draw_rows(axes: Axes, over_sets: xr.Dataset, own: xr.DataArray) -> None:
+    """Draw a row for each surface left out: the sets in its colour, the study's own fit."""
+    substrates = [name for name in own["left_out"].values if name != NONE_LEFT_OUT]
+    colours = style.colours(substrates) | {NONE_LEFT_OUT: "0.3"}
+    for row, name in enumerate(own["left_out"].values):
+        fits = over_sets.sel(left_out=name)
+        axes.plot([fits["low"], fits["high"]], [row, row], color=colours[name])
+        axes.plot(fits["value"], row, "o", color=colours[name])
+        axes.plot(own.sel(left_out=name), row, **style.FIT_STAR)

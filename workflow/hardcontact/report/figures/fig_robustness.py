@@ -1,0 +1,162 @@
+"""Robustness: range, work of adhesion and critical band under other assumptions."""
+
+from collections.abc import Iterable
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from hardcontact.band.critical_band import POOLED
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "How far the results depend on choices"
+CHAPTER = "7. Robustness"
+CAPTION = """\
+(a) Range of adhesion, (b) work of adhesion, (c) short and (d) long critical wavelength of all
+substrates, each computed again with one choice changed, with fewer contacts and pixels than the
+study. Compare with the top row and its dotted line: the study's own choices at this smaller
+size. Diamond: the study itself. Dashed: published.
+
+Contact is plastic. The choices: what curvature in Table 1 means to the substitutes; how the
+heights of {{ robustness.heights.surface }} are distributed (the study: Gaussian; skewness
+otherwise, the rms height of each scan kept, by a construction that was fitted to one public AFM
+scan of UNCD: no skewness is known of the other surfaces); a rough sphere in Fig. 6; the preload;
+the hardness. Variants have the first scan of the sphere alone. Small open circles: other local
+minima of the error along the range of adhesion, to which a fit may jump. Bars:
+{{ inference.confidence | percent }} intervals, from Student's t on logarithms over scans (a, b)
+or realizations (c, d); an interval that ends at the largest or smallest range computed is open
+there. Grey: the published uncertainty. "Not affected": the choice concerns Fig. 6 alone; "never
+reached": the force stays within the band at all cutoffs. Drawn from robustness.nc, inference.nc,
+band.nc and resources/paper/parameters.csv.
+"""
+
+BASELINE = "baseline"
+FULL = "the study itself"
+ABOVE = 0.4  # rows between the baseline and the study itself
+GAP = 0.4  # rows between groups of variants
+VARIANT: style.Look = {"color": "0.15", "marker": "o"}
+STUDY: style.Look = {"color": style.FIT, "marker": "D", "markerfacecolor": "white"}
+MINIMUM: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
+WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
+MISSING: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
+COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
+#: Published constant: unit, printed unit in it, title, axis.
+QUANTITIES = {
+    "range_of_adhesion": ("nm", 1, "range of adhesion", "ρ (nm)"),
+    "work_of_adhesion": ("J/m2", 1e-3, "work of adhesion", "$W$ (mJ/m²)"),
+    "critical_wavelength_small": ("nm", 1, "short cutoff", "$λ_S$ (nm)"),
+    "critical_wavelength_large": ("nm", 1000, "long cutoff", "$λ_L$ (µm)"),
+}
+#: Values of a quantity at all local minima of the error of the fit.
+MINIMA = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}
+
+
+def draw(
+    robustness: xr.Dataset,
+    inference: xr.Dataset,
+    band: xr.Dataset,
+    published_constants: pd.DataFrame,
+) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
+
+    In the table only variants have a `variant`. Values are empty where a variant does not affect a
+    quantity or the force never leaves the band.
+    """
+    # The choices of the study that the variants are computed with and for.
+    study = inference.sel(contact_model="plastic").merge(band.sel(group=POOLED), compat="override")
+    group = robustness["group"].values
+    heights = np.concatenate([[0], np.cumsum(1 + GAP * (group[1:] != group[:-1]))])
+    figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
+    panels = figure.subplots(1, len(QUANTITIES), sharey=True)
+    frames = []
+    for letter, axes, (name, (unit, printed_unit, title, axis)) in zip(
+        "abcd", panels, QUANTITIES.items(), strict=True
+    ):
+        variants = _results(robustness, name)
+        study_results = _results(study, name).assign(label=FULL)
+        published = tables.published_rows(published_constants, {name: unit}, letter)
+        computed = [variants.assign(quantity=name), study_results.assign(quantity=name)]
+        _draw_published(axes, published.iloc[0], printed_unit)
+        if name in MINIMA:
+            minima = _other_minima(robustness, MINIMA[name])
+            row = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
+            axes.plot(minima["value"] / printed_unit, row, ls="none", **MINIMUM)
+            computed.append(minima.assign(quantity=MINIMA[name]))
+        note = "not affected" if name in MINIMA else "never reached"
+        ends = ["value", "low", "high"]
+        _draw_results(axes, variants[ends] / printed_unit, heights, note, VARIANT)
+        _draw_results(axes, study_results[ends] / printed_unit, [-ABOVE], note, STUDY)
+        baseline = variants["value"][variants["group"] == BASELINE].item()
+        axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
+        axes.set(xscale="log", xlabel=axis)
+        axes.tick_params(axis="y", length=0)
+        style.label_logarithmic(axes.xaxis, at=(1, 3) if name in MINIMA else (1, 2, 3, 5))
+        style.label_panel(axes, letter, title)
+        frames.append(pd.concat(computed).assign(panel=letter, origin="computed", unit=unit))
+        frames.append(published)
+    panels[0].set_yticks(heights, robustness["variant_label"].values)
+    panels[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
+    style.legend_above(figure, _legend_handles(robustness), 2)
+    return pd.concat(frames).reindex(columns=COLUMNS), figure
+
+
+def _results(data: xr.Dataset, name: str) -> pd.DataFrame:
+    """Return a quantity of the variants, or of the study, with its intervals, a row each."""
+    if name not in MINIMA:
+        name, _, side = name.rpartition("_")
+        data = data.sel(side=side)
+    values = tables.bounded(data, name)
+    if "variant" not in data.dims:
+        return pd.DataFrame([{str(end): number.item() for end, number in values.items()}])
+    labels = data[["variant_label", "group"]].rename(variant_label="label")
+    return tables.as_rows(values.merge(labels, compat="override"))
+
+
+def _other_minima(robustness: xr.Dataset, name: str) -> pd.DataFrame:
+    """Return a quantity at the local minima of the error of each variant but the least."""
+    minima = robustness[["variant_label", "group", name]].isel(minimum=slice(1, None))
+    return tables.as_rows(minima.rename({"variant_label": "label", name: "value"})).dropna(
+        subset=["value"]
+    )
+
+
+def _draw_published(axes: Axes, published: pd.Series, unit: float) -> None:
+    """Draw the published value as a line, and its uncertainty, if it has one, as a band."""
+    if np.isfinite(published["low"]):
+        axes.axvspan(published["low"] / unit, published["high"] / unit, color="0.85", zorder=0)
+    axes.axvline(published["value"] / unit, color="0.4", lw=1.0, ls="--")
+
+
+def _draw_results(
+    axes: Axes, results: pd.DataFrame, heights: Iterable[float], note: str, look: style.Look
+) -> None:
+    """Draw values and their intervals, or a note if there is no value."""
+    for height, (value, low, high) in zip(heights, results.itertuples(index=False), strict=True):
+        axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
+        axes.plot([value], [height], ls="none", **look)
+        if not np.isfinite(value):
+            axes.text(0.5, height, note, transform=axes.get_yaxis_transform(), **MISSING)
+
+
+def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
+    """Return one entry for each kind of mark; the dotted line has the name of the top row."""
+    baseline = robustness["variant_label"].values[robustness["group"].values == BASELINE][0]
+    size = robustness.attrs
+    plural = "" if size["realizations"] == 1 else "s"
+    variants = (
+        f"variants: {size['count']} x {size['count']} contacts, {size['realizations']} "
+        f"realization{plural} of {size['pixels_small']}² and {size['pixels_large']}² pixels"
+    )
+    return [
+        Line2D([], [], lw=1.2, label=variants, **VARIANT),
+        Line2D([], [], ls="none", label="other minima of the error", **MINIMUM),
+        Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY),
+        Line2D([], [], lw=0.6, ls=":", color="0.15", label=str(baseline)),
+        Line2D([], [], lw=1.0, ls="--", color="0.4", label="published"),
+        Patch(color="0.85", lw=0, label="its uncertainty"),
+    ]

@@ -1,0 +1,145 @@
+"""Scaling of the band: edges and their formulas, errors of the formulas, map of the regimes."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import NullLocator
+
+from hardcontact.report.figures import drawing, style, tables
+from hardcontact.theory.closed_form import TRANSITION
+from hardcontact.theory.edge_scaling import FORMULA
+
+TITLE = "Scaling of the band: surface, attraction or contact?"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Short edge of the critical band against the range of adhesion ρ, (b) long edge against the
+reach √(2Rρ) of the attraction along the surface, (c) computed edges over those of the formulas
+on random surfaces that were designed for this, (d) all surfaces among the regimes.
+
+In (a) and (b) symbols are computed edges of spheres of several radii R, with their
+{{ inference.confidence | percent }} intervals over realizations, lines the formulas, one a
+sphere; dashed: the published edges. Where no cutoff changes the force by more than the tolerance
+of Fig. 6, no edge is shown. In (c) are the surfaces that were held out; open: the edge is a bound,
+the last cutoff; grey: within a factor of two. In (d) σ is the rms height, m the height of closest
+approach over the mean plane, ρ the range; line: σ/ρ = m/σ, where many points (left) give way to
+single peaks, with the transition in grey. Marks: the surfaces at the sphere, range and load of the
+paper; crosses: two chromium nitride coatings there, from published spectra; pale: the designed
+surfaces. λ_r is the wavelength whose octave holds most of the variance of heights. Drawn from
+scaling.nc and resources/paper/parameters.csv.
+"""
+
+TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
+REACH = "$\\sqrt{2R\\rho}$"
+PUBLISHED: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+#: Edges of designed surfaces.
+SIDES = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
+#: Names of published spectra on the map.
+NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
+#: Places on the map, and contact over roll-off, of the surfaces of the study and the designed ones.
+OWN = ("over_range", "approach_level", "contact_over_rolloff")
+DESIGNED = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
+BETWEEN = ("side", "radius", "area", "rho", "reach", "designed", "prediction")  # columns
+
+
+def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
+    """Draw edges against (a) the range and (b) the reach, (c) errors, (d) a map of the regimes.
+
+    Sections go through the contact area nearest to the paper's; the table has all areas.
+    """
+    figure = drawing.create(5.6, scaling)
+    (short, long), (errors, regimes) = figure.subplots(2, 2)
+    scaling = scaling.set_coords("reach")
+    section = scaling.sel(area=scaling.attrs["area"], method="nearest")
+    frames = []
+    for axes, side, along, letter in ((short, "small", "rho", "a"), (long, "large", "reach", "b")):
+        _draw_edges(axes, section.sel(side=side), along)
+        published = tables.published_edge(published_constants, side)
+        axes.axhline(published, **PUBLISHED)
+        axes.set_ylabel(TITLES[side])
+        style.label_panel(axes, letter, f"F/H = {section['area']:g} nm²; lines: formula")
+        drawn = ((letter, name, "nm") for name in ("edge", "formula_edge"))
+        frames.append(tables.drawn_rows(scaling.sel(side=[side]), *drawn))
+        frames.append(tables.rows_of(letter, "edge", "nm", "published", side=side, value=published))
+    short.set(xlabel="range of adhesion ρ (nm)")
+    short.set_xticks(scaling["rho"], [f"{rho:g}" for rho in scaling["rho"].values])
+    short.xaxis.set_minor_locator(NullLocator())
+    long.set(xlabel=f"reach of the attraction {REACH} (nm)")
+    held_out = scaling.sel(designed=scaling["held_back"] == 1, prediction=FORMULA)
+    _draw_errors(errors, held_out)
+    _draw_regimes(regimes, scaling)
+    drawn = (("d", name, "1") for name in (*OWN, *DESIGNED))
+    frames += [
+        tables.drawn_rows(held_out, ("c", "designed_error", "1")),
+        tables.drawn_rows(scaling, *drawn),
+    ]
+    line = Line2D([], [], label="published edge", **PUBLISHED)
+    style.legend_above(figure, [*style.surface_handles(scaling, ls="none"), line], 5)
+    return tables.tidy(frames, scaling, *BETWEEN), figure
+
+
+def _draw_edges(axes: Axes, cases: xr.Dataset, along: str) -> None:
+    """Draw the edges of one side, all surfaces, with intervals, and a line a sphere by formula."""
+    edges = tables.bounded(cases, "edge").assign(along=cases[along], formula=cases["formula_edge"])
+    for look, surface_data in style.by_surface(edges):
+        surface_cases = surface_data.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
+        style.draw_bars(
+            axes, surface_cases["along"], surface_cases, ls="none", ms=3, elinewidth=0.4, **look
+        )
+        for radius in surface_data["radius"]:
+            line = surface_data.sel(radius=radius)
+            axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
+    axes.set(xscale="log", yscale="log")
+    style.label_logarithmic(axes.xaxis)
+    style.label_logarithmic(axes.yaxis, at=(1, 3))
+
+
+def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
+    """Draw the ratio of computed edges to the formula against t rho/sigma for designed surfaces."""
+    modulus = held_out["designed_level"] / held_out["designed_over_range"]
+    for side, (colour, marker, label) in SIDES.items():
+        side_data = held_out.sel(side=side)
+        errors, bound = side_data["designed_error"], side_data["designed_bound"] != 0
+        look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
+        axes.plot(modulus[~bound], errors[~bound], **look, label=label)
+        axes.plot(modulus[bound], errors[bound], **look, mfc="white")
+    axes.axhspan(0.5, 2, color="0.92", lw=0, zorder=0)
+    axes.axhline(1, color="0.7", lw=0.6, zorder=0)
+    axes.axvline(1, color="0.7", lw=0.6, ls=":", zorder=0)
+    axes.set(xscale="log", yscale="log", xlim=(0.03, None))
+    axes.set(xlabel="modulus $k = \\rho m/\\sigma^2$", ylabel="computed / formula")
+    axes.legend(loc="upper right", handletextpad=0.2)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
+    style.label_panel(axes, "c", "designed surfaces, held out")
+
+
+def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
+    """Draw all surfaces over sigma/rho and t; the area of a mark is sqrt(F/H) over the roll-off."""
+    levels = np.geomspace(0.1, 300, 200)
+    axes.plot(levels, levels, color="0.4", lw=0.8)
+    axes.fill_between(
+        levels, levels - TRANSITION, levels + TRANSITION, color="0.92", lw=0, zorder=0
+    )
+
+    is_nitride = scaling["designed"].isin(list(NITRIDES))
+    modulus = scaling["designed_level"] / scaling["designed_over_range"]
+    for many_points, colour in ((True, "0.75"), (False, "#DDCC77")):
+        designed = scaling.sel(designed=~is_nitride & ((modulus > 1) == many_points))
+        x, y, contact = (designed[name] for name in DESIGNED)
+        axes.scatter(x, y, s=8 + 600 * contact, c=colour, lw=0, alpha=0.8)
+    for look, surface_data in style.by_surface(scaling):
+        x, y, contact = (surface_data[name] for name in OWN)
+        axes.scatter(x, y, s=8 + 600 * contact, **look, edgecolors="black", lw=0.5, zorder=3)
+    for name, label in NITRIDES.items():
+        coating = scaling.sel(designed=name)
+        x, y = coating["designed_over_range"].item(), coating["designed_level"].item()
+        axes.plot(x, y, "x", color=style.PUBLISHED, ms=5)
+        axes.annotate(label, (x, y), (-3, 4), textcoords="offset points", ha="right", fontsize=7)
+    axes.set(xscale="log", xlim=(0.2, 300), ylim=(-0.5, 5))
+    axes.set(xlabel="$\\sigma/\\rho$", ylabel="level of closest approach $t = m/\\sigma$")
+    axes.text(0.25, 4.6, "many points", fontsize=7, style="italic", va="top")
+    axes.text(280, 4.6, "single peaks", fontsize=7, style="italic", ha="right", va="top")
+    style.label_logarithmic(axes.xaxis)
+    style.label_panel(axes, "d", "regimes; area of a mark: contact over roll-off $\\lambda_r$")

@@ -1,0 +1,104 @@
+"""How large a scan must be: force and long edge on windows and on surfaces, and the rule."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "How large a scan must be"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Mean force on mirrored windows over that on the random surfaces they were cut out of,
+against the side of the window; lines: the rule. (b) Side of a scan on which the force is too
+large by a factor. (c) Long edge of the band, from mirrored windows (filled) and from whole
+surfaces (hollow).
+
+Computed once, with the settings of the paper (resources/validation). Windows are cut out of
+large random surfaces, levelled, mirrored and brought into contact as the paper does with its
+scans. The rule is a power law of 2√(2Rσ) over the side of the scan, of the roll-off over it, and
+of σ/ρ, σ the rms height, R the radius of the sphere and ρ the range of adhesion. It was fitted to
+random self-affine surfaces, not to these; bars in (a): 95 % intervals over realizations. The long
+edge is the wavelength above which removing roughness changes the mean force by 10 %; bars: 95 %
+intervals, where open drawn to the shortest cutoff or to the longest wave of the surface; an open
+edge stands at its bound. Grey: longest wave of a mirrored window. In (a) and (c) surfaces of one
+size stand side by side. Dashed: the scans of the paper. Drawn from scan_size.nc.
+"""
+
+BETWEEN = ("scan_size", "rho", "predicted", "mirrored", "status")  # columns
+MICROMETRE = 1000  # nm
+OF_SCAN: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+
+
+def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) the excess against the scan, (b) sizes needed, (c) long edges; open: the bound."""
+    figure = drawing.create(3.2, scan_size)
+    sizes, needed, edges = figure.subplots(1, 3)
+    rho, allowed = scan_size.attrs["rho"], scan_size.attrs["allowed_excess"]
+    frames = [
+        _draw_sizes(sizes, scan_size.sel(rho=rho, method="nearest")),
+        tables.drawn_rows(scan_size, ("b", "size_needed", "nm")),
+        _draw_edges(edges, scan_size),
+    ]
+    for look, surface_data in style.by_surface(scan_size):
+        needed.plot(
+            scan_size["rho"], surface_data["size_needed"] / MICROMETRE, ms=3, lw=0.6, **look
+        )
+    needed.axhline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
+    needed.set(xlabel="range of adhesion ρ (nm)", ylabel="scan needed (µm)")
+    style.label_panel(needed, "b", f"for {allowed:g} times the force")
+    for axes in (sizes, edges):
+        axes.axvline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
+        axes.set_xlabel("side of the scan (µm)")
+    for axes in (sizes, needed, edges):
+        axes.set(xscale="log", yscale="log")
+        style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
+    style.end_near_values([sizes])
+    style.legend_above(figure, style.surface_handles(scan_size, ls="none"))
+    return tables.tidy(frames, scan_size, *BETWEEN), figure
+
+
+def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
+    """Draw the excess of all surfaces with intervals, and the rule as lines."""
+    excess = tables.bounded(section, "excess").assign(predicted=section["predicted_excess"])
+    sizes = section["scan_size"] / MICROMETRE
+    for look, surface_data, factor in _side_by_side(excess):
+        style.draw_bars(axes, factor * sizes, surface_data, ls="none", ms=3, elinewidth=0.6, **look)
+        axes.plot(sizes, surface_data["predicted"], color=look["color"], lw=0.7)
+    axes.set_ylabel("force over that on a large surface")
+    style.label_panel(axes, "a", f"windows, ρ = {section['rho']:g} nm")
+    return tables.computed_rows(excess, panel="a", quantity="excess", unit="1")
+
+
+def _side_by_side(data: xr.Dataset) -> Iterator[tuple[style.Look, xr.Dataset, float]]:
+    """Yield look and data of each surface, and a factor that shifts its symbols along x."""
+    factors = np.geomspace(0.88, 1 / 0.88, data.sizes["surface"])
+    for (look, surface_data), factor in zip(style.by_surface(data), factors, strict=True):
+        yield look, surface_data, float(factor)
+
+
+def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
+    """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits."""
+    edges = tables.bounded(scan_size, "long_edge").assign(
+        mirrored=scan_size["mirrored"], status=scan_size["long_edge_status"]
+    )
+    edges["value"] = edges["value"].fillna(scan_size["long_edge_bound"])
+    shortest, period = scan_size["cutoff_wavelength"].min(), scan_size["period"]
+    ends = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
+    ends = ends.assign(ends[["value", "low", "high"]] / MICROMETRE)
+    for look, surface_data, factor in _side_by_side(ends):
+        for mirrored, fill in ((1, look["color"]), (0, "white")):
+            kind = surface_data.sel(edge_size=ends["mirrored"] == mirrored)
+            places = factor * kind["edge_size"] / MICROMETRE
+            marks = look | {"mfc": fill, "ls": "none", "ms": 3.5, "elinewidth": 0.7}
+            style.draw_bars(axes, places, kind, **marks)
+    windows = period.sel(edge_size=scan_size["mirrored"] == 1) / MICROMETRE
+    axes.plot(windows["edge_size"] / MICROMETRE, windows, color="0.7", lw=0.8, zorder=0)
+    axes.set_ylabel("long edge of the band (µm)")
+    style.label_panel(axes, "c", f"long edge, ρ = {scan_size.attrs['rho']:g} nm")
+    rows = tables.computed_rows(edges, panel="c", quantity="long_edge", unit="nm")
+    return rows.rename(columns={"edge_size": "scan_size"}).assign(rho=scan_size.attrs["rho"])

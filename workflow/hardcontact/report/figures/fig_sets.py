@@ -1,0 +1,145 @@
+"""Many sets of substitutes: where each puts range and work of adhesion, and the critical band."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.band.critical_band import last_cutoff
+from hardcontact.base.printing import print_share
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "Many sets of substitutes"
+CHAPTER = "3. Adhesion"
+CAPTION = """\
+Sets of substitute scans as good as the study's. (a) Range of adhesion ρ that fits the published
+forces best. (b) Best ρ and work of adhesion W of each set; star: the study's own. (c, d)
+Pull-off force without roughness below or above a cutoff, over that with all, of 90 % of the
+sets.
+
+Each set has as many scans as the study, drawn at random from a pool, with exactly the mean and
+standard deviation of the rms height of Table 1. (a) Plastic (filled) and rigid contact (dashed
+line). (b) Plastic contact; rings: further ranges at which the error has a minimum; purple ring:
+other minima of the study's own scans. Black: published result, 46.3 mJ/m² and 5.6 nm, with its
+uncertainty. (c, d) Lines: medians; dashed: the published edges of the critical band. The table
+has the edge of each surface, too. Dashed in (a) and (b): the published range. Drawn from sets.nc,
+inference.nc and resources/paper/parameters.csv.
+"""
+
+PLASTIC = "plastic"  # the contact model that the paper's conclusions rest on
+MODELS: dict[str, style.Look] = {
+    "plastic": {"fill": True, "color": "0.55"},
+    "rigid": {"color": "black", "ls": "--", "lw": 1.0},
+}
+BINS_PER_DECADE = 8
+FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+UNITS = {"minimum_range": "nm", "minimum_work": "J/m2", "minimum_error": "1", **FITTED_UNITS}
+COLUMNS = [
+    "panel", "group", "label", "basis", "origin", "quantity", "contact_model", "set", "minimum",
+    "range_low", "range_high", "side", "cutoff_wavelength", *tables.VALUE_COLUMNS,
+]  # fmt: skip
+
+
+def draw(
+    sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame
+) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a, b) the best fits of all sets, (c, d) filtered surfaces.
+
+    The table has (a) the share of the sets whose best range lies between `range_low` and
+    `range_high`, and in (c, d) medians over the sets with SHARE_OF_SETS as `low` and `high`.
+    """
+    fit, set_fits = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
+    figure, ((counts, places), ratios) = drawing.create_rows(
+        5.6, inference, (1, (1, 1)), (1, (1, 1))
+    )
+    frames = [
+        _draw_histograms(counts, sets, inference["rho"].values[[0, -1]]),
+        _draw_places(places, set_fits),
+        tables.published_rows(published_constants, FITTED_UNITS, "b"),
+    ]
+    style.draw_fit(places, fit, "work", style.MILLIJOULE)
+    style.draw_published_fit(places, published_constants)
+    for axes in (counts, places):
+        style.draw_published_range(axes, published_constants)
+        axes.set(xscale="log", xlabel="range of adhesion ρ (nm)")
+        style.label_logarithmic(axes.xaxis, at=(1, 3))
+    for letter, axes, side in zip("cd", ratios, style.REMOVED, strict=True):
+        rows = _draw_ratios(axes, sets.sel(side=side))
+        axes.axvline(tables.published_edge(published_constants, side), **style.PUBLISHED_RANGE)
+        style.label_panel(axes, letter, style.REMOVED[side])
+        frames.append(rows.assign(panel=letter, side=side))
+    style.end_near_values([ratios[0]])
+    ratios[0].set_ylabel("pull-off force / unfiltered")
+    handles = [
+        *style.surface_handles(inference, marker=""),
+        style.sets_handle(),
+        Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
+        *style.legend_entries([places]).values(),
+        Line2D([], [], label="published range and edges", **style.PUBLISHED_RANGE),
+    ]
+    style.legend_above(figure, handles, 4)
+    return tables.labelled(frames, inference, COLUMNS, "group"), figure
+
+
+def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataFrame:
+    """Draw the share of the sets (%) by their best range (nm), for both contact models.
+
+    The bins, even in the logarithm, hold all ranges computed, between the given ends.
+    """
+    low, high = ends
+    edges = np.geomspace(low, high, 1 + round(BINS_PER_DECADE * np.log10(high / low)))
+    frames = []
+    for model, look in MODELS.items():
+        ranges = sets["range_of_adhesion"].sel(contact_model=model)
+        clipped = ranges.clip(edges[0], edges[-1])  # the ends of a sweep belong to it
+        shares = np.histogram(clipped, edges)[0] / ranges.size
+        axes.stairs(shares / style.PERCENT, edges, label=f"{model} contact", **look)
+        bins = tables.rows_of(
+            "a", "share_of_sets", "1", range_low=edges[:-1], range_high=edges[1:], value=shares
+        )
+        frames.append(bins.assign(contact_model=model))
+    spread = tables.over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
+    middle, low, high = (spread[name].item() for name in ("value", "low", "high"))
+    axes.set_ylabel("share of sets (%)")
+    axes.set_ylim(top=1.3 * axes.get_ylim()[1])
+    axes.legend(loc="upper left")
+    interval = f"{print_share(tables.SHARE_OF_SETS)} in {low:.2g} to {high:.3g} nm"
+    title = f"{sets.sizes['set']} sets: median {middle:.3g} nm,\n{interval}"
+    style.label_panel(axes, "a", title)
+    return pd.concat(frames)
+
+
+def _draw_places(axes: Axes, set_fits: xr.Dataset) -> pd.DataFrame:
+    """Mark the best range (nm) and work of adhesion (mJ/m2) of each set, and its other minima."""
+    best = set_fits["range_of_adhesion"]
+    others = set_fits["minimum_range"].where(set_fits["minimum_range"] != best)
+    works = set_fits[["minimum_work", "work_of_adhesion"]] / style.MILLIJOULE
+    minima = others.values.ravel(), works["minimum_work"].values.ravel()
+    ring: style.Look = {"mfc": "none", "mec": "0.6", "mew": 0.5, "ms": 3.5}
+    axes.plot(*minima, "o", zorder=1, label="other minimum of a set", **ring)
+    axes.plot(best, works["work_of_adhesion"], "o", color="0.4", ms=4, mec="white", mew=0.3)
+    axes.set(yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
+    style.label_logarithmic(axes.yaxis)
+    style.label_panel(axes, "b", "best fits, plastic contact")
+    return tables.drawn_rows(set_fits, *(("b", name, unit) for name, unit in UNITS.items()))
+
+
+def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
+    """Draw median and band of the force ratio of each surface against cutoff (nm).
+
+    The last cutoff replaces a missing critical wavelength, which lies beyond it.
+    """
+    ratio = tables.over_sets(side_sets["scale_ratio"]).dropna("cutoff_wavelength", how="all")
+    for look, curve in style.by_surface(ratio):
+        style.fill_interval(axes, curve, "cutoff_wavelength", look["color"])
+        axes.plot(curve["cutoff_wavelength"], curve["value"], color=look["color"])
+    axes.axhline(1, color="0.6", lw=0.6, zorder=0)
+    axes.set(xscale="log", yscale="log", xlabel="cutoff wavelength (nm)")
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
+    end_cutoff = last_cutoff(side_sets["scale_ratio"], side_sets["side"].item())
+    edges = tables.over_sets(side_sets["critical_wavelength"].fillna(end_cutoff))
+    ratio_rows = tables.computed_rows(ratio, quantity="ratio", unit="1")
+    edge_rows = tables.computed_rows(edges, quantity="critical_wavelength", unit="nm")
+    return pd.concat([ratio_rows.rename(columns={"surface": "group"}), edge_rows])

@@ -1,0 +1,80 @@
+"""Whether the measured forces fit the substitutes: how high they put the apex of the sphere."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.paper.standoff import STATISTICS
+from hardcontact.report.figures import drawing, style, tables
+
+TITLE = "How high measured forces put the sphere"
+CHAPTER = "3. Adhesion"
+CAPTION = """\
+How much higher the published mean (solid) and median force (dashed) put the sphere's apex than the
+computed ones, in rms heights, at (a) the published work of adhesion W, (b) the best W.
+
+The height is that above the mean planes, the rms height that of sphere and substrate together. The
+best W fits the four mean forces at each range ρ. At zero a substitute lets the sphere as close as
+the measured surface did; above, the measured surface holds it off, as by protrusions that are
+higher than those of a Gaussian surface. Both heights follow from the attraction of all points of a
+Gaussian surface below a sphere at this height (Eq. 1), so that the formula's error for few points
+cancels in part. Contact is plastic. Vertical line: the published range. Drawn from standoff.nc and
+resources/paper/parameters.csv.
+"""
+
+TITLES = {"published": "published $W$", "fitted": "$W$ that fits best at each ρ"}
+LINES = {"mean": "-", "median": "--"}
+RANGES = (0.5, 15)  # nm, about both ranges that fit
+MISSING = (-2.5, 8)  # rms heights
+COLUMNS = [
+    "panel", "surface", "label", "basis", "origin", "quantity", "statistic", "work_of_adhesion",
+    "rho", *tables.VALUE_COLUMNS,
+]  # fmt: skip
+
+
+def draw(standoff: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
+    """Draw the missing height over the range of adhesion at (a) the published and (b) fitted work.
+
+    The table has this difference over the rms height (1), and both heights (nm).
+    """
+    difference = standoff["required_height"] - standoff["computed_height"]
+    missing = (difference / standoff["rms_height"]).rename("missing_height")
+    figure = drawing.create(3.2, standoff)
+    panels = figure.subplots(1, len(TITLES), sharey=True)
+    frames = []
+    for letter, axes, (work, title) in zip("ab", panels, TITLES.items(), strict=True):
+        _draw_curves(axes, missing.sel(work_of_adhesion=work), standoff)
+        style.draw_published_range(axes, published_constants)
+        style.label_panel(axes, letter, title)
+        for name, unit in (("missing_height", "1"), ("required_height", "nm")):
+            values = missing if name == "missing_height" else standoff[name]
+            rows = values.sel(work_of_adhesion=work)
+            frames.append(tables.computed_rows(rows, panel=letter, quantity=name, unit=unit))
+    computed = standoff["computed_height"]
+    frames.append(tables.computed_rows(computed, panel="", quantity="computed_height", unit="nm"))
+    panels[0].set_ylabel("missing height / rms height")
+    handles = [
+        *style.surface_handles(standoff, marker=""),
+        *(
+            Line2D([], [], color="0.3", ls=LINES[name], label=f"{name} force")
+            for name in STATISTICS
+        ),
+        Line2D([], [], label="published range", **style.PUBLISHED_RANGE),
+    ]
+    style.legend_above(figure, handles)
+    return tables.labelled(frames, standoff, COLUMNS), figure
+
+
+def _draw_curves(axes: Axes, missing: xr.DataArray, standoff: xr.Dataset) -> None:
+    """Draw the missing height (surface, statistic, rho) of each surface and statistic."""
+    colours = style.colours(standoff["surface"].values)
+    axes.axhline(0, color="0.6", lw=0.6)
+    for surface, colour in colours.items():
+        for statistic, line in LINES.items():
+            curve = missing.sel(surface=surface, statistic=statistic)
+            axes.plot(curve["rho"], np.asarray(curve), color=colour, ls=line)
+    axes.set(xscale="log", xlabel="range of adhesion ρ (nm)", xlim=RANGES, ylim=MISSING)
+    style.label_logarithmic(axes.xaxis, at=(1, 3))

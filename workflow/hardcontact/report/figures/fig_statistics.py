@@ -1,0 +1,129 @@
+"""Scatter of pull-off forces: the law compared with designed surfaces, the study and the paper."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.report.figures import drawing, style, tables
+from hardcontact.theory.pull_off_statistics import CHANCE, LEAST_LEVEL, held_back
+
+TITLE = "How pull-off forces scatter"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Standard deviation of ln F over 400 independent places of designed surfaces, computed,
+against that of the law. (b) Distances of Kolmogorov and Smirnov between computed forces and
+three distributions, by the modulus k = ρm/σ². (c) The four coatings.
+
+Contact in (a) and (b) is rigid and plastic, the sphere smooth. Nothing is fitted but the mean of
+each surface; the log-normal is fitted to each. Filled: surfaces that were not looked at while the
+law was made; only these are in (b). Crosses: skewed heights (skewness ±0.6), on which the law of
+Gaussian surfaces fails. Grey in (a): contacts below two rms heights above the mean plane, left out
+of (b). Dotted in (b): the distance that one in twenty samples of 400 from the law itself exceeds.
+(c) shows the law at the range of adhesion ρ of {{ scales.range }} in plastic contact, over places
+and over places and scans, whose rms heights are taken to differ by the uncertainties of Table 1;
+crosses: what mean and median of the latter tell, √(2 ln(mean/median)), as of the published forces;
+and the computed values of the study with {{ inference.confidence | percent }} intervals, an arrow
+where they leave the frame. Drawn from statistics.nc.
+"""
+
+#: Distributions by their names in the dataset, as they are drawn and printed.
+DISTANCES: dict[str, tuple[style.Look, str]] = {
+    "law": ({"color": "black", "marker": "o"}, "law"),
+    "lognormal_fitted": ({"color": style.FIT, "marker": "^"}, "log-normal, fitted"),
+    "weibull": ({"color": "0.6", "marker": "s"}, "Weibull of modulus k"),
+}
+#: Spreads of a coating: how each is drawn, and its name.
+SPREADS: dict[str, tuple[style.Look, str]] = {
+    "spread": ({"mfc": "none"}, "law: places"),
+    "total_spread": ({}, "law: places and scans"),
+    "total_shape": ({"marker": "x"}, "the same, mean and median"),
+    "computed_spread": ({"alpha": 0.5, "ms": 2.5}, "study"),
+}
+#: That the panel holds, over the highest published or predicted spread.
+ROOM = 1.6
+
+
+def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw (a) spreads, (b) distances of designed surfaces, (c) the spreads of the coatings."""
+    figure, ((spreads, distances), (coatings,)) = drawing.create_rows(
+        5.2, statistics, (1.2, (1, 1)), (1, (1,))
+    )
+    tested = held_back(statistics)
+    section = statistics.sel(rho=statistics.attrs["reference_rho"])
+    _draw_spreads(spreads, statistics)
+    _draw_distances(distances, tested)
+    _draw_coatings(coatings, section)
+    drawn = ("designed_spread", "designed_predicted_spread")
+    frames = [
+        tables.drawn_rows(statistics, *(("a", name, "1") for name in drawn)),
+        tables.drawn_rows(tested, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)),
+        tables.drawn_rows(section, *(("c", name, "1") for name in SPREADS)),
+        tables.drawn_rows(section, ("c", "published_spread", "1")).assign(origin="published"),
+    ]
+    return tables.tidy(frames, statistics, "case"), figure
+
+
+def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
+    """Draw computed against predicted spreads of ln F, by kind of surface."""
+    skewed = statistics["designed_skewed"] != 0
+    low = (statistics["designed_level"] < LEAST_LEVEL) & ~skewed
+    fair, held_out = ~skewed & ~low, statistics["designed_held_back"] == 1
+    black = {"marker": "o", "color": "black", "ms": 3}
+    groups: list[tuple[xr.DataArray, str, style.Look]] = [
+        (skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
+        (low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
+        (fair & ~held_out, "used for the law", black | {"mfc": "none"}),
+        (fair & held_out, "held out", black),
+    ]
+    for group, label, look in groups:
+        cases = statistics.isel(case=np.flatnonzero(group))
+        x, y = cases["designed_predicted_spread"], cases["designed_spread"]
+        axes.plot(x, y, ls="none", mew=0.7, label=label, **look)
+    ends = [0.05, 1.5]
+    axes.plot(ends, ends, color="0.4", lw=0.8, ls=":")
+    axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
+    axes.set(xlabel="standard deviation of ln F, law", ylabel="computed")
+    axes.legend(loc="upper left")
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
+    style.label_panel(axes, "a", "scatter over places")
+
+
+def _draw_distances(axes: Axes, tested: xr.Dataset) -> None:
+    """Draw how far the forces of the surfaces held out are from each distribution."""
+    for name, (look, label) in reversed(DISTANCES.items()):
+        distance = tested[f"designed_distance_{name}"]
+        axes.plot(tested["designed_modulus"], distance, ls="none", ms=3, label=label, **look)
+    axes.axhline(CHANCE, color="0.4", lw=0.8, ls=":")
+    axes.set(xscale="log", yscale="log", ylim=(0.004, 1.2))
+    axes.set(xlabel="modulus k = ρm/σ²", ylabel="largest difference of probabilities")
+    axes.legend(loc="lower left")
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
+    style.label_panel(axes, "b", "distance of distributions")
+
+
+def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
+    """Draw the spreads of the coatings, by the law, of the study and published."""
+    # Intervals of two scans may reach far beyond all values: an arrow marks those that do.
+    highest = ROOM * section[["published_spread", *SPREADS]].to_array().max().item()
+    for position, (look, surface_data) in enumerate(style.by_surface(section)):
+        for step, (name, (marker, _)) in enumerate(SPREADS.items()):
+            curve = tables.bounded(surface_data, name).expand_dims("place")
+            curve = (
+                curve if "low" in curve else curve.assign(low=curve["value"], high=curve["value"])
+            )
+            x = position + 0.15 * (step - 1.5)
+            style.draw_bars(axes, [x], curve, ls="none", **look | marker)
+            if curve["high"].item() > highest:
+                axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)
+        published = surface_data["published_spread"].item()
+        axes.plot([position - 0.3, position + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
+    axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
+    axes.set_xticks(range(section.sizes["surface"]), section["label"].values)
+    handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published, mean and median")]
+    marks: style.Look = {"color": "0.3", "marker": "o", "ls": "none"}
+    handles += [Line2D([], [], **marks | marker, label=label) for marker, label in SPREADS.values()]
+    axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5))
+    style.label_panel(axes, "c", f"coatings at ρ = {section['rho'].item():g} nm")

@@ -1,0 +1,63 @@
+"""The figures in the order of the report, and their descriptions.
+
+A figure is a module of its name. It has a `TITLE`, the `CHAPTER` of the report, a `CAPTION` and a
+function `draw`, which returns the table of the figure and the drawing. The arguments of `draw` are
+its inputs: names of final datasets, or of published tables, keys of `config.patterns.PUBLISHED`.
+"""
+
+import ast
+from pathlib import Path
+from typing import NamedTuple
+
+#: Figures of the paper's story, in its order.
+OF_PAPER = (
+    "fig1",
+    "fig_elastic",
+    "fig5",
+    "fig3",
+    "fig4",
+    "fig_sets",
+    "fig_leave_one_out",
+    "fig_standoff",
+    "fig_protruded",
+    "fig_classical",
+    "fig_asperities",
+    "fig6",
+    "fig_enhancement",
+    "fig_robustness",
+)
+#: Figures of the chapter on what decides the band. The first input of each is its own dataset.
+OF_INSIGHT = (
+    "fig_scaling",
+    "fig_scan_size",
+    "fig_closed_form",
+    "fig_laws",
+    "fig_statistics",
+    "fig_elastic_limit",
+)
+FIGURES = OF_PAPER + OF_INSIGHT
+
+
+class Description(NamedTuple):
+    """Title, chapter of the report, caption and inputs of a figure."""
+
+    title: str
+    chapter: str
+    caption: str  #: A template: `hardcontact.report.captions.caption` fills it.
+    inputs: tuple[str, ...]
+
+
+def describe(name: str) -> Description:
+    """Return the description of a figure, read from the source of its module.
+
+    An import of the module would import matplotlib, which takes too long before the first job.
+    """
+    source = Path(__file__).with_name(f"{name}.py").read_text("utf-8")
+    constants: dict[str, str] = {}
+    inputs: tuple[str, ...] = ()
+    for node in ast.parse(source).body:
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
+            constants[ast.unparse(node.targets[0])] = str(node.value.value)
+        if isinstance(node, ast.FunctionDef) and node.name == "draw":
+            inputs = tuple(argument.arg for argument in node.args.args)
+    return Description(constants["TITLE"], constants["CHAPTER"], constants["CAPTION"], inputs)

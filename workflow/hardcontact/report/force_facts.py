@@ -1,0 +1,213 @@
+"""The facts of predicted and measured forces of own surfaces, and of the fit to the latter."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.number import Number
+from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
+from hardcontact.report.datasets import Datasets, at_range, model_of
+from hardcontact.report.quantities import between, number_of
+from hardcontact.surfaces.synthesis import SIDES
+
+#: The upper end of an interval is called open where it lies this many times farther, in the
+#: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
+LOPSIDED = 2.0
+#: J/m², to part diamond along (111): no known solids adhere more strongly. Source: J. E. Field, The
+#: Properties of Diamond (Academic Press, 1979).
+STRONGEST = 10.6
+
+
+class Row(NamedTuple):
+    """A row of the table of an answer: a number whose name and source are codes.
+
+    What else is known of it is `reason` of an open edge, `measured_share` of an edge or a force
+    that comes from reliable wavelengths, `side`, `start` and `end` of continued roughness, `tests`
+    of a measured force.
+    """
+
+    fact: Number
+    about: dict[str, Any]
+
+
+def with_reason(fact: Number, source: xr.DataArray) -> Number:
+    """Return a number of which no end of the interval is known with the reason as its status.
+
+    The source of intervals is that of the dataset: "none" if every contact feels all of a scan.
+    """
+    if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
+        return fact
+    return fact._replace(status="whole_scan" if source.item() == "none" else "few_parts")
+
+
+def differing_sides(data: xr.Dataset) -> list[str]:
+    """Return the sides on which continued roughness changes the force beyond its interval."""
+    return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
+
+
+def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
+    """Return between which wavelengths roughness continues that of the scans at one side."""
+    of_side = force.sel(side=side)
+    start, end = (
+        number_of(of_side, variable, "nm", name=name, strict=False)
+        for name, variable in (("start", "transition"), ("end", "continued_end"))
+    )
+    return {"side": side, "start": start, "end": end}
+
+
+def continued_fact(
+    data: xr.Dataset, side: str, variable: str = "continued_force", name: str = "force_continued"
+) -> Number:
+    """Return the force, or the work of adhesion, with roughness continued at one side."""
+    of_side = data.sel(side=side)
+    return number_of(of_side, variable, name=name, source="extrapolated", strict=False)
+
+
+def force_rows(of: Datasets) -> list[Row]:
+    """Return the predicted forces of one surface at the range asked for, and the smooth limit."""
+    force, here = of.force, at_range(of.force)
+    quantiles = here["force_quantile"]
+    least, median, most = (
+        quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
+    )
+    radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
+    smooth = 2 * np.pi * 1e-9 * radius * work
+    sources = force["continued_source"]
+    continued = [
+        Row(with_reason(continued_fact(force, side), sources.sel(side=side)), about)
+        for side, about in ((side, continuation(force, side)) for side in differing_sides(force))
+    ]
+    share = Number("share", float(np.ptp(quantiles["quantile"].values)))
+    mean = number_of(here, "force", name="force_mean", strict=False)
+    bounded = np.nanmax([mean.value, mean.high]) >= here["smooth_bound"].item()
+    about = {"model": model_of(force), "bounded": bool(bounded)} | _origin_of_force(of)
+    return [
+        Row(with_reason(mean, force["interval_source"]), about),
+        *continued,
+        Row(Number("force_median", median, "N"), {}),
+        Row(between("force_middle", least, most, "N"), {"share": share}),
+        Row(Number("smooth_sphere", float(smooth), "N"), {}),
+        Row(number_of(force, "spread", "1", name="force_scatter"), _scatter(force)),
+        Row(Number("range_sensitivity", _sensitivity(force)), {}),
+    ]
+
+
+def _scatter(force: xr.Dataset) -> dict[str, Any]:
+    """Return the modulus of the regimes of a surface, and what a mean force needs."""
+    names = ("modulus", "contacts_needed")
+    numbers = {name: number_of(force, name, "1", strict=False) for name in names}
+    return numbers | {"distance": number_of(force, "draw_size", "nm", name="distance")}
+
+
+def _origin_of_force(of: Datasets) -> dict[str, Any]:
+    """Return the share of the fall of the force from a smooth sphere that is reliable, and a code.
+
+    The fall is measured if artificial wavelengths change the force by no more than the tolerance.
+    """
+    parts = parts_of_change(of, "small")
+    share = reliable_share(parts)
+    origin = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
+    if parts[1] <= np.log1p(of.edges.attrs["tolerance"]):
+        origin = "measured"
+    return {"change": Number("measured_share", share), "origin": origin}
+
+
+def _sensitivity(force: xr.Dataset) -> float:
+    """Return d ln F/d ln rho at the range asked for, NaN if no other was computed."""
+    of_model = force.sel(contact_model=model_of(force))
+    rho, forces = np.log(of_model["rho"].values), np.log(of_model["force"].values)
+    if len(rho) < 2:
+        return np.nan
+    asked = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
+    return float(np.gradient(forces, rho)[asked])
+
+
+def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Row]:
+    """Return the force of one surface at other pairs of range and work of adhesion.
+
+    A pair is a row of resources/adhesion/pairs.csv. Forces are interpolated between the ranges
+    computed, in logarithms; beyond them a force is "not_computed". The pair asked for has no row.
+    """
+    asked = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
+    of_model, rows = force.sel(contact_model=model_of(force)), []
+    ranges, forces = np.log(of_model["rho"].values), np.log(of_model["force"].values)
+    for pair in pairs:
+        rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
+        if np.allclose(asked, (rho, work), rtol=1e-6):
+            continue
+        value = np.interp(np.log(rho), ranges, forces, np.nan, np.nan)
+        newton = float(np.exp(value) * work / asked[1])
+        status = "not_computed" if np.isnan(newton) else ""
+        about = {
+            "pair": pair["pair"],
+            "range": Number("range", rho, "nm"),
+            "work": Number("work", work, "J m-2"),
+            "share": Number("share", pair["share_of_sets"]),
+        }
+        rows.append(Row(Number("force_of_pair", newton, "N", status=status), about))
+    return rows
+
+
+def of_answer(fit: xr.Dataset) -> xr.Dataset:
+    """Return the fit of the contact model of the answer."""
+    return fit.sel(contact_model=model_of(fit))
+
+
+def measured_rows(fit: xr.Dataset) -> list[Row]:
+    """Return the force measured on one surface, and what works of adhesion it means."""
+    here = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
+    force = number_of(fit, "measured_force", source="measured", strict=False)
+    lopsided = np.log(force.high / force.value) > LOPSIDED * np.log(force.value / force.low)
+    work = number_of(
+        here, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
+    )
+    rows = [
+        Row(force, {"tests": int(fit["tests"].item()), "lopsided": bool(lopsided)}),
+        Row(work, {"beyond_solids": work.value > STRONGEST}),
+    ]
+    for side in differing_sides(fit):
+        start = number_of(fit.sel(side=side), "transition", name="start")
+        continued = continued_fact(fit, side, "continued_work", "continued_work")
+        rows.append(Row(continued, {"side": side, "start": start}))
+    return rows
+
+
+def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
+    """Return what the forces measured on several surfaces allow together, as a status and facts.
+
+    The fit is a part of fit.nc of one contact model. `status` is "one_surface", "no_interval" (of a
+    surface, so that there is no region), "none" (no pair agrees with all forces) or "region";
+    `exact_pairs` is how many pairs give the forces of two surfaces by construction; `best_range`,
+    `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps` pairs of ranges
+    (nm) between which the region has none; `allows_range` is whether it has the `range` that the
+    predicted forces are of.
+    """
+    allowed = np.isfinite(fit["region"].values).all(axis=-1)
+    status = "region" if allowed.any() else "none"
+    if fit["work_of_adhesion_interval"].isnull().any():
+        status = "no_interval"
+    if fit.sizes["surface"] == 1:
+        status = "one_surface"
+    units = {"best_range": "nm", "best_work": "J m-2", "best_error": "1"}
+    found = {name: Number(name, fit[name].item(), unit) for name, unit in units.items()}
+    for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
+        low, high = fit[name].values.tolist()
+        found[name] = between(name, low, high, unit)
+    rho, asked = fit["rho"].values, fit.attrs["range_of_adhesion"]
+    return found | {
+        "status": status,
+        "exact_pairs": int(fit["exact_pairs"].item()),
+        "gaps": _gaps(rho, allowed),
+        "range": Number("range", asked, "nm"),
+        "allows_range": bool(allowed[np.abs(rho - asked).argmin()]),
+    }
+
+
+def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:
+    """Return the pairs of ranges between which a region has gaps."""
+    change = np.diff(allowed.astype(int))
+    ends, begins = np.flatnonzero(change == -1), np.flatnonzero(change == 1) + 1
+    begins = begins[begins > ends[0]] if len(ends) else begins[:0]
+    return [[float(rho[end]), float(rho[begin])] for end, begin in zip(ends, begins, strict=False)]

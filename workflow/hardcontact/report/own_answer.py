@@ -1,0 +1,207 @@
+"""The answer of a study of own surfaces: its page, and its numbers for answer.json."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.number import Number
+from hardcontact.report import own_figures as figures
+from hardcontact.report.artificial import LENGTHS, measurement_name, measurements, single
+from hardcontact.report.cautions import Caution, cautions
+from hardcontact.report.datasets import Datasets, Setting
+from hardcontact.report.force_facts import Row, fit_facts, of_answer
+from hardcontact.report.quantities import Quantity, number_of, numbers_within, quantity
+from hardcontact.report.surface_facts import (
+    answer_rows,
+    next_measurements,
+    pooled_rows,
+    verdict,
+)
+from hardcontact.report.templates import rendered
+
+#: Metrics of a scan, with their units.
+METRICS = {
+    "rms_height": "nm",
+    "rms_gradient": "1",
+    "rms_half_laplacian": "nm-1",
+    "peak_to_valley": "nm",
+    "skewness": "1",
+    "kurtosis": "1",
+}
+
+#: Texts of each measurement.
+MEASUREMENT_TEXTS = ("kind", "limited_by", "notes")
+
+
+class OwnSurface(NamedTuple):
+    """The answer of one surface: codes with values, of which page and answer.json are made."""
+
+    label: str
+    of: Datasets
+    rows: list[Row]
+    cautions: list[Caution]
+    next: list[Mapping[str, Any]]
+
+    @property
+    def basis(self) -> str:
+        """Whether it is "measured" or a "substitute"."""
+        return str(self.of.topography["basis"].item())
+
+    @property
+    def roughness(self) -> list[dict[str, Number]]:
+        """The metrics of each scan, then those over all scales, as far as they are known."""
+        topography = self.of.topography
+        scans = topography.dropna("scan", subset=["rms_height"])
+        rows = [
+            {name: number_of(scans.sel(scan=scan), name, unit) for name, unit in METRICS.items()}
+            for scan in scans["scan"].values
+        ]
+        known = [name for name in METRICS if f"all_scales_{name}" in topography]
+        all_scales = {name: number_of(topography, f"all_scales_{name}", METRICS[name], strict=False)
+                      for name in known}  # fmt: skip
+        unknown = {name: Number(name, np.nan) for name in METRICS}
+        return [*rows, unknown | all_scales]
+
+    @property
+    def scan_lengths(self) -> list[dict[str, Number]]:
+        """Size, pixel size, reliable wavelengths and tip radius of each measurement."""
+        return [
+            {name: number_of(measurement, name, "nm", source="file") for name in LENGTHS}
+            for measurement in single(measurements(self.of.spectra))
+        ]
+
+
+class OwnAnswer(NamedTuple):
+    """The answer of a study of own surfaces, by their names, and what it was made from."""
+
+    given: Datasets
+    setting: Setting
+    surfaces: dict[str, OwnSurface]
+
+    @property
+    def fit(self) -> dict[str, Any] | None:
+        """What the user's own forces allow, by the model of the answer; None without forces."""
+        return None if self.given.fit is None else fit_facts(of_answer(self.given.fit))
+
+    @property
+    def pooled(self) -> list[Row]:
+        """The edges of the mean change over several surfaces."""
+        return pooled_rows(self.given.edges, [one.rows for one in self.surfaces.values()])
+
+
+def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
+    """Return what the datasets answer."""
+    surfaces, adhesion = {}, {"range of adhesion", "work of adhesion"}
+    # A user who gave both knows them.
+    pairs = setting.pairs if adhesion & set(setting.of_paper) else ()
+    for name, label in given.labels().items():
+        of = given.of_surface(name)
+        rows = answer_rows(of, pairs)
+        surfaces[name] = OwnSurface(label, of, rows, cautions(of), next_measurements(of))
+    return OwnAnswer(given, setting, surfaces)
+
+
+def own_head(setting: Setting) -> dict[str, Any]:
+    """Return the head of answer.json."""
+    return {
+        "study": setting.study,
+        "version": setting.citation["version"],
+        "effort": setting.effort,
+        "kind": "own surfaces",
+        "contact": dict(setting.contact),
+    }
+
+
+def own_quantities(answer: OwnAnswer) -> Iterator[Quantity]:
+    """Yield every number of the page, those of the whole study first."""
+    given, _, surfaces = answer
+    for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
+        yield quantity(Number(name, given.force.attrs[name], unit, source="given"))
+    for name in ("tolerance", "confidence"):
+        yield quantity(Number(name, given.edges.attrs[name], source="given"))
+    for row in answer.pooled:
+        yield quantity(row.fact)
+    for number in numbers_within("fit", answer.fit or {}):
+        yield quantity(number)
+    for name, surface in surfaces.items():
+        for number in _numbers_of(surface):
+            yield quantity(number, name)
+
+
+def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
+    """Yield the numbers of one surface: answer, cautions, what to measure, scans."""
+    yield Number("answered", np.nan, status=verdict(surface.rows)["answer"])
+    for row in surface.rows:
+        variant = row.about.get("side") or row.about.get("pair") or ""
+        name = f"{row.fact.name}_{variant}".rstrip("_")
+        yield row.fact._replace(name=name)
+        yield from numbers_within(name, row.about)
+    for place, caution in enumerate(surface.cautions, start=1):
+        yield Number(f"caution_{place}", np.nan, status=caution["code"])
+        yield from numbers_within(caution["code"], caution)
+    for measurement in surface.next:
+        yield from numbers_within(f"{measurement['edge']}_{measurement['code']}", measurement)
+    for name in ("scan_size", "pixel_size"):
+        yield number_of(surface.of.topography, name, "nm", source="file")
+    *scans, all_scales = surface.roughness
+    for place, metrics in enumerate(scans, start=1):
+        yield from numbers_within(f"scan_{place}", metrics)
+    yield from numbers_within("all_scales", all_scales)
+    for place, lengths in enumerate(surface.scan_lengths, start=1):
+        yield from numbers_within(f"measurement_{place}", lengths)
+
+
+def own_page(answer: OwnAnswer) -> str:
+    """Return the page, HTML."""
+    given, setting, surfaces = answer
+    labels = {name: surface.label for name, surface in surfaces.items()}
+    return rendered(
+        "own.html",
+        study=setting.study,
+        effort=setting.effort,
+        citation=setting.citation,
+        left_out=setting.left_out,
+        tolerance=float(given.edges.attrs["tolerance"]),
+        confidence=float(given.edges.attrs["confidence"]),
+        surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
+        pooled=answer.pooled,
+        contact=setting.contact,
+        of_paper=setting.of_paper,
+        forces=figures.svg(figures.force_figure(given.force, labels), "pull-off forces"),
+        fit=answer.fit,
+        works=None if given.fit is None else _works(given.fit, labels),
+    )
+
+
+def _works(fit: xr.Dataset, labels: Mapping[str, str]) -> dict[str, Any]:
+    """Return the figure of works of adhesion that fit own forces, and its contact model."""
+    of_model = of_answer(fit)
+    svg = figures.svg(figures.work_figure(of_model, labels), "works of adhesion")
+    return {"svg": svg, "model": str(of_model["contact_model"].item())}
+
+
+def _shown(name: str, surface: OwnSurface) -> dict[str, Any]:
+    """Return what the page shows of one surface."""
+    of = surface.of
+    heights = figures.heights_shown(of.topography)
+    lengths = zip(single(measurements(of.spectra)), surface.scan_lengths, strict=True)
+    return surface._asdict() | {
+        "id": name,
+        "basis": surface.basis,
+        "verdict": verdict(surface.rows),
+        "heights": [float(heights.min()), float(heights.max())],
+        "size": float(of.topography["scan_size"]),
+        "pixel": float(of.topography["pixel_size"]),
+        "map": figures.svg(figures.map_figure(of.topography), "height map"),
+        "ratio": figures.svg(figures.ratio_figure(of.edges, of.spectra), "force ratios"),
+        "spectrum": figures.svg(figures.spectrum_figure(of.spectra), "spectra"),
+        "roughness": surface.roughness,
+        "measurements": [
+            {"name": measurement_name(measurement), "reliable": bool(measurement["reliable"].any())}
+            | {text: str(measurement[text].item()) for text in MEASUREMENT_TEXTS}
+            | numbers
+            for measurement, numbers in lengths
+        ],
+    }

@@ -1,0 +1,254 @@
+"""What the study of the paper answers: numbers of claims and datasets, and the page of them."""
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import groupby
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.band.critical_band import POOLED
+from hardcontact.base.number import Number
+from hardcontact.paper.verdicts import summary, with_open_ends
+from hardcontact.report.captions import Caption
+from hardcontact.report.figures.listing import OF_PAPER, describe
+from hardcontact.report.quantities import Quantity, number_of, on_scans, quantity
+from hardcontact.report.report_pages import claim_facts
+from hardcontact.report.table1 import table1_rows
+from hardcontact.report.templates import rendered
+
+#: The claims that the answer is made of, by what the answer calls them.
+ANSWERS = {
+    "short_edge": "edge_small_pooled",
+    "long_edge": "edge_large_pooled",
+    "range_of_adhesion": "range_of_adhesion",
+    "work_of_adhesion": "work_of_adhesion",
+    "fit_error": "plastic_fits",
+    "rigid_over_plastic_error": "plasticity_is_crucial",
+    "range_exceeds": "range_exceeds_5_nm",
+}
+#: The findings that matter most, by their claims, in the order of the page.
+MAIN_FINDINGS = (
+    "edge_small_pooled",
+    "edge_large_pooled",
+    "critical_wavelength_small_pooled",
+    "critical_wavelength_large_pooled",
+    "interaction_radius_is_critical",
+    "range_of_adhesion",
+    "work_of_adhesion",
+    "plastic_fits",
+    "plasticity_is_crucial",
+    "elastic_pressure_exceeds_hardness",
+    "numerical_beats_classical",
+    "few_asperities_ncd",
+)
+#: Side of each edge of the band in the datasets, and the status of one beyond the cutoffs.
+EDGES = {"short_edge": ("small", "open_above"), "long_edge": ("large", "open_below")}
+#: What is fitted to the forces of each set of scans, with units.
+FITTED = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+#: Names of the sets whose range exceeds that of the paper's statement, and of the others.
+FIT_GROUPS = {True: "long_range_sets", False: "short_range_sets"}
+#: Sizes of the study that the paper prints too, with units.
+GRIDS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
+
+
+class PaperAnswer(NamedTuple):
+    """What the page of the paper and answer.json are made of."""
+
+    claims: pd.DataFrame  #: As from `verdicts.with_open_ends`.
+    numbers: dict[str, Number]  #: Those of the whole study, by their names in answer.json.
+    #: Of each substrate: label, basis, both edges and the force on scans over that on large ones.
+    surfaces: dict[str, dict[str, Any]]
+    sphere: dict[str, Any]  #: Label and basis.
+    decisive: str  #: Label of the surface that decides range and work of adhesion.
+    table1: list[list[str]]
+
+    @property
+    def coarse(self) -> bool:
+        """Whether the study has fewer pixels or contacts than the paper."""
+        sizes = ("scan_pixels", "contacts_per_side")
+        return any(self.numbers[name].value < self.numbers[f"{name}_published"].value
+                   for name in sizes)  # fmt: skip
+
+
+def paper_answer(
+    claims: pd.DataFrame,
+    datasets: Mapping[str, xr.Dataset],
+    constants: pd.DataFrame,
+    published_table1: pd.DataFrame,
+) -> PaperAnswer:
+    """Gather what the page shows, in the units of the claims.
+
+    Claims are as from `verdicts.read_verdicts`, constants and Table 1 as from `published`; datasets
+    are `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded` and `scan_size`, as in
+    the final netCDF files.
+    """
+    topography, band, sets = (datasets[name] for name in ("topography", "band", "sets"))
+    claims = with_open_ends(claims, [band, sets])
+    rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
+    numbers: list[Number] = []
+    for name, claim in ANSWERS.items():
+        if claim in rows:
+            numbers += _numbers_of_claim(name, rows[claim], band)
+    numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
+    numbers += _decisive_numbers(datasets["leave_one_out"], datasets["protruded"], sets)
+    numbers += _settings(datasets, constants)
+    for row in summary(claims).to_dict("records"):
+        name = "verdicts_" + row["verdict"].replace(" ", "_")
+        numbers += [Number(name, row["claims"]), Number(f"{name}_independent", row["independent"])]
+    sphere = topography.attrs["sphere_surface"]
+    named: Any = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    known = named.to_dict("index")
+    forces = on_scans(datasets["scan_size"])
+    return PaperAnswer(
+        claims,
+        {number.name: number for number in numbers},
+        {
+            name: known[name] | _numbers_of_surface(name, rows, forces)
+            for name in map(str, band["surface"].values)
+        },
+        known[sphere],
+        datasets["protruded"].attrs["label"],
+        table1_rows(topography, published_table1),
+    )
+
+
+def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
+    """Return the computed and the published number of a claim, and how often it holds."""
+    status = f"interval_open_{row.open_end}" if row.open_end else ""
+    if name in EDGES:
+        side, beyond = EDGES[name]
+        if np.isnan(band["critical_wavelength"].sel(side=side, group=POOLED).item()):
+            status = beyond
+    return [
+        Number(name, row.computed, row.unit, row.low, row.high, status),
+        Number(f"{name}_published", row.published, row.unit, source="published"),
+        Number(f"{name}_frequency", row.frequency),
+    ]
+
+
+def _numbers_of_surface(
+    name: str, rows: Mapping[str, Any], forces: xr.Dataset
+) -> dict[str, Number]:
+    """Return both edges of a substrate by itself, and how far forces on scans are too large."""
+    numbers = {}
+    for edge, (side, _) in EDGES.items():
+        if row := rows.get(f"edge_{side}_{name}"):
+            status = f"interval_open_{row.open_end}" if row.open_end else ""
+            numbers[edge] = Number(edge, row.computed, row.unit, row.low, row.high, status)
+    if name in forces["surface"].values:
+        force = number_of(forces.sel(surface=name), "force_over_largest")
+        numbers["force_on_scans"] = force._replace(name="force_on_scans")
+    return numbers
+
+
+def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
+    """Yield median and extremes of the fits of sets with a long and with a short range.
+
+    The range of a set is long if it exceeds that of the paper's statement. There are no groups
+    where the study does not have that statement.
+    """
+    fits = sets.sel(contact_model="plastic", drop=True)[[*FITTED]].to_dataframe()
+    if statement is None or math.isnan(statement.frequency):
+        return
+    for exceeds, group in fits.groupby(fits["range_of_adhesion"] > statement.published):
+        prefix = FIT_GROUPS[bool(exceeds)]
+        yield Number(prefix, len(group))
+        for name, unit in FITTED.items():
+            values = group[name]
+            yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
+
+
+def _decisive_numbers(
+    fits: xr.Dataset, protruded: xr.Dataset, sets: xr.Dataset
+) -> Iterator[Number]:
+    """Yield range and work of adhesion without the decisive surface, and if it had protrusions.
+
+    Each is the median of the sets, of those that agree where there are protrusions, with the
+    interval of the claims.
+    """
+    tail = (1 - sets.attrs["confidence"]) / 2
+    without = fits.sel(left_out=protruded.attrs["surface"], contact_model="plastic")
+    agrees = protruded["agrees"].values == 1
+    yield Number("protruded_sets_that_agree", agrees.mean())
+    for name, unit in FITTED.items():
+        values = {"without_decisive": without[f"set_{name}"].values}
+        if agrees.any():
+            values["protruded"] = protruded[name].values[agrees]
+        for prefix, sample in values.items():
+            low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
+            yield Number(f"{prefix}_{name}", median, unit, low, high)
+
+
+def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
+    """Yield what the study was made with, and the sizes of its grids beside those of the paper."""
+    topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
+    sizes = {
+        "scan_pixels": topography.sizes["row"],
+        "scan_size": topography["scan_size"].min().item(),
+        "contacts_per_side": scales.sizes["contact_y"],
+    }
+    for name, unit in GRIDS.items():
+        yield Number(name, sizes[name], unit, source="given")
+        published = float(constants["value"][name])
+        yield Number(f"{name}_published", published, unit, source="published")
+    yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
+    yield Number("tolerance", float(band.attrs["scale_tolerance"]), source="given")
+    yield Number("confidence", float(band.attrs["confidence"]), source="given")
+    yield Number("sets", datasets["sets"].sizes["set"], source="given")
+    yield Number("realizations", scales.sizes["realization"], source="given")
+    sizes_of_forces = on_scans(datasets["scan_size"]), datasets["scan_size"].isel(edge_size=-1)
+    for name, of_size in zip(("mirrored_scan_size", "large_surface_size"), sizes_of_forces,
+                             strict=True):  # fmt: skip
+        yield Number(name, float(of_size["edge_size"]), "nm", source="given")
+
+
+def paper_head(configuration: Mapping[str, Any], version: str) -> dict[str, Any]:
+    """Return the head of answer.json, of the configuration of the study as it was given."""
+    contact = {"radius of the sphere": configuration["sphere"]["radius"]}
+    contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
+    return {
+        "study": configuration["study"],
+        "version": version,
+        "effort": configuration["effort"],
+        "kind": "paper",
+        "contact": contact,
+    }
+
+
+def paper_quantities(answer: PaperAnswer) -> Iterator[Quantity]:
+    """Yield the numbers of the whole study, then those of each substrate."""
+    for number in answer.numbers.values():
+        yield quantity(number)
+    for name, surface in answer.surfaces.items():
+        for number in surface.values():
+            if isinstance(number, Number):
+                yield quantity(number, name)
+
+
+def paper_page(
+    answer: PaperAnswer,
+    figures: Mapping[str, bytes],
+    captions: Mapping[str, Caption],
+    citation: Mapping[str, Any],
+) -> str:
+    """Return the page, HTML.
+
+    Figures are SVG and captions by the names of the figures; the citation is CITATION.cff.
+    """
+    return rendered(
+        "paper.html",
+        answer=answer,
+        numbers=answer.numbers,
+        main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
+        chapters=[
+            (heading, list(names))
+            for heading, names in groupby(OF_PAPER, key=lambda name: describe(name).chapter)
+        ],
+        figures=figures,
+        captions=captions,
+        citation=citation,
+        **claim_facts(answer.claims),
+    )

@@ -1,0 +1,195 @@
+"""Quantities of an answer: numbers of datasets, how pages print them, the list of answer.json."""
+
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from hardcontact.base.number import Number, plain
+from hardcontact.base.printing import UNITS, is_boundless, print_as_paper, print_quantity
+from hardcontact.base.statistics import bounds
+
+Quantity = dict[str, Any]
+
+#: What stands in place of a value that is not known, by its status.
+NO_VALUE = {
+    "none": "",
+    "not_computed": "not computed",
+    "not_bounded": "not bounded",
+    "no_edge": "no edge within the cutoffs computed",
+    "no_band": "no band",
+    "not_reached": "not reached",
+    "not_printed": "not printed",
+}
+#: What follows a value whose interval is not known, by its status.
+NO_INTERVAL = {
+    "not_bounded": "not bounded by so few scans",
+    "no_interval": "no interval",
+    "whole_scan": "not bounded: every contact feels the whole scan",
+    "few_parts": "not bounded: too few parts, which differ too much",
+}
+
+
+def number_of(
+    dataset: xr.Dataset,
+    variable: str,
+    unit: str = "",
+    missing: str = "",
+    *,
+    name: str = "",
+    source: str = "computed",
+    strict: bool = True,
+) -> Number:
+    """Return a variable without dimensions, with `<variable>_interval` if that bounds anything.
+
+    The unit is for what has none in the dataset, `missing` is the status of what is no number, the
+    name is by default that of the variable. If strict, an interval that reaches too far counts as
+    none, and one without ends has a status.
+    """
+    unit = unit or str(dataset[variable].attrs.get("units", "1"))
+    number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
+    if not math.isfinite(number.value):
+        return number._replace(status=missing)
+    if f"{variable}_interval" not in dataset:
+        return number
+    low, high = ends(dataset, variable)
+    if (low, high) == (0, math.inf) or (strict and is_boundless(number.value, low, high, unit)):
+        return number._replace(status="not_bounded")
+    without = strict and not (math.isfinite(low) or math.isfinite(high))
+    return number._replace(low=low, high=high, status="no_interval" if without else "")
+
+
+def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
+    """Return both ends of the interval of a variable without dimensions."""
+    low, high = bounds(dataset, name)
+    return low.item(), high.item()
+
+
+def between(
+    name: str, low: float, high: float, unit: str = "1", missing: str = "not_known"
+) -> Number:
+    """Return what is known of the ends of something."""
+    codes = {(True, True): "between", (True, False): "more_than", (False, True): "at_most"}
+    status = codes.get((math.isfinite(low), math.isfinite(high)), missing)
+    return Number(name, math.nan, unit, low, high, status)
+
+
+def span(values: ArrayLike, unit: str = "1", name: str = "span") -> Number:
+    """Return the smallest and the largest of the numbers that are known."""
+    known = [value for value in np.ravel(values) if np.isfinite(value)]
+    return between(name, min(known, default=np.nan), max(known, default=np.nan), unit)
+
+
+def in_percent(share: Number) -> Number:
+    """Return a share of one in percent."""
+    low, high = 100 * share.low, 100 * share.high
+    return share._replace(value=100 * share.value, low=low, high=high, unit="%")
+
+
+def bare(number: Number) -> Number:
+    """Return a number without its interval; an open one remains a bound."""
+    status = number.status if number.status in ("open_above", "open_below") else ""
+    return number._replace(low=math.nan, high=math.nan, status=status)
+
+
+def printed(number: Number, digits: int = 3, end: str = "") -> str:
+    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
+
+    With the status "interval_open_high" the interval ends at a bound: "67 [47, 74 or more] nm".
+    """
+    open_end = ""
+    if number.status.startswith("interval_open_"):
+        open_end = number.status.removeprefix("interval_open_")
+    if end:
+        number = Number(number.name, getattr(number, end), number.unit)
+    if number.unit in UNITS:
+        return print_quantity(number.value, number.unit, number.low, number.high, digits, open_end)
+    return print_as_paper(number.value, number.unit, (number.low, number.high), digits, open_end)
+
+
+def in_words(number: Number, digits: int = 3) -> str:
+    """Return a number with its interval, and what its status says of them."""
+    if number.status == "between":
+        both = [printed(number, digits, end) for end in ("low", "high")]
+        text = " to ".join(dict.fromkeys(both))
+    elif number.status == "more_than":
+        text = f"more than {printed(number, digits, 'low')}"
+    elif number.status == "at_most":
+        text = f"at most {printed(number, digits, 'high')}"
+    elif math.isfinite(number.value):
+        bound = {"open_above": "at least ", "open_below": "at most "}.get(number.status, "")
+        text = bound + printed(number, digits) + _unbounded(number, digits)
+    else:
+        text = NO_VALUE.get(number.status, "not known")
+    return text
+
+
+def _unbounded(number: Number, digits: int) -> str:
+    """Return what is said of an interval of which an end is not known, or both."""
+    low, high = math.isfinite(number.low), math.isfinite(number.high)
+    if number.status in NO_INTERVAL:
+        return f" ({NO_INTERVAL[number.status]})"
+    if low and not high:
+        return f" [above {printed(number, digits, 'low')}]"
+    if high and not low:
+        return f" [below {printed(number, digits, 'high')}]"
+    return ""
+
+
+def surfaces(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
+    """Return the printed name of every surface of a dataset, and what the dataset has of it."""
+    parts = [dataset.sel(surface=name) for name in dataset["surface"].values]
+    return [(printed_label(part["label"].item(), part["basis"].item()), part) for part in parts]
+
+
+def printed_label(label: str, basis: str) -> str:
+    """Return the printed name of a surface; a substitute is called so."""
+    return f"{label} (substitute)" if basis == "substitute" else label
+
+
+def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
+    """Return what edges and forces are on mirrored windows of the size of the study's scans."""
+    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
+    return windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+
+
+def quantity(number: Number, surface: str = "", name: str = "") -> Quantity:
+    """Return a number as answer.json has it, with None for what is not known.
+
+    Parameters
+    ----------
+    number : Number
+        The number with its interval, unit, status and source.
+    surface : str
+        The surface that it belongs to; empty for a number of the whole study.
+    name : str
+        Its name in the list; by default that of the number.
+    """
+    return {"surface": surface, **plain(number), "name": name or number.name}
+
+
+def numbers_within(prefix: str, mapping: Mapping[str, Any]) -> Iterator[Number]:
+    """Yield the numbers among the values of a mapping, counts too, named `<prefix>_<key>`."""
+    for key, value in mapping.items():
+        if isinstance(value, Number):
+            yield value._replace(name=f"{prefix}_{key}")
+        elif isinstance(value, int) and not isinstance(value, bool):
+            yield Number(f"{prefix}_{key}", value)
+
+
+def answer_json(head: Mapping[str, Any], quantities: Iterable[Quantity]) -> str:
+    """Return the text of answer.json: the head, and the list, as answer.schema.json describes it.
+
+    Raises ValueError if two quantities of one surface have the same name.
+    """
+    rows = list(quantities)
+    names = [(row["surface"], row["name"]) for row in rows]
+    repeated = sorted({name for name in names if names.count(name) > 1})
+    if repeated:
+        raise ValueError(f"expected quantities with different names, found twice: {repeated}")
+    content = {**head, "quantities": rows}
+    return json.dumps(content, ensure_ascii=False, allow_nan=False, indent=1) + "\n"

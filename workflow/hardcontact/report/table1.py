@@ -1,0 +1,100 @@
+"""Table 1 of the paper: rms height, slope and curvature of the surfaces, published and computed."""
+
+import json
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base.published import rows_met
+
+#: Variables that the paper's quantities may be computed as, with their definitions.
+DEFINITIONS = {
+    "height": {"rms_height": ""},
+    "slope": {"rms_gradient": "gradient", "rms_profile_slope": "slope of profiles"},
+    "curvature": {"rms_half_laplacian": "half the Laplacian", "rms_laplacian": "Laplacian"},
+}
+
+
+class _Quantity(NamedTuple):
+    """A quantity of the paper's Table 1."""
+
+    name: str  # as in resources/paper/table1.csv
+    title: str
+    printed_unit: float = 1  # in the unit of the datasets
+
+
+QUANTITIES = (
+    _Quantity("afm_rms_height", "AFM scans: rms height (nm)"),
+    _Quantity("afm_rms_slope", "AFM scans: rms slope"),
+    _Quantity("afm_rms_curvature", "AFM scans: rms curvature (10⁻³ nm⁻¹)", 1e-3),
+    _Quantity("all_rms_height", "All scales: rms height (nm)"),
+    _Quantity("all_rms_slope", "All scales: rms slope"),
+    _Quantity("all_rms_curvature", "All scales: rms curvature (nm⁻¹)"),
+)
+
+
+def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
+    """Return the rows of Table 1 as printed: what a row is, then a text for each surface.
+
+    Values are mean and standard deviation over the scans of a surface; over all scales they are
+    moments of the joined spectrum, which have none. A dagger marks what substitutes are made to
+    have.
+    """
+    surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
+    rows = []
+    for quantity in QUANTITIES:
+        values = published[published["quantity"] == quantity.name].set_index("surface")
+        cells = [_published(values, str(one["surface"].item()), quantity) for one in surfaces]
+        rows.append([f"{quantity.title}, published", *cells])
+        for variable, definition in _variables(quantity.name):
+            cells = [_computed(one, variable, quantity) for one in surfaces]
+            rows.append([", ".join(filter(None, ("computed", definition))), *cells])
+    return rows
+
+
+def _variables(quantity: str) -> Iterator[tuple[str, str]]:
+    """Yield variables of topography.nc that a quantity is computed as, and their definitions."""
+    prefix = "all_scales_" if quantity.startswith("all_") else ""
+    for variable, definition in DEFINITIONS[quantity.rpartition("_")[-1]].items():
+        yield prefix + variable, definition
+
+
+def _published(values: pd.DataFrame, surface: str, quantity: _Quantity) -> str:
+    """Return a published value, with the decimals of whichever number was printed with more."""
+    if surface not in values.index:
+        return "–"
+    of_surface = values.loc[[surface], ["value", "uncertainty"]].to_numpy(float)
+    value, uncertainty = of_surface[0] / quantity.printed_unit
+    decimals = max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
+    return _printed(value, uncertainty, decimals)
+
+
+def _computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> str:
+    """Return a computed value: mean over scans, or the moment of the joined spectrum."""
+    mean = f"{variable}_mean"
+    value = surface[mean if mean in surface else variable].item() / quantity.printed_unit
+    spread = (
+        surface[f"{variable}_std"].item() / quantity.printed_unit if mean in surface else math.nan
+    )
+    met = quantity.name in rows_met(surface["calibrated_to_table1"].item())
+    taken = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
+    mark = " †" if met and variable == taken else ""
+    return _printed(value, spread, decimals_of(value, spread)) + mark
+
+
+def _printed(value: float, uncertainty: float, decimals: int) -> str:
+    if not math.isfinite(value):
+        return "–"
+    if not math.isfinite(uncertainty):
+        return f"{value:.3g}"
+    return f"{value:.{decimals}f} ± {uncertainty:.{decimals}f}"
+
+
+def decimals_of(value: float, uncertainty: float) -> int:
+    """Return the decimals of two digits of the uncertainty, or of three of the value if fewer."""
+    digits = [1 - math.floor(math.log10(uncertainty))] if uncertainty > 0 else []
+    digits += [2 - math.floor(math.log10(abs(value)))] if value and math.isfinite(value) else []
+    return max(0, min(digits, default=2))

@@ -1,0 +1,71 @@
+"""Pages from templates: one self-contained HTML document, with its style and its script."""
+
+import base64
+import hashlib
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+from hardcontact.base.number import Number
+from hardcontact.base.printing import print_as_paper, print_share
+from hardcontact.report import quantities
+
+FOLDER = Path(__file__).parents[2] / "report/templates"
+
+#: A space between a number and its interval, or between either and its unit.
+BEFORE_UNIT = re.compile(r"(?<=\d) (?=\[)|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²|[GM]?Pa|%)(?!\w))")
+
+
+def rendered(template: str, **facts: Any) -> str:
+    """Return a page as one HTML document that needs no network.
+
+    The template is a file of workflow/report/templates, the facts are what it names; one that is
+    not given is a jinja2.UndefinedError. Everything that a template prints is escaped. The page
+    carries a policy that lets no script run but its own, which it names by its digest.
+    """
+    # Imported here: it takes longer than most jobs compute.
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
+    environment = Environment(
+        loader=FileSystemLoader(FOLDER), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
+    environment.filters |= {
+        "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
+        "in_percent": quantities.in_percent, "percent": print_share, "as_paper": print_as_paper,
+        "surfaces": quantities.surfaces, "unbroken": _unbroken, "base64": _base64,
+    }  # fmt: skip
+    environment.globals |= {
+        "number_of": quantities.number_of, "span": quantities.span, "Number": Number,
+    }  # fmt: skip
+    environment.tests["known"] = math.isfinite
+    script = _file("page.js")
+    return environment.get_template(template).render(
+        style=Markup(_file("style.css")),
+        script=Markup(script),
+        policy=_policy(script),
+        **facts,
+    )
+
+
+def _file(name: str) -> str:
+    return (FOLDER / name).read_text("utf-8")
+
+
+def _policy(script: str) -> str:
+    """Return what a page may load: the pictures and styles that it holds, and this script."""
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    allowed = f"img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
+    return f"default-src 'none'; {allowed}"
+
+
+def _unbroken(text: Any) -> str:
+    """Return a text in which no line ends between a number and its unit."""
+    made = BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", str(text))
+    return type(text)(made) if hasattr(text, "__html__") else made  # what is escaped stays so
+
+
+def _base64(data: bytes) -> str:
+    return base64.b64encode(data).decode("ascii")

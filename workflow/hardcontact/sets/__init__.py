@@ -1,1 +1,0 @@
-"""Many equally good sets of substitute scans: their pool, the draw, the numbers of each set."""

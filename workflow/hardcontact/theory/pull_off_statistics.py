@@ -1,0 +1,391 @@
+"""The distribution of the pull-off force over places and scans, from the spectrum of a surface.
+
+Clumps of points (`summits`) are a Poisson process: Lambda(t) of them rise above the level t =
+z/sigma under the sphere, n touch. With G_i, the Poisson process of unit rate in ascending order,
+the attraction of alike clumps is
+
+    F ~ n + Σ_{i>n} (G_n/G_i)^(1/k),   k = rho m/sigma²:
+
+for k > 1 and n = 1 Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry the force. At a
+given level the force is taken as log-normal, with a mean of the terms of `closed_form` and the
+variance of a sum of Poisson clumps; over places it is their mixture over the levels of
+`closest_approaches`. workflow/report/theory.md has the derivation. No number is fitted to a force;
+resources/validation tells what was chosen how, and errors.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from numpy.polynomial.hermite_e import hermegauss
+from numpy.typing import ArrayLike
+from scipy import special
+
+from hardcontact.base.statistics import lognormal_shape
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.surfaces.spectrum import Floats, Spectrum
+from hardcontact.theory.closed_form import (
+    GENERATIONS,
+    SUMMIT,
+    contact_share,
+    gaussian_share,
+    on_summit,
+)
+from hardcontact.theory.summits import (
+    LEVELS,
+    Approaches,
+    banded,
+    closest_approaches,
+    clumps_above,
+    correlation_lost,
+    draw_size,
+    moment,
+    rough_waves,
+)
+
+#: Standard deviations of curvature, and their probabilities, that a summit is averaged over.
+DEVIATIONS = np.linspace(-8, 8, 801)
+CHANCES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
+#: Factor of the radius with which the exponent of the force over it is found.
+WIDER = 1.2
+#: Normal deviations of the rms height of a scan and their weights: with a deviation of half the
+#: height, the variance of F is within 1 % of that by 61 of them.
+NODES, WEIGHTS = hermegauss(15)
+WEIGHTS /= WEIGHTS.sum()
+#: Relative error of a mean force, for which contacts and scans are counted.
+MEAN_ERROR = 0.05
+#: Shares of places at which quantiles are compared.
+SHARES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
+#: Level of closest approach, in rms heights, above which the clumps that touch are rare. Below it
+#: waves longer than the sphere reaches lift it with the surface.
+LEAST_LEVEL = 2.0
+#: Distance that samples of 400 from a distribution exceed once in twenty, 1.36/sqrt(400).
+CHANCE = 0.068
+
+
+@dataclass(frozen=True)
+class ForceStatistics:
+    """The distribution of the pull-off force over places: a mixture of log-normal ones."""
+
+    modulus: float  #: k = rho m/sigma²; infinite without roughness.
+    clumps: float  #: Mean number of clumps in contact, n; 0 without roughness.
+    means: Floats  #: (n,) at the levels of closest approach, in N.
+    weights: Floats  #: (n,) probabilities of the levels.
+    spreads: Floats  #: (n,) standard deviations of ln F at each level.
+
+    @property
+    def force(self) -> float:
+        """The mean in N."""
+        return float(self.weights @ self.means)
+
+    @property
+    def variation(self) -> float:
+        """Standard deviation over mean."""
+        square = self.weights @ (self.means**2 * np.exp(self.spreads**2))
+        return float(np.sqrt(max(float(square) / self.force**2 - 1, 0.0)))
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of ln F."""
+        centres = np.log(self.means) - self.spreads**2 / 2
+        between = (centres - self.weights @ centres) ** 2
+        return float(np.sqrt(self.weights @ (between + self.spreads**2)))
+
+    @property
+    def median_over_mean(self) -> float:
+        """The median over the mean."""
+        return float(self.quantile(0.5)) / self.force
+
+    def probability(self, force: ArrayLike) -> Floats:
+        """Return the probability (...) that a place has less than a force (...) in N."""
+        deviation = np.log(np.asarray(force, float)[..., None] / self.means) + self.spreads**2 / 2
+        with np.errstate(divide="ignore", invalid="ignore"):
+            below = special.ndtr(deviation / self.spreads)
+        # Without spread a level has a single force.
+        return np.asarray(np.where(self.spreads > 0, below, deviation >= 0) @ self.weights)
+
+    def quantile(self, probability: ArrayLike) -> Floats:
+        """Return the force (...) in N that a share (...) of places does not reach."""
+        reach = np.exp(8 * self.spreads.max() + 1e-6)
+        forces = np.geomspace(self.means.min() / reach, self.means.max() * reach, 2000)
+        shares, wanted = self.probability(forces), np.asarray(probability, float)
+        return np.asarray(np.exp(np.interp(wanted, shares, np.log(forces))))
+
+
+def force_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
+    """Return the distribution of the pull-off force of a sphere over places of a Gaussian surface.
+
+    Only the wavelengths of the spectrum count. The mean is that of `closed_form` in its regime of
+    many points, and less in that of single peaks (`_terms`).
+    """
+    smooth = float(dmt_pull_off(contact.work, contact.radius))
+    waves = rough_waves(spectrum, contact.radius)
+    if waves is None:
+        force = smooth * (1 + contact_share(contact))
+        return ForceStatistics(np.inf, 0.0, np.array([force]), np.ones(1), np.zeros(1))
+    attraction = _attraction(waves, contact, GENERATIONS)
+    levels = attraction.levels
+    means = attraction.first + attraction.touching + contact_share(contact)
+    modulus = contact.range * levels.mean() / np.sqrt(moment(waves, 0))
+    spreads = np.sqrt(np.log1p(attraction.variance / means**2))
+    possible = levels.weights > 0
+    return ForceStatistics(
+        float(max(modulus, 0.0)),
+        attraction.clumps,
+        smooth * means[possible],
+        levels.weights[possible],
+        spreads[possible],
+    )
+
+
+class _Attraction(NamedTuple):
+    """The attraction in 2 pi R W, without that of the area in contact, by level (n,)."""
+
+    levels: Approaches
+    first: Floats  #: (n,) mean of the clumps below the sphere.
+    touching: float  #: Mean of those that touch.
+    clumps: float  #: Mean number of those that touch.
+    variance: Floats  #: (n,) of the sum.
+    growth: float  #: Exponent of the force over the radius of the sphere, 0 to 1.
+
+    @property
+    def mean(self) -> float:
+        return self.levels.mean(self.first) + self.touching
+
+    @property
+    def scatter(self) -> float:
+        """Mean square over squared mean."""
+        return self.levels.mean((self.first + self.touching) ** 2 + self.variance) / self.mean**2
+
+
+def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
+    """Return how a sphere is attracted by summits, which are rough themselves."""
+    radius, rho = contact.radius, contact.range
+    levels = closest_approaches(waves, radius, contact.area)
+    sigma, t = np.sqrt(moment(waves, 0)), levels.levels
+    # What a rough summit attracts of what a smooth one does.
+    share, scatter, growth = 1.0, 1.0, 1.0
+    summit = on_summit(waves, levels, contact)
+    if summit is not None and generations:
+        rough_summit = _attraction(*summit, generations - 1)
+        if rough_summit.mean < 1:
+            share, scatter, growth = rough_summit.mean, rough_summit.scatter, rough_summit.growth
+    first, touching = _terms(sigma, levels, rho, share)
+    number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
+    clumps, cover = max(levels.mean(number), 1.0), levels.mean(special.ndtr(-t))
+    # The mean of the squared force of a clump, over the square of its mean force. The radius of a
+    # summit counts as far as the force on it grows with it.
+    square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
+    crowded = number_variance(cover)
+    clump_force = share * special.ndtr(-t) / np.maximum(number, 1e-300)
+    clump_variance = crowded * square * clump_force * _terms(sigma, levels, rho / 2, share)[0]
+    field_variance = first**2 * field_variation(waves, contact) ** 2
+    # n clumps touch, of which all but the last are as many as Poisson lets expect. Where they cover
+    # the plane they are one flat contact, whose rim is the force.
+    scattered = (1 - cover) * clumps * (square - 1) + crowded * (clumps - 1)
+    variance = np.minimum(field_variance, clump_variance) + (touching / clumps) ** 2 * scattered
+    attraction = _Attraction(levels, first, touching, clumps, variance, 1.0)
+    wider = closest_approaches(waves, WIDER * radius, contact.area)
+    wider_first, wider_touching = _terms(sigma, wider, rho, share)
+    ratio = (wider.mean(wider_first) + wider_touching) / attraction.mean
+    return attraction._replace(growth=float(np.clip(1 + np.log(ratio) / np.log(WIDER), 0, 1)))
+
+
+def _terms(sigma: float, levels: Approaches, rho: float, share: float) -> tuple[Floats, float]:
+    """Return the force (n,) of the points below the sphere, and that of the clumps that touch.
+
+    Points closer to the sphere than the height sigma/t of a clump belong, in the average over the
+    plane, mostly to clumps that rise above it. There are none: clumps below the sphere attract as
+    those that touch do, a share of what smooth ones do.
+    """
+    t, relief = levels.levels, 1 / max(levels.mean(), 1.0)
+
+    def both_terms(level: Floats) -> Floats:
+        return gaussian_share(sigma, level * sigma, rho) + special.ndtr(-level)
+
+    near = 1 - np.exp(-relief * sigma / rho) * both_terms(t - relief) / both_terms(t)
+    first = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - share) * near)
+    return first, share * levels.mean(special.ndtr(-t))
+
+
+def number_variance(cover: float) -> float:
+    """Return the variance over the mean of the number of clumps that cover a share of the plane.
+
+    They do not overlap: their number scatters as that of hard discs does whose pressure is that of
+    an ideal gas over (1 - cover)² (scaled particle theory).
+    """
+    return (1 - cover) ** 3 / (1 + cover)
+
+
+def summit_variation(waves: Spectrum, levels: Approaches) -> float:
+    """Return the standard deviation over the mean of the radius 1/sqrt(K) of summits.
+
+    K = a² - b² is their Gaussian curvature. On a Gaussian surface at the level t the mean curvature
+    a is normal about t g²/2 sigma with the variance L²/4 - g⁴/4 sigma², b² is exponential about
+    L²/4, with the rms gradient g and the rms Laplacian L; summits are as dense as K where a > b.
+    Waves shorter than a summit are roughness on it.
+    """
+    longer = banded(waves, 0, 2 * np.pi / (SUMMIT * levels.radius))
+    if longer is None:
+        return 0.0
+    sigma = np.sqrt(moment(waves, 0))
+    gradient, laplacian = moment(longer, 2), moment(longer, 4)
+    deviation = np.sqrt(max(laplacian - gradient**2 / sigma**2, 0.0)) / 2
+    a = max(levels.mean(), 1.0) * gradient / (2 * sigma) + deviation * DEVIATIONS
+    a, b = np.maximum(a, 0), np.sqrt(laplacian) / 2
+    summits = -np.expm1(-((a / b) ** 2))  # the probability of a > b
+    density = CHANCES @ (a**2 - b**2 * summits)  # means over b of K, sqrt(K), 1
+    mean = CHANCES @ (a - b * special.dawsn(a / b)) / density
+    return float(np.sqrt(max(CHANCES @ summits / density / mean**2 - 1, 0.0)))
+
+
+def field_variation(waves: Spectrum, contact: Contact) -> float:
+    """Return the standard deviation over the mean of ∫ exp((h - s)/rho) over the plane.
+
+    Heights h are normal and s = r²/2R: its square is ∫ [exp(r(d)/rho²) - 1] exp(-d²/4 R rho) over
+    all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
+    variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
+    """
+    q, reach = waves.wavevector, 4 * contact.radius * contact.range
+    height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
+    linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.range**2)
+    distances, lost = correlation_lost(waves)
+    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.range**2, 500)
+    beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
+    return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))
+
+
+def over_scans(spectrum: Spectrum, contact: Contact, deviation: float) -> ForceStatistics:
+    """Return the distribution of the force over places of scans whose rms heights differ.
+
+    The rms height of scans is normal; the deviation is its standard deviation over its mean.
+    """
+    factors = [max(1 + deviation * node, 0.0) for node in NODES]
+    scans = [
+        force_statistics(Spectrum(spectrum.wavevector, spectrum.density * factor**2), contact)
+        for factor in factors
+    ]
+    weights = [weight * scan.weights for weight, scan in zip(WEIGHTS, scans, strict=True)]
+    return replace(
+        scans[len(NODES) // 2],
+        means=np.concatenate([scan.means for scan in scans]),
+        weights=np.concatenate(weights),
+        spreads=np.concatenate([scan.spreads for scan in scans]),
+    )
+
+
+def force_scatter(
+    spectra: Mapping[str, Spectrum],
+    contact: Contact,
+    ranges: Sequence[float],
+    deviations: Mapping[str, float],
+    *,
+    tolerance: float,
+    confidence: float,
+) -> xr.Dataset:
+    """Return how the force on each surface scatters, by range of adhesion.
+
+    Parameters
+    ----------
+    spectra, deviations : mapping
+        By surface; the deviations are as of `over_scans`.
+    contact : Contact
+        Its range is replaced.
+    ranges : sequence of float
+        In nm.
+    tolerance, confidence : float
+        Relative error of a mean, and the probability that it is not larger.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over (surface, rho) ``modulus``; the standard deviation of ln F over places, ``spread``, and
+        over places and scans, ``total_spread``, and the latter from mean and median as of published
+        forces (`lognormal_shape`), ``total_shape``; ``contacts_needed`` for the mean of a surface,
+        and ``scans_needed``, of one contact each, for that of all. Over surface ``distance`` (nm)
+        between independent places.
+    """
+    quantile = special.ndtri((1 + confidence) / 2)
+    rows = []
+    for surface, spectrum in spectra.items():
+        deviation = deviations[surface]
+        for rho in ranges:
+            places = force_statistics(spectrum, replace(contact, range=rho))
+            scans = places
+            if deviation:
+                scans = over_scans(spectrum, replace(contact, range=rho), deviation)
+            # A median above the mean is no log-normal's.
+            total_shape = float(lognormal_shape(1, min(scans.median_over_mean, 1)))
+            rows.append(
+                {
+                    "modulus": places.modulus,
+                    "spread": places.spread,
+                    "total_spread": scans.spread,
+                    "total_shape": total_shape,
+                    "contacts_needed": (quantile * places.variation / tolerance) ** 2,
+                    "scans_needed": (quantile * scans.variation / tolerance) ** 2,
+                }
+            )
+    table, shape = pd.DataFrame(rows), (len(spectra), len(ranges))
+    sizes = [draw_size(spectrum, contact.radius, contact.area) for spectrum in spectra.values()]
+    return xr.Dataset(
+        {
+            name: (("surface", "rho"), table[name].to_numpy().reshape(shape), {"units": "1"})
+            for name in table
+        }
+        | {"distance": ("surface", sizes, {"units": "nm"})},
+        {
+            "surface": list(spectra),
+            "rho": ("rho", list(ranges), {"units": "nm", "long_name": "range of adhesion"}),
+        },
+        {"tolerance": tolerance, "confidence": confidence},
+    )
+
+
+def with_comparison(
+    scatter: xr.Dataset, inference: xr.Dataset, pull_off: pd.DataFrame, table: pd.DataFrame
+) -> xr.Dataset:
+    """Return `force_scatter` beside published and computed spreads, and the errors of the law.
+
+    Inference and published statistics are those of the paper's study: ``published_spread`` and
+    ``computed_spread`` with its interval (surface), NaN where there is none. The table is that of
+    designed surfaces in `resources/validation`: ``designed_<column>`` (case) of what tells the
+    error of the law, and ``designed_quantile`` (case, share), computed over predicted.
+    """
+    plastic, name = {"contact_model": "plastic", "pair": "published"}, "lognormal_shape"
+    names = {name: "computed_spread", f"{name}_interval": "computed_spread_interval"}
+    computed = inference[list(names)].sel(plastic, drop=True).rename(names)
+    published = pull_off.reindex(scatter["surface"].values)
+    shapes = lognormal_shape(published["mean_force"], published["median_force"])
+    quantiles = table[[f"quantile_{100 * share:g}" for share in SHARES]]
+    columns = [
+        "surface", "held_back", "skewed", "level", "modulus", "spread", "predicted_spread",
+        *table.columns[table.columns.str.startswith("distance_")],
+    ]  # fmt: skip
+    designed = table[columns].add_prefix("designed_").rename_axis("case").to_xarray()
+    for column in designed.data_vars.values():
+        if column.dtype.kind == "f":
+            column.attrs["units"] = "1"
+    return (
+        scatter.merge(computed.drop_vars(["label", "basis"], errors="ignore"), join="left")
+        .merge(designed)
+        .assign(
+            published_spread=("surface", shapes, {"units": "1"}),
+            designed_quantile=(("case", "share"), quantiles.to_numpy(), {"units": "1"}),
+        )
+        .assign_coords(share=("share", list(SHARES), {"units": "1"}))
+    )
+
+
+def held_back(statistics: xr.Dataset) -> xr.Dataset:
+    """Return the designed surfaces that tell the error of the law.
+
+    They are Gaussian, were not looked at while it was made, and are touched above LEAST_LEVEL.
+    """
+    fair = (statistics["designed_held_back"] == 1) & (statistics["designed_skewed"] == 0)
+    high = statistics["designed_level"] >= LEAST_LEVEL
+    return statistics.isel(case=np.flatnonzero(fair & high))
