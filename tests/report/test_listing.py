@@ -8,8 +8,8 @@ import pytest
 from jinja2 import UndefinedError
 from repository import PAPER, ROOT
 
-from hardcontact import figures
 from hardcontact.report.captions import caption
+from hardcontact.report.figures import listing
 from hardcontact.report.figures.listing import FIGURES
 
 #: Modules that are no figure.
@@ -17,7 +17,7 @@ SHARED = {"__init__", "drawing", "listing", "style", "tables"}
 
 
 def test_each_module_is_a_figure_or_shared():
-    modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
+    modules = {path.stem for path in Path(listing.__file__).parent.glob("*.py")}
     assert modules - SHARED == set(FIGURES)
 
 

@@ -162,10 +162,10 @@ def measured_forces(
 def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]:
     """Return surface, mean and median in N, and count of tests; refuse the first fault of a row."""
     surface, count = row["surface"], row.get("count", "1")
-    if surface not in surfaces:
-        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {found(surface)}")
     names = ("mean", "median") if "mean" in row else ("value", "value")
     mean, median = (FORCE.number(f"{row[name]} {row['unit']}") for name in names)
+    if surface not in surfaces:
+        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {found(surface)}")
     if not re.fullmatch("[1-9][0-9]{0,8}", count):
         raise ValueError(f"count: expected a number of tests, found {found(count)}")
     if median > mean:

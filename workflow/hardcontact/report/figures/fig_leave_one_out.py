@@ -27,7 +27,9 @@ PANELS = {  # by variable: title, unit as printed, unit drawn, unit of the table
     "work_of_adhesion": ("work $W$", "mJ/m²", style.MILLIJOULE, "J/m2", "work_of_adhesion"),
     "best_error": ("mean relative error", "1", 1.0, "1", "error_threshold"),
 }
-COLUMNS = ["panel", "left_out", "label", "basis", "origin", "quantity", *tables.VALUE_COLUMNS]
+COLUMNS = [
+    "panel", "left_out", "label", "basis", "origin", "over", "quantity", *tables.VALUE_COLUMNS,
+]  # fmt: skip
 
 
 def draw(
@@ -35,8 +37,8 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work and (c) error of the fits to all surfaces and to all but one.
 
-    The table has the median over sets with SHARE_OF_SETS of them, of `origin` "sets", and the
-    numbers of the study's own scans, "computed". `left_out` is "none" or a surface.
+    The table has the median `over` "sets" with SHARE_OF_SETS of them, and the fit to the study's
+    own "scans". `left_out` is "none" or a surface.
     """
     fits = leave_one_out.sel(contact_model=CONTACT_MODEL)
     figure = drawing.create(2.6, leave_one_out)
@@ -56,8 +58,8 @@ def draw(
         columns = {"panel": letter, "quantity": name, "unit": table_unit}
         frames += [
             published,
-            tables.as_rows(over_sets).assign(origin="sets", **columns),
-            tables.computed_rows(fits[[name]].rename({name: "value"}), **columns),
+            tables.computed_rows(over_sets, over="sets", **columns),
+            tables.computed_rows(fits[[name]].rename({name: "value"}), over="scans", **columns),
         ]
     labels = leave_one_out["label"].to_series()
     names = [

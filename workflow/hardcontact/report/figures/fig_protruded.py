@@ -58,6 +58,12 @@ def draw(
         Line2D([], [], ls="none", marker="s", color="black", label="published"),
     ]
     style.legend_above(figure, handles)
+    published = [
+        tables.rows_of(
+            "a", f"{name}_at_published", "N", "published", value=measured[f"{name}_force"]
+        )
+        for name in ("mean", "median")
+    ]
     parts = protruded[["density", "height", "width"]]
     frames = [
         tables.computed_rows(
@@ -71,7 +77,7 @@ def draw(
         )
         for name, unit in (("range_of_adhesion", "nm"), ("work_of_adhesion", "J/m2"))
     ]  # fmt: skip
-    return pd.concat(frames, ignore_index=True).reindex(columns=COLUMNS), figure
+    return pd.concat([*frames, *published], ignore_index=True).reindex(columns=COLUMNS), figure
 
 
 def _draw_forces(
