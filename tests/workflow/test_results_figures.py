@@ -137,6 +137,8 @@ def test_a_surface_has_one_colour(drawn, name):
             "fig5",
             "fig_elastic",
             "fig_laws",
+            "fig_leave_one_out",
+            "fig_protruded",
             "fig_robustness",
             "fig_statistics",
         }
