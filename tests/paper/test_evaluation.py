@@ -99,6 +99,7 @@ ORDER = {"rule": "order", "published_low": 1.0, "select": "surface=rough>middle>
         ({"needs": "construction"}, [], "measured", "by construction"),
         ({"needs": "measured"}, ["middle"], "substitute scans", "not testable on substitutes"),
         ({"needs": "measured"}, [], "measured", "reproduced"),
+        ({"needs": "experiment"}, [], "measured", "model beside experiment"),
         (HEIGHT | {"needs": "no scan"}, ["middle"], "no scan", "reproduced"),
         ({"rule": "below", "published_high": 5.0, "select": ""}, ["rough"], "substitute scans",
          "reproduced"),

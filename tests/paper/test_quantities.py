@@ -212,28 +212,21 @@ def test_force_at_short_range_is_linear_between_ranges():
     assert np.isnan(inference.short_range_force(beyond, PAPER)["value"])
 
 
-#: Errors of what must not fit and of what must, and whether only the second fits: threshold 0.1.
-FITS = [(0.5, 0.05, True), (0.5, 0.3, False), (0.05, 0.03, False), (0.05, 0.5, False),
-        (np.nan, 0.05, True)]  # fmt: skip
-
-
-@pytest.mark.parametrize(("misfit", "fit", "expected"), FITS)
-def test_what_fits_nothing_shows_nothing(misfit, fit, expected):
-    """A second minimum that does not exist counts as one of infinite error."""
-    misfits = [misfit, fit]
-    both = xr.Dataset({"best_error": ("contact_model", misfits)}, MODELS)
-    one = xr.Dataset(
-        {"best_error": fit, "minimum_error": ("minimum", [fit, misfit]),
-         "error_of_range": ("rho_fine", misfits)},
-        {"minimum": [1, 2], "rho_fine": [0.5, 5.6]},
-    )  # fmt: skip
-    numbers = [inference.only_one_minimum_fits(one, PAPER)]
-    if np.isfinite(misfit):
-        numbers.append(inference.only_plastic_fits(both, PAPER))
-        numbers.append(inference.only_longer_range_fits(one, PAPER))
-    for number in numbers:
-        near(number, np.nanmin([misfit / 0.1, 0.1 / fit]))
-        assert bool(number["value"] > 1) is expected
+def test_errors_at_short_ranges_and_at_the_second_minimum():
+    errors = xr.Dataset(
+        {
+            "best_error": 0.05,
+            "minimum_error": ("minimum", [0.05, 0.3]),
+            "error_of_range": ("rho_fine", [0.5, 0.2, 0.05]),
+        },
+        {"minimum": [1, 2], "rho_fine": [0.3, 0.6, 5.6]},
+    )
+    near(inference.short_range_error(errors, PAPER), 0.2)
+    near(inference.error_of_second_minimum(errors, PAPER), 0.3)
+    single = errors.assign(minimum_error=("minimum", [0.05, np.nan]))
+    assert inference.error_of_second_minimum(single, PAPER)["value"] == np.inf
+    nothing_fits = errors.assign(best_error=0.15)
+    assert np.isnan(inference.error_of_second_minimum(nothing_fits, PAPER)["value"])
 
 
 # --- scales -----------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ def test_rules_and_words_are_known():
     for claim in STATEMENTS.itertuples():
         accepted_range(claim.rule, claim.published_low, claim.published_high)
     assert set(STATEMENTS["basis"]) <= {"published", "inferred", "assumed"}
-    assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction"}
+    assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction", "experiment"}
     for rows, known in ((PAPER_STATEMENTS, DATASETS), (INSIGHT_STATEMENTS, INSIGHT_DATASETS)):
         assert set(rows["dataset"].str.split("+").explode()) <= {*known, "paper"}
 
@@ -44,7 +44,7 @@ def test_replicated_claims_are_of_datasets_that_sets_have():
     replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
     named = set(replicated["dataset"].str.split("+").explode())
     assert named == {"topography", "adhesion", "inference", "band", "paper"}
-    assert replicated["needs"].isin(["", "construction"]).all()
+    assert replicated["needs"].isin(["", "construction", "experiment"]).all()
 
 
 def test_every_derived_quantity_is_judged():

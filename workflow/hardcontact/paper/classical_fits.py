@@ -16,6 +16,8 @@ from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Rou
 
 #: Works of adhesion (J/m²) among which that of the best fit is searched for.
 WORKS = np.geomspace(1e-3, 10, 401)
+#: Exponents of powers of roughness parameters.
+EXPONENTS = np.linspace(-8, 8, 321)
 REFINEMENTS = 3
 
 NEWTON, ONE = {"units": "N"}, {"units": "1"}
@@ -68,16 +70,19 @@ def fit_work(
 
 
 def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
-    """Return the mean relative error (...) of a power of a parameter (..., surface), fitted.
+    """Return the least mean relative error (...) of any power of a parameter (..., surface).
 
-    The line of least squares goes through the logarithms of parameters and works (surface,).
+    The factor before the power and the exponent are those of the least error to the works
+    (surface,). Exponents are searched within EXPONENTS, then about the best one.
     """
-    deviation = np.log(parameter) - np.log(parameter).mean(axis=-1, keepdims=True)
-    logarithm = np.log(work)
-    with np.errstate(invalid="ignore"):  # one surface has no exponent
-        exponent = (deviation * logarithm).sum(axis=-1) / (deviation**2).sum(axis=-1)
-    fitted = logarithm.mean() + exponent[..., None] * deviation
-    return np.asarray(np.abs(np.exp(fitted) / work - 1).mean(axis=-1))
+    logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
+    step = EXPONENTS[1] - EXPONENTS[0]
+    exponents = np.broadcast_to(EXPONENTS, (*parameter.shape[:-1], EXPONENTS.size))
+    for _ in range(REFINEMENTS + 1):
+        powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
+        best, error = error_map.at_least(error_map.fit_work(powers, work)[1], exponents)
+        exponents, step = best[..., None] + step * np.linspace(-1, 1, 41), step / 20
+    return error
 
 
 def compare_models(

@@ -31,7 +31,9 @@ from hardcontact.paper.selection import (
 )
 from hardcontact.paper.verdicts import (
     BY_CONSTRUCTION,
+    EXPERIMENT,
     UNTESTABLE,
+    accepted_range,
     accepts,
     sets_interval,
     stability,
@@ -72,11 +74,12 @@ DATASETS = (
 INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
-    "frequency", "verdict", "stability", "follows_from", "basis", "note",
+    "accepted_low", "accepted_high", "frequency", "verdict", "stability", "follows_from", "basis",
+    "note",
 )  # fmt: skip
 NUMBERS = ("published", "published_low", "published_high")
 #: Verdicts that no number decides.
-FIXED = (BY_CONSTRUCTION, UNTESTABLE)
+FIXED = (BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
@@ -207,6 +210,7 @@ def _row(
     """Return one row of the result, without the stability of its verdict."""
     surfaces = surfaces_of(claim, computed.parts, computed.chosen, topography)
     value, limits = float(computed.number["value"]), (claim.published_low, claim.published_high)
+    accepted = accepted_range(claim.rule, *limits)
     replicas = _replicas(claim, sets)
     low, high = _interval(claim, computed.number, replicas, confidence)
     fixed, reason = fixed_verdict(claim, surfaces, topography)
@@ -215,6 +219,8 @@ def _row(
         "computed": value,
         "low": low,
         "high": high,
+        "accepted_low": accepted[0],
+        "accepted_high": accepted[1],
         "frequency": accepts(claim.rule, replicas, *limits).mean() if len(replicas) else np.nan,
         "verdict": fixed or verdict(claim.rule, value, low, high, *limits),
         "basis": basis(surfaces, topography),

@@ -11,11 +11,9 @@ from scipy import special
 
 from hardcontact.base.statistics import bounds
 from hardcontact.paper.numbers import (
-    least,
     mean_over_contacts,
     mean_over_scans,
     number,
-    quotient,
     variable_as_number,
 )
 from hardcontact.surfaces.synthesis import SIDES
@@ -32,42 +30,22 @@ def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return paper["work_of_adhesion"] * at_range
 
 
-def only_plastic_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return by how much plastic contact fits and rigid contact does not ().
-
-    Above one, the least error is above the published threshold for rigid and below it for plastic
-    contact.
-    """
-    error = variable_as_number(inference, "best_error")
-    rigid, plastic = (error.sel(contact_model=model, drop=True) for model in ("rigid", "plastic"))
-    return _only_second_fits(rigid, plastic, paper)
-
-
-def only_longer_range_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return by how much some range fits and none of atomic interactions does (contact_model).
-
-    Above one, the least error is above the published threshold at ranges of atomic interactions,
-    and below it over all ranges.
-    """
+def short_range_error(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the least error at the ranges of atomic interactions (contact_model)."""
     error = inference["error_of_range"]
-    atomic = error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
-    return _only_second_fits(number(atomic), variable_as_number(inference, "best_error"), paper)
+    return number(
+        error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
+    )
 
 
-def only_one_minimum_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return by how much the best minimum along the range fits and no other (contact_model).
+def error_of_second_minimum(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the error at the second-best minimum along the range (contact_model).
 
-    Above one, the error is below the published threshold at the best and above it at the second;
-    where there is no second one, its error counts as infinite.
+    It is infinite where there is no second minimum, and NaN where the best one is above the
+    published threshold.
     """
     second = inference["minimum_error"].sel(minimum=2, drop=True).fillna(np.inf)
-    return _only_second_fits(number(second), variable_as_number(inference, "best_error"), paper)
-
-
-def _only_second_fits(misfit: xr.Dataset, fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the smaller of the first error over the threshold and its inverse for the second."""
-    threshold = number(paper["error_threshold"], paper["error_threshold"], paper["error_threshold"])
-    return least(quotient(misfit, threshold), quotient(threshold, fit))
+    return number(second.where(inference["best_error"] < paper["error_threshold"]))
 
 
 def error_overlap(laws: xr.Dataset) -> xr.Dataset:

@@ -9,7 +9,7 @@ import xarray as xr
 
 from hardcontact.base.published import rows_met
 from hardcontact.paper.numbers import quotient
-from hardcontact.paper.verdicts import BY_CONSTRUCTION, ONE_SIDED, UNTESTABLE
+from hardcontact.paper.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
 #: Labels by dimension; `a > b` makes two groups.
 Selection = Mapping[str, list[list[Any]]]
@@ -114,6 +114,8 @@ def fixed_verdict(claim: Any, surfaces: list[str], topography: xr.Dataset) -> tu
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""
+    if claim.needs == "experiment":
+        return EXPERIMENT, "The paper says this of measured forces, not of computed ones."
     substitutes = _is_substitute(surfaces, topography)
     if claim.needs == "measured" and any(substitutes):
         return UNTESTABLE, "The substitute scans assume this."

@@ -16,8 +16,10 @@ from hardcontact.base.statistics import percentile_interval
 
 BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable on substitutes"
+EXPERIMENT = "model beside experiment"
 VERDICTS = (
     "reproduced", "consistent", "undecided", "not reproduced", BY_CONSTRUCTION, UNTESTABLE,
+    EXPERIMENT,
 )  # fmt: skip
 
 #: Rules of a single limit. The limit itself is rejected, that of the other rules accepted.
@@ -151,11 +153,12 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
     """Count the claims of each verdict, and the independent findings among them.
 
-    A claim that follows from another one, or that holds by construction, is no independent finding.
-    Every verdict is listed, in the columns `verdict`, `independent` and `claims`.
+    No independent finding is a claim that follows from another one, that holds by construction, or
+    that tells measured forces, beside which the model stands. Every verdict is listed, in the
+    columns `verdict`, `independent` and `claims`.
     """
     verdicts = evaluated["verdict"]
-    independent = (evaluated["follows_from"] == "") & (verdicts != BY_CONSTRUCTION)
+    independent = (evaluated["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
     counts = {
         name: counted.value_counts().reindex(VERDICTS, fill_value=0)
         for name, counted in (("independent", verdicts[independent]), ("claims", verdicts))
