@@ -33,6 +33,8 @@ def claims():
         computed=1.01 * numbers,
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
+        accepted_low=0.8 * numbers,
+        accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
         frequency=np.where(numbers % 3, 0.58, np.nan),
         stability=np.where(numbers % 3, 0.9, np.nan),
         verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(STATEMENTS))],

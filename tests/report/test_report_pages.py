@@ -31,6 +31,8 @@ def evaluated(**values):
             "high": [3.75, np.nan, np.nan],
             "unit": ["nm", "1", "1"],
             "rule": ["interval", "above", "below"],
+            "accepted_low": [2.0, 1.0, -np.inf],
+            "accepted_high": [4.0, np.inf, 0.2],
             "frequency": [0.87, np.nan, np.nan],
             "stability": [0.68, np.nan, np.nan],
             "verdict": ["undecided", "not reproduced", "not testable on substitutes"],
@@ -58,6 +60,8 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     assert list(rows) == ["first", "second", "third"]
     assert rows["first"]["computed_text"] == "3.25 [2.75, 3.75] nm"
     assert rows["first"]["published_text"] == "3 nm"
+    accepted = [row["accepted_text"] for row in rows.values()]
+    assert accepted == ["2 nm to 4 nm", "above 1", "below 0.2"]
     assert rows["second"]["computed_text"] == "1.5" and rows["second"]["published_text"] == ""
     assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
     assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+import numpy as np
 import pandas as pd
 import yaml
 from markdown_it import MarkdownIt
@@ -69,10 +70,20 @@ def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
     kind = "follows" if row["follows_from"] else "independent"
     return {
         "published_text": print_as_paper(row["published"], unit),
+        "accepted_text": _accepted(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": print_as_paper(row["computed"], unit, interval, open_end=row["open_end"]),
         "may_change": row["stability"] < STABLE,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
+
+
+def _accepted(low: float, high: float, unit: str) -> str:
+    """Return the range in which a number agrees with a statement."""
+    if np.isinf(low):
+        return f"below {print_as_paper(high, unit)}"
+    if np.isinf(high):
+        return f"above {print_as_paper(low, unit)}"
+    return f"{print_as_paper(low, unit)} to {print_as_paper(high, unit)}"
 
 
 def chapter(text: str) -> Chapter:
