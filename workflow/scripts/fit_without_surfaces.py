@@ -13,6 +13,6 @@ with job(snakemake) as this:
     set_fits = leave_one_out_fits(dataset.read(this.input.sets)["mean_force"], measured)
     set_fits = set_fits.rename({name: f"set_{name}" for name in set_fits.data_vars})
     this.write(
-        xr.merge([fits, set_fits, inference[["label", "basis"]]], combine_attrs="drop"),
+        xr.merge([fits, set_fits, inference[["label", "basis"]]], combine_attrs="drop_conflicts"),
         title="range and work of adhesion fitted without one surface",
     )
