@@ -52,12 +52,12 @@ def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_c
     library = finished_copy / "workflow/hardcontact"
     with open(finished_copy / "resources/paper/claims.csv", "a", encoding="utf-8") as file:
         file.write(CLAIM)
-    with open(library / "claims/force_quantities.py", "a", encoding="utf-8") as file:
+    with open(library / "paper/force_quantities.py", "a", encoding="utf-8") as file:
         file.write(QUANTITY)
-    (library / "figures/fig_mine.py").write_text(FIGURE, "utf-8")
-    insert(library / "figures/listing.py", "OF_PAPER = (\n", '    "fig_mine",\n')
+    (library / "report/figures/fig_mine.py").write_text(FIGURE, "utf-8")
+    insert(library / "report/figures/listing.py", "OF_PAPER = (\n", '    "fig_mine",\n')
     insert(library / "config/model.py", '"""Inference."""\n\n', KEY)
-    insert(library / "insight/interaction_laws.py", "LAWS = (\n    EXPONENTIAL,\n", LAW)
+    insert(library / "theory/interaction_laws.py", "LAWS = (\n    EXPONENTIAL,\n", LAW)
     overlay = finished_copy / "mine.yaml"
     overlay.write_text(yaml.safe_dump({"inference": {"percentile": 0.8}}), "utf-8")
     results = finished_copy / "results/quick"

@@ -64,7 +64,7 @@ def test_several_faults_are_told_at_once_and_nothing_is_written(folder, probe):
             ["config key contact.preload", "a force with a unit", "found 10"],
         ),
         ({"contact": {"preload": "1 N"}}, ["contact.preload", "at most 1.37 mN", "found 1 N"]),
-        ({"forces": "unitless.csv"}, ["unitless.csv: line 2: unit", "expected"]),
+        ({"forces": "unitless.csv"}, ["unitless.csv: line 2: expected a force with a unit"]),
     ],
 )
 def test_a_bad_overlay_is_refused_in_the_users_units(folder, probe, change, parts):

@@ -236,7 +236,8 @@ def overlay(key, value):
     ("key", "value", "concerned"),
     [
         ("scales.tolerance", 0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
-                                   "compare_closed_form", "compare_laws", "scale_edges"}),
+                                   "compare_closed_form", "compare_laws", "scale_edges",
+                                   "compare_enhancement"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),
         ("insight.reach", "18 um", {"compute_law_forces"}),

@@ -17,7 +17,7 @@ from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
 from hardcontact.surfaces.scans import read_measurement, read_scan
-from hardcontact.surfaces.spectrum import is_calibrated
+from hardcontact.surfaces.spectrum import is_calibrated, read_bands
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
@@ -113,7 +113,7 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
     if rows.source.iloc[0] == "substitute":
         pixels, size = config["scan"]["pixels"], config["scan"]["size"]
         relief = SUBSTITUTE_RELIEF
-        if not is_calibrated(pd.read_csv(path)):
+        if not is_calibrated(read_bands(path)):
             largest = 2 * size * config["scales"]["large"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
         grid, where = Grid(pixels, size / pixels, size, relief), "config key scan.size"

@@ -15,7 +15,7 @@ from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.model import Keys
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.tables import user_table
-from hardcontact.surfaces.spectrum import is_calibrated
+from hardcontact.surfaces.spectrum import is_calibrated, read_bands
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
@@ -172,7 +172,7 @@ class Selection:
     def tables(self, surface: str) -> list[str]:
         """Return the tables of measured points that the description of a substitute names."""
         description = self.description(surface)
-        names = pd.read_csv(description).table.dropna().unique()
+        names = read_bands(description).table.dropna().unique()
         return [(Path(description).parent / name).as_posix() for name in names]
 
     def skewness(self, surface: str) -> float:
@@ -181,7 +181,7 @@ class Selection:
 
     def reads_curvature(self, surface: str) -> bool:
         """Return whether a substitute depends on what the curvature of Table 1 is read as."""
-        return is_calibrated(pd.read_csv(self.description(surface)))
+        return is_calibrated(read_bands(self.description(surface)))
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:

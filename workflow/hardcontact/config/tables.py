@@ -18,7 +18,7 @@ import pandas as pd
 
 from hardcontact.config.faults import plain, refuse_lines
 from hardcontact.config.key_types import Quantity
-from hardcontact.surfaces.spectrum import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
+from hardcontact.surfaces.spectrum import CALIBRATED, KNOWN, PARAMETERS, is_calibrated, read_bands
 
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
@@ -204,7 +204,7 @@ def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) 
     Raises ValueError with one line, given a description that `refuse_description` accepts and the
     surfaces in the paper's Table 1, which substitutes of these names are conditioned on.
     """
-    bands = pd.read_csv(path)
+    bands = read_bands(path)
     if surface in published or is_calibrated(bands):
         raise ValueError(
             "config key published: expected paper in a study with substitutes for its surfaces "

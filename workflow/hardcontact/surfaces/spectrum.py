@@ -7,6 +7,7 @@ Prop. 5 (2017) 013001.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -162,6 +163,13 @@ TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
 #: Bases of bands that are known; all others are inferred or assumed.
 KNOWN = ("published", "measured")
+
+
+def read_bands(path: str | Path) -> pd.DataFrame:
+    """Return the bands of a description of a spectrum, without blanks around its cells."""
+    cells = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
+    bands: pd.DataFrame = cells.replace("", np.nan).astype(dict.fromkeys(PARAMETERS, float))
+    return bands
 
 
 def is_calibrated(bands: pd.DataFrame) -> bool:

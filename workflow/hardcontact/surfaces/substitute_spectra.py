@@ -14,7 +14,6 @@ from hardcontact.surfaces.spectrum import (
     AFM_ROWS,
     CALIBRATED,
     MODELS,
-    PARAMETERS,
     TAIL_ROWS,
     WAVEVECTORS,
     Density,
@@ -24,6 +23,7 @@ from hardcontact.surfaces.spectrum import (
     continued,
     power_law_tail,
     profile_points,
+    read_bands,
     share_of_cells,
     spectrum_dataset,
 )
@@ -197,7 +197,7 @@ def from_description(
     basis. A band of CALIBRATED without Hurst exponent is calibrated to the rows of Table 1 from
     `rows_of_surface`. Raises ValueError that names the file and the band that cannot be made.
     """
-    bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
+    bands = read_bands(path)
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
