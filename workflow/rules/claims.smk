@@ -6,16 +6,7 @@ from hardcontact.paper.evaluation import DATASETS, INSIGHT_DATASETS
 rule evaluate_claims:
     """Judge each statement of the paper by what was computed: claims.csv."""
     input:
-        topography=rules.aggregate_topography.output[0],
-        adhesion=rules.aggregate_adhesion.output[0],
-        scales=rules.aggregate_scales.output[0],
-        band=rules.find_critical_band.output[0],
-        inference=rules.infer.output[0],
-        elastic=rules.aggregate_elastic.output[0],
-        indent=rules.measure_indents.output[0],
-        repeated_contact=rules.repeat_contact.output[0],
-        asperities=rules.aggregate_asperities.output[0],
-        classical=rules.apply_classical_models.output[0],
+        **{name: PATTERNS.dataset(name) for name in DATASETS},
         sets=rules.judge_sets.output[0],
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED["published_constants"],

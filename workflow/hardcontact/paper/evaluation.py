@@ -68,7 +68,7 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 #: Datasets that the claims are about. A claim may also name `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "band", "inference", "elastic", "indent",
-    "repeated_contact", "asperities", "classical",
+    "repeated_contact", "asperities", "classical", "enhancement", "leave_one_out", "protruded",
 )  # fmt: skip
 #: Datasets that the claims of the chapter on what decides the band are about.
 INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")

@@ -1,5 +1,7 @@
 """Other laws of attraction: their pressure, and edges of the critical band by each."""
 
+from itertools import cycle
+
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -24,13 +26,13 @@ a symbol is missing, the edge lies beyond the last cutoff. Bars:
 {{ inference.confidence | percent }} intervals over scans and their masters. Drawn from laws.nc.
 """
 
-# Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.
-COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933")
-DASHES = ("-", "--", "-.", ":")
-MARKERS = ("o", "s", "^", "D")
+# Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published. More laws begin again.
+COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933", "#44AA99")
+DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
+MARKERS = ("o", "s", "^", "D", "v")
 LOOKS: dict[str, style.Look] = {
     law.name: {"color": colour, "marker": marker}
-    for law, colour, marker in zip(LAWS, COLOURS, MARKERS, strict=True)
+    for law, colour, marker in zip(LAWS, cycle(COLOURS), cycle(MARKERS), strict=False)
 }
 GAPS = np.geomspace(0.1, 300.0, 200)  # nm
 PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
@@ -50,7 +52,7 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         frames.append(tables.drawn_rows(laws.sel(side=[side]), column))
     handles = [
         Line2D([], [], ls=dashes, label=law.label, **LOOKS[law.name])
-        for law, dashes in zip(LAWS, DASHES, strict=True)
+        for law, dashes in zip(LAWS, cycle(DASHES), strict=False)
     ]
     mark: style.Look = {"ls": "none", "marker": "o", "color": "0.3"}
     handles += [
@@ -64,7 +66,7 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
 def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
     """Draw the pressure of every law at the length and work equivalent to Eq. 1."""
     case = laws.sel(case="equivalent")
-    for law, colour, dashes in zip(LAWS, COLOURS, DASHES, strict=True):
+    for law, colour, dashes in zip(LAWS, cycle(COLOURS), cycle(DASHES), strict=False):
         law_data = case.sel(law=law.name)
         rho, work = law_data["range_of_law"].item(), law_data["work_of_adhesion"].item()
         values = PRESSURE * work / rho * pressure(law, GAPS, rho)
