@@ -7,7 +7,11 @@ import xarray as xr
 from small_pool import SOURCES
 
 from hardcontact.paper.inference import Pair, Published
-from hardcontact.paper.protruded_sets import compute_protruded, judge_protruded
+from hardcontact.paper.protruded_sets import (
+    compute_protruded,
+    judge_protruded,
+    none_protruded,
+)
 
 RANGES = np.geomspace(0.5, 20, 9)
 PAIR = Pair(5.0, 0.05)
@@ -60,3 +64,5 @@ def test_the_pair_is_that_of_forces_that_agree():
     assert other["agrees"].values.tolist() == [[0, 0]]
     assert judged["mean_at_published"].item() == pytest.approx(measured["smooth"], rel=1e-3)
     assert judged["spread_at_published"].item() == pytest.approx(np.log(3) / 2)
+    none = judge_protruded(none_protruded(RANGES), "smooth", sets, Published(forces, PAIR))
+    assert none["agrees"].sizes == {"variant": 0, "set": 2}

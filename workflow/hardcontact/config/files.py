@@ -214,14 +214,19 @@ class Files:
 
     @property
     def protruded_surface(self) -> str:
-        """The surface that has protrusions in some sets: a substitute with a pool."""
+        """The surface that has protrusions in some sets: a substitute with a pool, if any."""
         surface: str = self._configuration["robustness"]["heights"]["surface"]
         pooled = self._selection.pooled
-        return surface if surface in pooled else pooled[0]
+        return surface if surface in pooled or not pooled else pooled[0]
 
     @property
     def protruded_chunks(self) -> list[Chunk]:
-        """The surfaces with protrusions, from the first to the last of those computed together."""
+        """The surfaces with protrusions, from the first to the last of those computed together.
+
+        There are none without substitutes: measured surfaces have the protrusions that they have.
+        """
+        if not self._selection.pooled:
+            return []
         chunks = _chunks(self._configuration["sets"]["protruded"], PROTRUDED_CHUNK)
         return [Chunk(self.protruded_surface, *chunk) for chunk in chunks]
 

@@ -13,7 +13,7 @@ from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.contact.force_curves import on_fine_grid
 from hardcontact.paper import error_map
-from hardcontact.paper.inference import FINE_RANGES, UNITS, Pair, Published
+from hardcontact.paper.inference import FINE_RANGES, Pair, Published
 from hardcontact.paper.pool import PoolSources, forces_at_heights, height_weights
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.height_map import level
@@ -24,7 +24,13 @@ CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 #: A set agrees where mean and median force of the protruded surface lie within this factor of the
 #: published ones, at the range and work of adhesion that fit the set best.
 FACTOR = 2.0
-ONE, NEWTON = {"units": "1"}, {"units": "N"}
+NEWTON = {"units": "N"}
+#: What is fitted to a set, and what the protruded surface has at the published pair.
+UNITS_OF_FITS = {
+    "range_of_adhesion": "nm", "work_of_adhesion": "J m-2", "best_error": "1",
+    "mean_force": "N", "median_force": "N",
+}  # fmt: skip
+UNITS_AT_PAIR = {"mean_at_published": "N", "median_at_published": "N", "spread_at_published": "1"}
 #: Of protrusions, with their units.
 OF_PROTRUSIONS = {"density": "um-2", "height": "1", "width": "nm"}
 
@@ -117,29 +123,24 @@ def judge_protruded(
     forces = (protruded["pull_off_force"] * factor).transpose("variant", "contact", "rho")
     curves = sets["mean_force"].transpose("set", "surface", "rho")
     target = measured.forces["mean_force"].reindex(curves["surface"].values).to_numpy()
-    fits = []
-    for variant in forces["variant"].values:
-        own = forces.sel(variant=variant)
+    shape = forces.sizes["variant"], curves.sizes["set"]
+    fits = {name: np.empty(shape) for name in UNITS_OF_FITS}
+    at_pair = {name: np.empty(shape[0]) for name in UNITS_AT_PAIR}
+    for place in range(shape[0]):
+        own = forces.isel(variant=place)
         replaced = curves.where(curves["surface"] != surface, own.mean("contact"))
         best, work, error = error_map.fit(on_fine_grid(replaced.values, ranges, fine), target)
         at_fits = on_fine_grid(own.values, ranges, fine[best]) * work  # (contact, set)
-        of_set = {
-            "range_of_adhesion": (fine[best], UNITS["range_of_adhesion"]),
-            "work_of_adhesion": (work, UNITS["work_of_adhesion"]),
-            "best_error": (error, ONE),
-            "mean_force": (at_fits.mean(axis=0), NEWTON),
-            "median_force": (np.median(at_fits, axis=0), NEWTON),
-        }
-        fits.append(
-            xr.Dataset(
-                {
-                    name: ("set", values, attributes)
-                    for name, (values, attributes) in of_set.items()
-                },
-                {"set": sets["set"]},
-            ).assign(_at_pair(own, measured.pair))
-        )
-    judged = xr.concat(fits, protruded["variant"])
+        values = fine[best], work, error, at_fits.mean(axis=0), np.median(at_fits, axis=0)
+        for name, value in zip(UNITS_OF_FITS, values, strict=True):
+            fits[name][place] = value
+        for name, value in _at_pair(own, measured.pair).items():
+            at_pair[name][place] = value
+    judged = xr.Dataset(coords={"variant": protruded["variant"], "set": sets["set"]})
+    for name, unit in UNITS_OF_FITS.items():
+        judged[name] = ("variant", "set"), fits[name], {"units": unit}
+    for name, unit in UNITS_AT_PAIR.items():
+        judged[name] = "variant", at_pair[name], {"units": unit}
     published = measured.forces.loc[surface]
     within = [
         abs(np.log(judged[name] / published[name])) <= np.log(FACTOR)
@@ -150,14 +151,24 @@ def judge_protruded(
     )
 
 
-def _at_pair(
-    forces: xr.DataArray, pair: Pair
-) -> dict[str, tuple[tuple[()], float, dict[str, str]]]:
+def _at_pair(forces: xr.DataArray, pair: Pair) -> dict[str, float]:
     """Return mean, median and spread of forces (contact, rho) of one surface at a pair."""
     rho, work = pair
     at_pair = on_fine_grid(forces.values, forces["rho"].values, np.array([rho]))[:, 0] * work
     return {
-        "mean_at_published": ((), float(at_pair.mean()), NEWTON),
-        "median_at_published": ((), float(np.median(at_pair)), NEWTON),
-        "spread_at_published": ((), float(np.log(at_pair).std()), ONE),
+        "mean_at_published": float(at_pair.mean()),
+        "median_at_published": float(np.median(at_pair)),
+        "spread_at_published": float(np.log(at_pair).std()),
     }
+
+
+def none_protruded(ranges: np.ndarray) -> xr.Dataset:
+    """Return what `compute_protruded` gives of no surface at ranges of adhesion (rho,) in nm."""
+    forces = np.empty((0, len(ranges), 1))
+    return xr.Dataset(
+        {
+            "pull_off_force": (("variant", "rho", "contact"), forces, NEWTON),
+            **{name: ("variant", [], {"units": unit}) for name, unit in OF_PROTRUSIONS.items()},
+        },
+        {"variant": np.arange(0), "rho": ranges},
+    )

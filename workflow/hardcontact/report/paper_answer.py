@@ -172,7 +172,8 @@ def _decisive_numbers(
     tail = (1 - sets.attrs["confidence"]) / 2
     without = fits.sel(left_out=protruded.attrs["surface"], contact_model="plastic")
     agrees = protruded["agrees"].values == 1
-    yield Number("protruded_sets_that_agree", agrees.mean())
+    if agrees.size:
+        yield Number("protruded_sets_that_agree", agrees.mean())
     for name, unit in FITTED.items():
         values = {"without_decisive": without[f"set_{name}"].values}
         if agrees.any():

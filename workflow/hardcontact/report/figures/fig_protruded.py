@@ -46,11 +46,11 @@ def draw(
     agrees = protruded["agrees"] == 1
     figure = drawing.create(3.4, protruded)
     forces, fits = figure.subplots(1, 2, width_ratios=(1, 1.3))
-    norm = Normalize(0, float(protruded["height"].max()))
+    norm = Normalize(0, np.max(protruded["height"].values, initial=1.0))
     _draw_forces(forces, protruded, measured, norm)
     _draw_fits(fits, protruded, agrees, norm)
     style.draw_published_fit(fits, published_constants)
-    share = float(agrees.mean())
+    share = agrees.values.mean() if agrees.size else 0.0
     style.label_panel(fits, "b", f"best fits; {print_share(share)} of the sets agree")
     handles = [
         Line2D([], [], ls="none", marker="o", color="0.4", label="forces agree (b)"),
@@ -90,7 +90,8 @@ def _draw_forces(
     axes.scatter(mean, median, c=protruded["height"], cmap=COLOURS, norm=norm, s=18)
     published = [measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force")]
     axes.plot(*published, "s", color="black", ms=5)
-    ends = np.array([0.7, 1.5]) * [min(published), float(max(mean.max(), median.max()))]
+    largest = np.max([mean.values, median.values], initial=max(published))
+    ends = np.array([0.7 * min(published), 1.5 * largest])
     axes.plot(ends, ends, color="0.7", lw=0.6, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="mean force (µN)", ylabel="median force (µN)")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 2, 5))
