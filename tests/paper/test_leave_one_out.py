@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from hardcontact.paper.leave_one_out import NONE_LEFT_OUT, leave_one_out_fits
+from hardcontact.paper.leave_one_out import NONE_LEFT_OUT, fitted_pairs, leave_one_out_fits
 
 RANGES = np.geomspace(0.5, 20, 9)
 RANGE, WORK = 5.0, 0.05
@@ -28,4 +28,6 @@ def test_the_pair_is_found_where_the_surface_that_contradicts_it_is_left_out():
     assert without["range_of_adhesion"].item() == pytest.approx(RANGE, rel=0.01)
     assert without["work_of_adhesion"].item() == pytest.approx(WORK, rel=0.03)
     assert without["best_error"].item() < 0.02
+    unmeasured = fitted_pairs(forces_at_one_joule(), measured.drop("odd")).sel(set=2)
+    xr.testing.assert_equal(unmeasured, without.drop_vars("left_out"))
     assert (fits["best_error"].sel(left_out=[NONE_LEFT_OUT, "a", "b"]) > 0.1).all()

@@ -31,7 +31,6 @@ def test_forces_that_agree_leave_no_height_missing():
     adhesion = xr.Dataset(
         {
             "pull_off_force": (axes, forces.reshape(2, 1, 1, 2, 1, 1)),
-            "closest_approach": (axes[:3] + axes[4:], np.full((2, 1, 1, 1, 1), -9.0)),
             "label": ("surface", ["A", "B"]),
             "basis": ("surface", ["substitute"] * 2),
         },
@@ -49,4 +48,3 @@ def test_forces_that_agree_leave_no_height_missing():
         )
         assert (required.sel(statistic="median") > required.sel(statistic="mean")).all()
     assert at_pair["fitted_work"].item() == pytest.approx(0.05)
-    assert heights["closest_approach"].values.tolist() == [9.0, 9.0]

@@ -1,6 +1,6 @@
-"""How plasticity and a long range of adhesion enhance each other: edges with and without either.
+"""Whether plasticity and a long range of adhesion enhance each other: edges with and without them.
 
-Source: the paper, The Role of Plasticity and the abstract.
+Source: the paper, Determining the Most Relevant Length-scales of Roughness.
 """
 
 import pandas as pd

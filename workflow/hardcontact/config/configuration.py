@@ -70,7 +70,7 @@ def refuse_unreadable(path: str | Path) -> None:
         content = yaml.safe_load(Path(path).read_bytes().decode("utf-8"))
         reason = plain(content) if content is not None else "nothing"
     except (OSError, RecursionError, ValueError, yaml.YAMLError) as error:
-        text = " ".join(str(error).split())[:200]
+        text = " ".join(str(error).split())[:150]
         content, reason = None, text if text.isprintable() else ascii(text)
     if not isinstance(content, dict):
         raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")

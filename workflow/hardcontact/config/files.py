@@ -19,7 +19,7 @@ from hardcontact.surfaces.synthesis import SIDES
 CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 6
 #: Hardness (Pa) at which a single pixel carries any load: the contact is rigid.
 RIGID = 1e15
-#: A range of adhesion (nm) as short as covalent bonds are: the short one of the paper's argument.
+#: A range of adhesion (nm) that is short beside the published one.
 SHORT_RANGE = 1.0
 #: Sections with realizations of their own of the masters of variants.
 VARIED = ("sets", "robustness")

@@ -21,6 +21,8 @@ from hardcontact.contact.force_curves import (
 )
 from hardcontact.paper import error_map
 
+#: The contact model that the paper's conclusions rest on.
+PLASTIC = "plastic"
 #: Of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 

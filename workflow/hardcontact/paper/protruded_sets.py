@@ -12,25 +12,18 @@ import xarray as xr
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.contact.force_curves import on_fine_grid
-from hardcontact.paper import error_map
-from hardcontact.paper.inference import FINE_RANGES, Pair, Published
+from hardcontact.paper.inference import PLASTIC, Published
+from hardcontact.paper.leave_one_out import fitted_pairs
 from hardcontact.paper.pool import PoolSources, forces_at_heights, height_weights
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.protrusions import draw_protrusions, with_protrusions
 from hardcontact.surfaces.substitute_scans import drawn_scan
 
-CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 #: A set agrees where mean and median force of the protruded surface lie within this factor of the
 #: published ones, at the range and work of adhesion that fit the set best.
 FACTOR = 2.0
 NEWTON = {"units": "N"}
-#: What is fitted to a set, and what the protruded surface has at the published pair.
-UNITS_OF_FITS = {
-    "range_of_adhesion": "nm", "work_of_adhesion": "J m-2", "best_error": "1",
-    "mean_force": "N", "median_force": "N",
-}  # fmt: skip
-UNITS_AT_PAIR = {"mean_at_published": "N", "median_at_published": "N", "spread_at_published": "1"}
 #: Of protrusions, with their units.
 OF_PROTRUSIONS = {"density": "um-2", "height": "1", "width": "nm"}
 
@@ -71,7 +64,7 @@ def _protruded_surface(number: int, scans: int, sources: PoolSources) -> xr.Data
         scan = level(drawn_scan(rng, density, settings["scan"]))
         protruded = with_protrusions(rng, scan, protrusions)
         computed = forces_at_heights(protruded, heights, settings["contact"], settings["ranges"])
-        log_forces.append(computed["log_force"].sel(contact_model=CONTACT_MODEL, drop=True))
+        log_forces.append(computed["log_force"].sel(contact_model=PLASTIC, drop=True))
         rms_heights.append(computed["rms_height"].item())
     # With more scans than five a height of a group may lie below those computed.
     wanted = group_heights(np.array(rms_heights), targets.means["rms_height"], targets.deviation)
@@ -117,49 +110,31 @@ def judge_protruded(
         ``spread_at_published``, the standard deviation of ln F; and density, height and width of
         the protrusions.
     """
-    ranges = protruded["rho"].values
-    fine = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
     factor = sets["sphere_factor"].sel(surface=surface, drop=True)
     forces = (protruded["pull_off_force"] * factor).transpose("variant", "contact", "rho")
-    curves = sets["mean_force"].transpose("set", "surface", "rho")
-    target = measured.forces["mean_force"].reindex(curves["surface"].values).to_numpy()
-    shape = forces.sizes["variant"], curves.sizes["set"]
-    fits = {name: np.empty(shape) for name in UNITS_OF_FITS}
-    at_pair = {name: np.empty(shape[0]) for name in UNITS_AT_PAIR}
-    for place in range(shape[0]):
-        own = forces.isel(variant=place)
-        replaced = curves.where(curves["surface"] != surface, own.mean("contact"))
-        best, work, error = error_map.fit(on_fine_grid(replaced.values, ranges, fine), target)
-        at_fits = on_fine_grid(own.values, ranges, fine[best]) * work  # (contact, set)
-        values = fine[best], work, error, at_fits.mean(axis=0), np.median(at_fits, axis=0)
-        for name, value in zip(UNITS_OF_FITS, values, strict=True):
-            fits[name][place] = value
-        for name, value in _at_pair(own, measured.pair).items():
-            at_pair[name][place] = value
-    judged = xr.Dataset(coords={"variant": protruded["variant"], "set": sets["set"]})
-    for name, unit in UNITS_OF_FITS.items():
-        judged[name] = ("variant", "set"), fits[name], {"units": unit}
-    for name, unit in UNITS_AT_PAIR.items():
-        judged[name] = "variant", at_pair[name], {"units": unit}
-    published = measured.forces.loc[surface]
-    within = [
-        abs(np.log(judged[name] / published[name])) <= np.log(FACTOR)
-        for name in ("mean_force", "median_force")
-    ]
-    return judged.assign(protruded[list(OF_PROTRUSIONS)]).assign(
-        agrees=(within[0] & within[1]).astype("int8")
-    )
-
-
-def _at_pair(forces: xr.DataArray, pair: Pair) -> dict[str, float]:
-    """Return mean, median and spread of forces (contact, rho) of one surface at a pair."""
-    rho, work = pair
-    at_pair = on_fine_grid(forces.values, forces["rho"].values, np.array([rho]))[:, 0] * work
-    return {
-        "mean_at_published": float(at_pair.mean()),
-        "median_at_published": float(np.median(at_pair)),
-        "spread_at_published": float(np.log(at_pair).std()),
-    }
+    published, ranges = measured.forces, forces["rho"].values
+    curves = sets["mean_force"].where(sets["surface"] != surface, forces.mean("contact"))
+    fits = fitted_pairs(curves.transpose("variant", "set", ...), published["mean_force"])
+    shape = tuple(fits.sizes.values())
+    means, medians = np.empty(shape), np.empty(shape)
+    for place in range(len(forces)):
+        fit = fits.isel(variant=place)
+        at_fit = on_fine_grid(forces.values[place], ranges, fit["range_of_adhesion"].values)
+        at_fit = at_fit * fit["work_of_adhesion"].values  # (contact, set)
+        means[place], medians[place] = at_fit.mean(axis=0), np.median(at_fit, axis=0)
+    agrees = np.ones(shape, bool)
+    for name, values in (("mean_force", means), ("median_force", medians)):
+        agrees &= abs(np.log(values / published[name][surface])) <= np.log(FACTOR)
+    rho, work = measured.pair
+    at_published = on_fine_grid(forces.values, ranges, np.array([rho]))[..., 0] * work
+    return fits.assign(
+        mean_force=(("variant", "set"), means, NEWTON),
+        median_force=(("variant", "set"), medians, NEWTON),
+        agrees=(("variant", "set"), agrees.astype("int8")),
+        mean_at_published=("variant", at_published.mean(axis=1), NEWTON),
+        median_at_published=("variant", np.median(at_published, axis=1), NEWTON),
+        spread_at_published=("variant", np.log(at_published).std(axis=1), {"units": "1"}),
+    ).assign(protruded[list(OF_PROTRUSIONS)])
 
 
 def none_protruded(ranges: np.ndarray) -> xr.Dataset:

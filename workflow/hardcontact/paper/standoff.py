@@ -16,10 +16,9 @@ from hardcontact.paper import error_map
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.theory.closed_form import gaussian_share
 
-#: Heights of the apex that are tried, and the highest in rms heights and in ranges of adhesion.
-HEIGHTS = 20001
+#: Number of heights of the apex, and the highest in rms heights and in ranges of adhesion.
+TABULATED_HEIGHTS = 20001
 HIGHEST_IN_RMS, HIGHEST_IN_RANGES = 10, 40
-CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 STATISTICS = ["mean", "median"]
 #: The work of adhesion: the published one, or that which fits all forces best at each range.
 WORKS = ["published", "fitted"]
@@ -34,7 +33,7 @@ def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
     where no height gives as large a force.
     """
     highest = HIGHEST_IN_RMS * rms_height + HIGHEST_IN_RANGES * rho
-    heights = np.linspace(0, highest, HEIGHTS)
+    heights = np.linspace(0, highest, TABULATED_HEIGHTS)
     shares = gaussian_share(rms_height, heights, rho)
     falling = slice(shares.argmax(), None)
     logarithm = -np.log(shares[falling])
@@ -62,7 +61,7 @@ def standoff(
     xarray.Dataset
         Over (surface, statistic, rho) in nm ``computed_height``, from the forces computed, which
         does not depend on W; over work_of_adhesion, too, ``required_height``, from the published
-        ones. Over surface ``rms_height`` and the mean ``closest_approach`` of the contacts.
+        ones. Over surface ``rms_height``, over rho the ``fitted_work`` in J/m².
     """
     forces = adhesion["pull_off_force"].stack(
         contact=["scan", "sphere_scan", "contact_y", "contact_x"]
@@ -83,14 +82,12 @@ def standoff(
             required[place, :, :, column] = apex_height(measured_shares, height, rho)
             computed_shares = computed.values[place, :, column] / smooth
             of_computed[place, :, column] = apex_height(computed_shares, height, rho)
-    approach = adhesion["closest_approach"].mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     return xr.Dataset(
         {
             "required_height": (("surface", "statistic", "work_of_adhesion", "rho"), required, NM),
             "computed_height": (("surface", "statistic", "rho"), of_computed, NM),
             "fitted_work": ("rho", fitted, {"units": "J m-2"}),
             "rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
-            "closest_approach": abs(approach).assign_attrs(NM),
         },
         {"statistic": STATISTICS, "work_of_adhesion": WORKS, "rho": computed["rho"]},
     ).assign(adhesion[["label", "basis"]])

@@ -11,6 +11,8 @@ import xarray as xr
 
 from hardcontact.band.critical_band import POOLED
 from hardcontact.base.number import Number
+from hardcontact.paper.inference import PLASTIC
+from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.paper.verdicts import summary, with_open_ends
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import OF_PAPER, describe
@@ -62,7 +64,8 @@ class PaperAnswer(NamedTuple):
     #: Of each substrate: label, basis, both edges and the force on scans over that on large ones.
     surfaces: dict[str, dict[str, Any]]
     sphere: dict[str, Any]  #: Label and basis.
-    decisive: str  #: Label of the surface that decides range and work of adhesion.
+    decisive: str  #: Label of the surface that decides range and work of adhesion most.
+    protruded: str  #: Label of the surface that has protrusions in some sets.
     table1: list[list[str]]
 
     @property
@@ -93,7 +96,9 @@ def paper_answer(
         if claim in rows:
             numbers += _numbers_of_claim(name, rows[claim], band)
     numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
-    numbers += _decisive_numbers(datasets["leave_one_out"], datasets["protruded"], sets)
+    fits, protruded = datasets["leave_one_out"], datasets["protruded"]
+    decisive = _decisive_surface(fits)
+    numbers += _decisive_numbers(fits, protruded, decisive, sets.attrs["confidence"])
     numbers += _settings(datasets, constants)
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
@@ -110,7 +115,8 @@ def paper_answer(
             for name in map(str, band["surface"].values)
         },
         known[sphere],
-        datasets["protruded"].attrs["label"],
+        str(known[decisive]["label"]),
+        protruded.attrs["label"],
         table1_rows(topography, published_table1),
     )
 
@@ -150,7 +156,7 @@ def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
     The range of a set is long if it exceeds that of the paper's statement. There are no groups
     where the study does not have that statement.
     """
-    fits = sets.sel(contact_model="plastic", drop=True)[[*FITTED]].to_dataframe()
+    fits = sets.sel(contact_model=PLASTIC, drop=True)[[*FITTED]].to_dataframe()
     if statement is None or math.isnan(statement.frequency):
         return
     for exceeds, group in fits.groupby(fits["range_of_adhesion"] > statement.published):
@@ -161,21 +167,31 @@ def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
             yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
 
 
+def _decisive_surface(fits: xr.Dataset) -> str:
+    """Return the surface without which the sets spread least over the range of adhesion."""
+    without = fits.sel(contact_model=PLASTIC).drop_sel(left_out=NONE_LEFT_OUT)
+    ranges = without["set_range_of_adhesion"].transpose("left_out", "set").values
+    return str(without["left_out"].values[np.log(ranges).std(axis=1).argmin()])
+
+
 def _decisive_numbers(
-    fits: xr.Dataset, protruded: xr.Dataset, sets: xr.Dataset
+    fits: xr.Dataset, protruded: xr.Dataset, decisive: str, confidence: float
 ) -> Iterator[Number]:
-    """Yield range and work of adhesion without the decisive surface, and if it had protrusions.
+    """Yield range and work of adhesion without the decisive surface, and with protrusions.
 
     Each is the median of the sets, of those that agree where there are protrusions, with the
     interval of the claims.
     """
-    tail = (1 - sets.attrs["confidence"]) / 2
-    without = fits.sel(left_out=protruded.attrs["surface"], contact_model="plastic")
+    tail = (1 - confidence) / 2
+    plastic = fits.sel(contact_model=PLASTIC)
     agrees = protruded["agrees"].values == 1
     if agrees.size:
         yield Number("protruded_sets_that_agree", agrees.mean())
     for name, unit in FITTED.items():
-        values = {"without_decisive": without[f"set_{name}"].values}
+        values = {
+            "all_surfaces": plastic[f"set_{name}"].sel(left_out=NONE_LEFT_OUT).values,
+            "without_decisive": plastic[f"set_{name}"].sel(left_out=decisive).values,
+        }
         if agrees.any():
             values["protruded"] = protruded[name].values[agrees]
         for prefix, sample in values.items():

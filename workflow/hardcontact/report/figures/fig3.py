@@ -16,6 +16,7 @@ from scipy.stats import lognorm
 from hardcontact.base.printing import print_formatted
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.contact.force_curves import at_range
+from hardcontact.paper.inference import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fig. 3: distribution of the pull-off forces"
@@ -34,7 +35,6 @@ ones; below, both axes are logarithmic. Drawn from adhesion.nc and inference.nc,
 values from parameters.csv and pull_off.csv of resources/paper.
 """
 
-CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8
 AT_PUBLISHED: style.Look = {"color": "0.4", "alpha": 0.55}
@@ -67,13 +67,13 @@ def draw(
     `pair`. The table has the probability density of each bin between `force_low` and `force_high`,
     of the linear panels "1" and of the logarithmic panels "2", and the numbers of the log-normals.
     """
-    fit = inference.sel(contact_model=CONTACT_MODEL)
+    fit = inference.sel(contact_model=PLASTIC)
     floor, work = inference.attrs["force_floor"], adhesion.attrs["work_of_adhesion"]
     pairs: dict[str, pd.Series | xr.Dataset] = {
         "published": published_constants["value"],
         "fitted": fit,
     }
-    forces = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
+    forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
     forces_of_all = {
         name: at_range(forces, float(pair["range_of_adhesion"]))
         * (float(pair["work_of_adhesion"]) / work)

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.base.printing import print_formatted, print_share
+from hardcontact.paper.inference import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fig. 4: range and work of adhesion"
@@ -33,7 +34,6 @@ anywhere. Dashed in (b) to (e): the published range. Drawn from contact.nc, infe
 sets.nc, published values from parameters.csv and pull_off.csv of resources/paper.
 """
 
-CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 MODELS: dict[str, style.Look] = {
     "plastic": {"color": "black", "ls": "-"},
     "rigid": {"color": "0.45", "ls": "--"},
@@ -60,7 +60,7 @@ def draw(
     The column `x` has the separation (nm, panel a) or the range of adhesion (nm, b to e). Values
     over "scans" are means with their interval; values over "sets" are the median and SHARE_OF_SETS.
     """
-    fit, set_fits = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
+    fit, set_fits = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     figure, ((pressure, separation, key), (ratios, forces), (error_curves, error)) = (
         drawing.create_rows(7.6, inference, (1, (1.3, 1, 1)), (1.3, (1, 1)), (1.3, (1, 1)))
     )
@@ -198,7 +198,7 @@ def _draw_curves(
 
 def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -> pd.DataFrame:
     """Draw the error, least over W, against rho (nm), and the best fit of each set."""
-    fit = inference.sel(contact_model=CONTACT_MODEL)
+    fit = inference.sel(contact_model=PLASTIC)
     threshold = inference.attrs["error_threshold"]
     set_look: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
     set_ranges, set_errors = set_fits["range_of_adhesion"].values, set_fits["best_error"].values

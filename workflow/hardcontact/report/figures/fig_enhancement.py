@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from hardcontact.band.critical_band import POOLED
 from hardcontact.report.figures import drawing, style, tables
 
-TITLE = "Plasticity and range of adhesion together make small roughness negligible"
+TITLE = "The short edge with and without plasticity and a long range"
 CHAPTER = "6. Scales"
 CAPTION = """\
 Fig. 6a for rigid and plastic contact at a short and at the published range of adhesion ρ. Below:

@@ -6,6 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from hardcontact.paper.inference import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.report.figures import drawing, style, tables
 
@@ -21,7 +22,6 @@ published uncertainty. A fit of two numbers to three forces has one force left t
 four has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
 """
 
-CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 PANELS = {  # by variable: title, unit as printed, unit drawn, unit of the table, published constant
     "range_of_adhesion": ("range ρ", "nm", 1.0, "nm", "range_of_adhesion"),
     "work_of_adhesion": ("work $W$", "mJ/m²", style.MILLIJOULE, "J/m2", "work_of_adhesion"),
@@ -40,7 +40,7 @@ def draw(
     The table has the median `over` "sets" with SHARE_OF_SETS of them, and the fit to the study's
     own "scans". `left_out` is "none" or a surface.
     """
-    fits = leave_one_out.sel(contact_model=CONTACT_MODEL)
+    fits = leave_one_out.sel(contact_model=PLASTIC)
     figure = drawing.create(2.6, leave_one_out)
     panels = figure.subplots(1, len(PANELS), sharey=True)
     frames = []

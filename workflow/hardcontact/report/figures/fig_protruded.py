@@ -11,20 +11,20 @@ from matplotlib.lines import Line2D
 from hardcontact.base.printing import print_share
 from hardcontact.report.figures import drawing, style, tables
 
-TITLE = "If polished UNCD had rare protrusions"
+TITLE = "If one surface had rare protrusions"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Mean and median force on polished UNCD with rare protrusions. (b) Best range and work of
-adhesion of sets with it; filled: both forces are within a factor of two of the published ones.
+(a) Mean and median force on one surface with rare protrusions. (b) Best range and work of adhesion
+of sets with it; filled: both forces are within a factor of two of the published ones.
 
-Polished UNCD stands in place of its Gaussian scans, (a) at the published range and work, (b) at
-those that fit the mean forces of all four surfaces best. Black: published. Protrusions have
-Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms heights high (colour) and 30
-to 100 nm wide; a quarter of the surfaces has none (dark). All are scaled to the rms height of Table
-1. The factor of two is the only condition, and it is not on range or work. That the filled pairs
-lie about the published one (with its uncertainty) is consistent with the paper and no independent
-test of it: both follow from the same forces. Drawn from protruded.nc and
-resources/paper/parameters.csv and pull_off.csv.
+The surface is {{ robustness.heights.surface }}, in place of its Gaussian scans, (a) at the
+published range and work, (b) at those that fit the mean forces of all surfaces best. Black:
+published. Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms
+heights high (colour) and 30 to 100 nm wide; a quarter of the surfaces has none (dark). All are
+scaled to the rms height of Table 1. The factor of two is the only condition, and it is not on range
+or work. Pairs that are chosen by the forces test no pair that follows from the same forces: where
+they lie about the published one (with its uncertainty), they are consistent with it. Drawn from
+protruded.nc and resources/paper/parameters.csv and pull_off.csv.
 """
 
 COLOURS = "viridis"

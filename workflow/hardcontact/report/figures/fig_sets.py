@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 
 from hardcontact.band.critical_band import last_cutoff
 from hardcontact.base.printing import print_share
+from hardcontact.paper.inference import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Many sets of substitutes"
@@ -28,7 +29,6 @@ has the edge of each surface, too. Dashed in (a) and (b): the published range. D
 inference.nc and resources/paper/parameters.csv.
 """
 
-PLASTIC = "plastic"  # the contact model that the paper's conclusions rest on
 MODELS: dict[str, style.Look] = {
     "plastic": {"fill": True, "color": "0.55"},
     "rigid": {"color": "black", "ls": "--", "lw": 1.0},
