@@ -259,7 +259,7 @@ def test_altered_files_are_never_used_and_made_again(copy, own):
 def alter(study, script, lines):
     """Put lines into a script, where its log has begun."""
     path = study / f"workflow/scripts/{script}.py"
-    head, begin, rest = path.read_text().partition("(snakemake) as this:\n")
+    head, begin, rest = path.read_text().partition("(snakemake) as job:\n")
     assert begin
     path.write_text(f"{head}{begin}{indent(lines, '    ')}\n{rest}")
 

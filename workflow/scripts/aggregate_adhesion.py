@@ -4,10 +4,10 @@ from hardcontact.base.dataset import read_all
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import stacked_pull_off_forces
 
-with job(snakemake) as this:
-    given = this.parameters
-    forces = stacked_pull_off_forces(read_all(given["scans"], this.input.scans), given)
-    this.write(
-        forces.assign_attrs({name: given[name] for name in ("reference_rho", "sphere_radius")}),
+with job(snakemake) as job:
+    params = job.parameters
+    forces = stacked_pull_off_forces(read_all(params["scans"], job.input.scans), params)
+    job.write(
+        forces.assign_attrs({name: params[name] for name in ("reference_rho", "sphere_radius")}),
         title="pull-off forces at a work of adhesion of 1 J/m2",
     )

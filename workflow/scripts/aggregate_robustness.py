@@ -8,28 +8,30 @@ from hardcontact.paper.robustness import Choices, robustness
 SETTINGS = "sphere_radius", "range", "count", "pixels_small", "pixels_large"
 
 
-with job(snakemake) as this:
-    given = this.parameters
-    constants = published.constants(this.input.published_constants)["value"]
+with job(snakemake) as job:
+    params = job.parameters
+    constants = published.constants(job.input.published_constants)["value"]
     choices = Choices(
-        given["substrates"],
-        given["basis"],
-        given["reference_surface"],
-        given["probe"],
+        params["substrates"],
+        params["basis"],
+        params["reference_surface"],
+        params["probe"],
         constants["error_threshold"],
-        given["tolerance"],
-        given["realizations"],
-        Sampling(given["seed"], given["samples"], given["confidence"], ("sampling", "robustness")),
+        params["tolerance"],
+        params["realizations"],
+        Sampling(
+            params["seed"], params["samples"], params["confidence"], ("sampling", "robustness")
+        ),
     )
-    masters = zip(given["masters"], this.input.scales, strict=True)
+    masters = zip(params["masters"], job.input.scales, strict=True)
     varied = robustness(
-        dataset.read_all(given["surfaces"], this.input.adhesion),
+        dataset.read_all(params["surfaces"], job.input.adhesion),
         [(key, dataset.read(path)) for key, path in masters],
-        given["variants"],
-        published.pull_off(this.input.published_pull_off),
+        params["variants"],
+        published.pull_off(job.input.published_pull_off),
         choices,
     )
-    this.write(
-        varied.assign_attrs({name: given[name] for name in SETTINGS}),
+    job.write(
+        varied.assign_attrs({name: params[name] for name in SETTINGS}),
         title="range and work of adhesion and critical band under other choices",
     )

@@ -10,13 +10,13 @@ from hardcontact.contact.all_surfaces import (
     with_transitions,
 )
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
 
     stacked = []
     for surfaces, paths in (
-        (params["masters"], this.input.masters),
-        (params["drawn"], this.input.drawn),
+        (params["masters"], job.input.masters),
+        (params["drawn"], job.input.drawn),
     ):
         files = zip([[surface] for surface in surfaces], map(read, paths), strict=True)
         masters = single_masters(files, params["realizations"], params["load"])
@@ -24,7 +24,7 @@ with job(snakemake) as this:
     forces, *drawn = stacked
     if drawn:
         forces = with_spectrum_shifts(forces, *drawn)
-    this.write(
+    job.write(
         with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(
             {name: params[name] for name in ("rho", "sphere_radius")}
         ),

@@ -4,12 +4,12 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import described_spectrum, stacked_spectra
 
-with job(snakemake) as this:
-    surfaces, labels = this.parameters["surfaces"], this.parameters["labels"]
-    spectra = dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True))
-    for surface, path in this.parameters["descriptions"].items():
+with job(snakemake) as job:
+    surfaces, labels = job.parameters["surfaces"], job.parameters["labels"]
+    spectra = dict(zip(surfaces, map(dataset.read, job.input.spectra), strict=True))
+    for surface, path in job.parameters["descriptions"].items():
         spectra[surface] = described_spectrum(spectra[surface], path)
-    this.write(
+    job.write(
         stacked_spectra(spectra, labels),
         title="power spectral densities of all surfaces, measured or described",
     )

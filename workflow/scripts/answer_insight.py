@@ -12,19 +12,19 @@ from hardcontact.report.figures.listing import OF_INSIGHT, describe
 from hardcontact.report.insight import insight_page
 from hardcontact.theory.prediction import validated_errors
 
-with job(snakemake) as this:
+with job(snakemake) as job:
     figures = {}
-    for path in map(Path, this.input.figures):
-        figures[path.stem] = path.read_bytes(), caption(path.stem, this.parameters)
+    for path in map(Path, job.input.figures):
+        figures[path.stem] = path.read_bytes(), caption(path.stem, job.parameters)
     names = ["band", *(describe(figure).inputs[0] for figure in OF_INSIGHT)]
-    claims = read_verdicts(this.input.claims)
-    statements = read_statements(this.input.statements)[["id", "dataset", "quantity"]]
+    claims = read_verdicts(job.input.claims)
+    statements = read_statements(job.input.statements)[["id", "dataset", "quantity"]]
     page = insight_page(
-        {name: read(this.input[name]) for name in names},
+        {name: read(job.input[name]) for name in names},
         figures,
         claims.merge(statements, on="id"),
-        published.constants(this.input.published_constants),
-        this.parameters["scan"]["pixels"],
-        validated_errors(this.input.validation),
+        published.constants(job.input.published_constants),
+        job.parameters["scan"]["pixels"],
+        validated_errors(job.input.validation),
     )
-    this.write_text(page, "page")
+    job.write_text(page, "page")

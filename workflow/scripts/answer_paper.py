@@ -19,16 +19,16 @@ from hardcontact.report.quantities import answer_json
 
 DATASETS = ("topography", "scales", "band", "sets", "leave_one_out", "protruded", "scan_size")
 
-with job(snakemake) as this:
+with job(snakemake) as job:
     answer = paper_answer(
-        read_verdicts(this.input.claims),
-        {name: read(this.input[name]) for name in DATASETS},
-        published.constants(this.input.published_constants),
-        published.table1(this.input.published_table1),
+        read_verdicts(job.input.claims),
+        {name: read(job.input[name]) for name in DATASETS},
+        published.constants(job.input.published_constants),
+        published.table1(job.input.published_table1),
     )
-    figures = {path.stem: path.read_bytes() for path in map(Path, this.input.figures)}
-    captions = {name: caption(name, this.parameters) for name in figures}
-    citation = yaml.safe_load(Path(this.input.citation).read_text("utf-8"))
-    this.write_text(paper_page(answer, figures, captions, citation), "page")
-    head = paper_head(this.parameters, citation["version"])
-    this.write_text(answer_json(head, paper_quantities(answer)), "json")
+    figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
+    captions = {name: caption(name, job.parameters) for name in figures}
+    citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
+    job.write_text(paper_page(answer, figures, captions, citation), "page")
+    head = paper_head(job.parameters, citation["version"])
+    job.write_text(answer_json(head, paper_quantities(answer)), "json")

@@ -8,11 +8,11 @@ from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.report.own_answer import own_answer, own_head, own_page, own_quantities
 from hardcontact.report.quantities import answer_json
 
-with job(snakemake) as this:
-    paths = {name: getattr(this.input, name, None) for name in Datasets._fields}
+with job(snakemake) as job:
+    paths = {name: getattr(job.input, name, None) for name in Datasets._fields}
     given = Datasets(**{name: dataset.read(path) if path else None for name, path in paths.items()})
-    pairs = pd.read_csv(this.input.pairs).to_dict("records")
-    setting = Setting(**this.parameters, pairs=pairs)
+    pairs = pd.read_csv(job.input.pairs).to_dict("records")
+    setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(given, setting)
-    this.write_text(own_page(answer), "page")
-    this.write_text(answer_json(own_head(setting), own_quantities(answer)), "json")
+    job.write_text(own_page(answer), "page")
+    job.write_text(answer_json(own_head(setting), own_quantities(answer)), "json")

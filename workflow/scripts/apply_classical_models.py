@@ -6,15 +6,15 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.classical_comparison import apply_classical_models
 
-with job(snakemake) as this:
-    given = this.parameters
-    this.write(
+with job(snakemake) as job:
+    params = job.parameters
+    job.write(
         apply_classical_models(
-            read(this.input.inference),
-            published.constants(this.input.published_constants),
-            published.table1(this.input.published_table1),
-            published.printed_pull_off(this.input.published_pull_off),
-            Sampling(given["seed"], given["samples"], given["confidence"], ("classical",)),
+            read(job.input.inference),
+            published.constants(job.input.published_constants),
+            published.table1(job.input.published_table1),
+            published.printed_pull_off(job.input.published_pull_off),
+            Sampling(params["seed"], params["samples"], params["confidence"], ("classical",)),
         ),
         title="effective work of adhesion, and classical models of rough adhesion",
     )

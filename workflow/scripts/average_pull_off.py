@@ -6,18 +6,18 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.pull_off import mean_pull_off_of_pair
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     contacts = [
         Contact(radius=params["radius"], **load, **params["array"]) for load in params["loads"]
     ]
-    paths, forces = zip(params["scans"], this.input.substrates, strict=True), {}
+    paths, forces = zip(params["scans"], job.input.substrates, strict=True), {}
     for scan, path in progress(paths, len(params["scans"]), "scans"):
-        pair = read_bodies(path, this.input.sphere or None, contacts[0])
+        pair = read_bodies(path, job.input.sphere or None, contacts[0])
         forces[scan, params["sphere_scan"]] = mean_pull_off_of_pair(
             pair, contacts, params["ranges"]
         )
-    this.write(
+    job.write(
         stack(forces, ["scan", "sphere_scan"]),
         title=f"mean pull-off forces of scans of {params['surface']}",
     )

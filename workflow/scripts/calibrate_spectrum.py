@@ -4,15 +4,15 @@ from hardcontact.base import published
 from hardcontact.base.job import job
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 
-with job(snakemake) as this:
-    surface = this.parameters["surface"]
-    this.write(
+with job(snakemake) as job:
+    surface = job.parameters["surface"]
+    job.write(
         substitute_spectrum(
-            this.input.description,
+            job.input.description,
             rows_of_surface(
-                published.table1(this.input.published_table1), surface, **this.parameters["table1"]
+                published.table1(job.input.published_table1), surface, **job.parameters["table1"]
             ),
-            published.constants(this.input.published_constants),
+            published.constants(job.input.published_constants),
         ),
         title=f"power spectral density of the substitute for {surface}",
     )

@@ -7,13 +7,13 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.theory.closed_form_errors import Trial, closed_form_errors
 
-with job(snakemake) as this:
-    params = this.parameters
-    work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
+with job(snakemake) as job:
+    params = job.parameters
+    work = published.constants(job.input.published_constants)["value"]["work_of_adhesion"]
     contact = Contact(**params["contact"])
-    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+    paths = zip(params["surfaces"], job.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
-    this.write(
+    job.write(
         with_names(
             closed_form_errors(spectra, Trial(work=work, contact=contact, **params["trial"])),
             {"labels": params["labels"], "basis": params["basis"]},

@@ -6,17 +6,17 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.all_surfaces import Described, single_masters, stacked_forces, with_names
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     keys = [[surface] for surface in params["masters"]]
-    files = zip(keys, map(dataset.read, this.input.masters), strict=True)
+    files = zip(keys, map(dataset.read, job.input.masters), strict=True)
     forces = stacked_forces(single_masters(files, params["realizations"]))
     bands = bands_by_contact(
         forces,
         params["tolerance"],
         Sampling(params["seed"], params["samples"], params["confidence"]),
     )
-    this.write(
+    job.write(
         with_names(bands, Described(labels=params["labels"], basis=params["basis"])).assign_attrs(
             tolerance=params["tolerance"], confidence=params["confidence"]
         ),

@@ -9,24 +9,24 @@ from hardcontact.paper.inference import Pair
 from hardcontact.paper.law_comparison import compare_laws
 from hardcontact.surfaces.synthesis import SIDES
 
-with job(snakemake) as this:
-    params = this.parameters
-    constants = published.constants(this.input.published_constants)["value"]
-    scans = stack(read_all(params["scans"], this.input.scans), ["surface", "scan"])
+with job(snakemake) as job:
+    params = job.parameters
+    constants = published.constants(job.input.published_constants)["value"]
+    scans = stack(read_all(params["scans"], job.input.scans), ["surface", "scan"])
     # Each scan is one realization of its masters.
     masters = {
         (*key, side): forces
         for side in SIDES
-        for key, forces in read_all(params["scans"], getattr(this.input, side)).items()
+        for key, forces in read_all(params["scans"], getattr(job.input, side)).items()
     }
     laws = compare_laws(
         with_names(scans, {"labels": params["labels"], "basis": params["basis"]}),
         stacked_forces(masters),
-        published.pull_off(this.input.published_pull_off),
+        published.pull_off(job.input.published_pull_off),
         pair=Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
         spacing=constants["equilibrium_spacing"],
         reference_surface=params["reference_surface"],
         tolerance=params["tolerance"],
         sampling=Sampling(params["seed"], params["samples"], params["confidence"]),
     )
-    this.write(laws.assign_attrs(contacts=params["contacts"]), title="laws of attraction compared")
+    job.write(laws.assign_attrs(contacts=params["contacts"]), title="laws of attraction compared")

@@ -10,12 +10,12 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.theory.pull_off_statistics import MEAN_ERROR, force_scatter, with_comparison
 
-with job(snakemake) as this:
-    params = this.parameters
-    work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
-    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+with job(snakemake) as job:
+    params = job.parameters
+    work = published.constants(job.input.published_constants)["value"]["work_of_adhesion"]
+    paths = zip(params["surfaces"], job.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
-    heights = published.table1(this.input.published_table1)
+    heights = published.table1(job.input.published_table1)
     heights = heights[heights["quantity"] == "afm_rms_height"].set_index("surface")
     deviations = (heights["uncertainty"] / heights["value"]).reindex(params["surfaces"]).fillna(0)
     scatter = force_scatter(
@@ -28,11 +28,11 @@ with job(snakemake) as this:
     )
     compared = with_comparison(
         scatter,
-        read(this.input.inference),
-        published.pull_off(this.input.published_pull_off),
-        pd.read_csv(this.input.validation),
+        read(job.input.inference),
+        published.pull_off(job.input.published_pull_off),
+        pd.read_csv(job.input.validation),
     )
-    this.write(
+    job.write(
         with_names(compared.assign_attrs(reference_rho=params["rho"]), params),
         title="scatter of pull-off forces by the law of their statistics",
     )

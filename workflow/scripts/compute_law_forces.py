@@ -10,28 +10,28 @@ from hardcontact.surfaces.synthesis import SIDES, synthesized_master
 from hardcontact.theory.interaction_laws import range_grid
 from hardcontact.theory.law_forces import MIXED_RANGES, filtered_range_forces, scan_range_forces
 
-with job(snakemake) as this:
-    given = this.parameters
-    surface, number = given["surface"], given["scan"]
-    scan = read_height_map(this.input.scan)
-    sphere = read_height_map(this.input.sphere) if this.input.sphere else None
-    contact, reach = Contact(radius=given["radius"], **given["contact"]), given["reach"]
-    ranges = range_grid(given["anchor"], **MIXED_RANGES).tolist()
-    this.write(
+with job(snakemake) as job:
+    params = job.parameters
+    surface, number = params["surface"], params["scan"]
+    scan = read_height_map(job.input.scan)
+    sphere = read_height_map(job.input.sphere) if job.input.sphere else None
+    contact, reach = Contact(radius=params["radius"], **params["contact"]), params["reach"]
+    ranges = range_grid(params["anchor"], **MIXED_RANGES).tolist()
+    job.write(
         scan_range_forces(scan, sphere, contact, reach, ranges),
         title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",
         output="scan",
     )
     for side in SIDES:
-        scales = given["scales"][side]
+        scales = params["scales"][side]
         master = synthesized_master(
             side,
-            generator(given["seed"], surface, number, f"{side}-scale laws"),
+            generator(params["seed"], surface, number, f"{side}-scale laws"),
             scan,
             scales,
-            read_spectrum(this.input.spectrum),
+            read_spectrum(job.input.spectrum),
         )
-        this.write(
+        job.write(
             filtered_range_forces(
                 master, Filters(side, scales["pixels"], scales["cutoffs"]), contact, reach, ranges
             ),

@@ -5,16 +5,16 @@ from hardcontact.base.job import job
 from hardcontact.paper.pool import pool_sources
 from hardcontact.paper.protruded_sets import compute_protruded
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     sources = pool_sources(
-        dataset.read(this.input.spectrum),
-        published.table1(this.input.published_table1),
-        published.constants(this.input.published_constants),
+        dataset.read(job.input.spectrum),
+        published.table1(job.input.published_table1),
+        published.constants(job.input.published_constants),
         params,
     )
     numbers = range(params["first"], params["last"] + 1)
-    this.write(
+    job.write(
         compute_protruded(numbers, params["scans"], sources),
         title=f"pull-off forces on {params['surface']} with protrusions",
     )

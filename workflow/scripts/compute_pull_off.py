@@ -8,18 +8,21 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.pull_off import finer_pixel_change, pull_off_of_pair, window_change
 
-with job(snakemake) as this:
-    given = this.parameters
-    contact = Contact(radius=given["radius"], range=given["reference_range"], **given["contact"])
+with job(snakemake) as job:
+    params = job.parameters
+    contact = Contact(radius=params["radius"], range=params["reference_range"], **params["contact"])
     pairs = {
-        number: read_bodies(this.input.substrate, sphere, contact)
-        for number, sphere in zip(given["sphere_scans"], this.input.spheres or [None], strict=True)
+        number: read_bodies(job.input.substrate, sphere, contact)
+        for number, sphere in zip(params["sphere_scans"], job.input.spheres or [None], strict=True)
     }
     forces = over_sphere_scans(
-        {number: pull_off_of_pair(pair, contact, given["ranges"]) for number, pair in pairs.items()}
+        {
+            number: pull_off_of_pair(pair, contact, params["ranges"])
+            for number, pair in pairs.items()
+        }
     )
-    first, shortest = next(iter(pairs.values())), replace(contact, range=min(given["ranges"]))
-    this.write(
+    first, shortest = next(iter(pairs.values())), replace(contact, range=min(params["ranges"]))
+    job.write(
         forces.assign(window_change(pairs.values(), contact)).assign(
             finer_pixel_change(first, shortest)
         ),

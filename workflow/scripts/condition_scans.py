@@ -9,24 +9,24 @@ from hardcontact.surfaces.conditioning import conditioned_group, scan_targets
 from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
-with job(snakemake) as this:
-    surface, definitions = this.parameters["surface"], this.parameters["table1"]
-    spectrum, grid = dataset.read(this.input.spectrum), ScanGrid(**this.parameters["scan"])
-    this.write(
+with job(snakemake) as job:
+    surface, definitions = job.parameters["surface"], job.parameters["table1"]
+    spectrum, grid = dataset.read(job.input.spectrum), ScanGrid(**job.parameters["scan"])
+    job.write(
         conditioned_group(
             spectrum,
             scan_targets(
                 spectrum,
                 rows_of_surface(
-                    published.table1(this.input.published_table1), surface, **definitions
+                    published.table1(job.input.published_table1), surface, **definitions
                 ),
-                published.constants(this.input.published_constants),
+                published.constants(job.input.published_constants),
                 definitions,
                 grid,
             ),
             {
-                number: partial(generator, this.parameters["seed"], surface, number, "scan")
-                for number in this.parameters["scans"]
+                number: partial(generator, job.parameters["seed"], surface, number, "scan")
+                for number in job.parameters["scans"]
             },
             grid,
         ),

@@ -6,12 +6,12 @@ from hardcontact.base import crate
 from hardcontact.base.job import job
 from hardcontact.base.origin import pinned_versions
 
-with job(snakemake) as this:
-    this.write_text(
+with job(snakemake) as job:
+    job.write_text(
         crate.describe(
-            Path(this.output[0]).parent,
-            this.parameters["study"],
-            this.input.citation,
-            pinned_versions(this.input.environment),
+            Path(job.output[0]).parent,
+            job.parameters["study"],
+            job.input.citation,
+            pinned_versions(job.input.environment),
         )
     )

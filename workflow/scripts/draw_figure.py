@@ -3,5 +3,5 @@
 from hardcontact.base.job import job
 from hardcontact.report.figures.drawing import draw_figure
 
-with job(snakemake) as this:
-    draw_figure(this.parameters["figure"], this.input, this.output)
+with job(snakemake) as job:
+    draw_figure(job.parameters["figure"], job.input, job.output)

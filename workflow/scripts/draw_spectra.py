@@ -6,21 +6,21 @@ from hardcontact.surfaces.joined_spectrum import drawn_spectra
 from hardcontact.surfaces.scans import flat_measurements
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     surface, places = params["surface"], params["contact_places"]
     drawn = drawn_spectra(
         (
             generator(params["seed"], surface, realization, "drawn spectrum")
-            for realization in range(1, len(this.output) + 1)
+            for realization in range(1, len(job.output) + 1)
         ),
-        flat_measurements(this.input.measurements, params["sphere_radius"], params["levelling"]),
+        flat_measurements(job.input.measurements, params["sphere_radius"], params["levelling"]),
         params["tip_radii"],
     )
     for output, (spectrum, factors) in enumerate(drawn):
         # Realizations build on the scans in turn, as do the masters that theirs are set beside.
         factor = factors[places[output % len(places)]]
-        this.write(
+        job.write(
             spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor),
             title=f"a spectrum that the measurements of {surface} allow",
             output=output,

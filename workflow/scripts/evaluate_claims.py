@@ -5,14 +5,14 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.evaluation import evaluate, read_statements
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     evaluated = evaluate(
-        read_statements(this.input.claims),
-        {name: read(this.input[name]) for name in params["datasets"]},
-        published.constants(this.input.published_constants),
+        read_statements(job.input.claims),
+        {name: read(job.input[name]) for name in params["datasets"]},
+        published.constants(job.input.published_constants),
         params["confidence"],
-        read(this.input.sets),
+        read(job.input.sets),
         params["seed"],
     )
-    this.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
+    job.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")

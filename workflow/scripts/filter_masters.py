@@ -9,8 +9,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.synthesis import SIDES
 
-with job(snakemake) as this:
-    params, sources = this.parameters, this.input
+with job(snakemake) as job:
+    params, sources = job.parameters, job.input
     contacts = [
         Contact(radius=params["radii"][0], window=params["window"], count=params["count"], **load)
         for load in params["loads"]
@@ -34,7 +34,7 @@ with job(snakemake) as this:
             params["radii"],
             params["ranges"],
         )
-    this.write(
+    job.write(
         stack(forces, ["realization", "side"]),
         title=f"plastic pull-off of filtered masters of {params['surface']}",
     )

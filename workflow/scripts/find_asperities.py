@@ -6,14 +6,14 @@ from hardcontact.contact.asperities import SHARE, asperities_of_pair
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 
-with job(snakemake) as this:
-    given, settings = this.parameters, this.parameters["asperities"]
-    surface, scan = given["surface"], given["scan"]
-    contact = Contact(radius=given["radius"], **given["contact"])
-    rng = generator(given["seed"], surface, scan, "contacts for asperities")
-    this.write(
+with job(snakemake) as job:
+    params, settings = job.parameters, job.parameters["asperities"]
+    surface, scan = params["surface"], params["scan"]
+    contact = Contact(radius=params["radius"], **params["contact"])
+    rng = generator(params["seed"], surface, scan, "contacts for asperities")
+    job.write(
         asperities_of_pair(
-            read_bodies(this.input.substrate, this.input.sphere, contact),
+            read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
             sampled_contacts(rng, contact.count, settings["contacts"]),
             SHARE,

@@ -5,14 +5,14 @@ from hardcontact.base.job import job
 from hardcontact.own.master_forces import Masters
 from hardcontact.own.open_edges import band_edges
 
-with job(snakemake) as this:
-    given = this.parameters
-    this.write(
+with job(snakemake) as job:
+    params = job.parameters
+    job.write(
         band_edges(
-            dataset.read(this.input.scales),
-            Masters(given["scans"], given["tiles"]),
-            given["tolerance"],
-            given["confidence"],
+            dataset.read(job.input.scales),
+            Masters(params["scans"], params["tiles"]),
+            params["tolerance"],
+            params["confidence"],
         ),
         title="pull-off force against cutoff wavelength, and the edges of the band",
     )

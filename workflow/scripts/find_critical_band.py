@@ -5,14 +5,14 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 
-with job(snakemake) as this:
-    given, scales = this.parameters, dataset.read(this.input.scales)
-    sampling = Sampling(given["seed"], given["samples"], given["confidence"])
-    band = critical_band(scales, given["tolerance"], sampling)
-    this.write(
+with job(snakemake) as job:
+    params, scales = job.parameters, dataset.read(job.input.scales)
+    sampling = Sampling(params["seed"], params["samples"], params["confidence"])
+    band = critical_band(scales, params["tolerance"], sampling)
+    job.write(
         band.assign(label=scales.label, basis=scales.basis).assign_attrs(
-            scale_tolerance=given["tolerance"],
-            confidence=given["confidence"],
+            scale_tolerance=params["tolerance"],
+            confidence=params["confidence"],
             sphere_radius=scales.attrs["sphere_radius"],
         ),
         title="pull-off force against cutoff wavelength, and the critical band",

@@ -6,12 +6,12 @@ from hardcontact.contact.elastic_limit import slope_index
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 from hardcontact.surfaces.spectrum import read_spectrum
 
-with job(snakemake) as this:
-    params, hardness = this.parameters, this.parameters["hardness"]
-    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+with job(snakemake) as job:
+    params, hardness = job.parameters, job.parameters["hardness"]
+    paths = zip(params["surfaces"], job.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
     index = slope_index(spectra, PAPER_MODULUS, hardness).to_dataset(name="slope_index")
-    this.write(
+    job.write(
         with_names(index, params).assign_attrs(effective_modulus=PAPER_MODULUS, hardness=hardness),
         title="mean pressure of elastic contact over the hardness, by shortest wavelength",
     )

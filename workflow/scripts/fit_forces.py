@@ -6,16 +6,16 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.config.tables import measured_forces
 from hardcontact.own.own_fit import fit_measured, with_continued_work
 
-with job(snakemake) as this:
-    given = this.parameters
-    sizes = dataset.read(this.input.topography)["scan_size"].to_series().to_dict()
+with job(snakemake) as job:
+    params = job.parameters
+    sizes = dataset.read(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
-        dataset.read(this.input.adhesion),
-        measured_forces(this.input.forces, list(sizes)),
+        dataset.read(job.input.adhesion),
+        measured_forces(job.input.forces, list(sizes)),
         sizes,
-        Sampling(given["seed"], given["samples"], given["confidence"]),
+        Sampling(params["seed"], params["samples"], params["confidence"]),
     )
-    this.write(
-        with_continued_work(fitted, dataset.read(this.input.force)),
+    job.write(
+        with_continued_work(fitted, dataset.read(job.input.force)),
         title="range and work of adhesion from measured forces",
     )

@@ -5,20 +5,20 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.inference import Pair, Published, infer
 
-with job(snakemake) as this:
-    given = this.parameters
-    constants = published.constants(this.input.published_constants)["value"]
-    this.write(
+with job(snakemake) as job:
+    params = job.parameters
+    constants = published.constants(job.input.published_constants)["value"]
+    job.write(
         infer(
-            dataset.read(this.input.adhesion),
+            dataset.read(job.input.adhesion),
             Published(
-                published.pull_off(this.input.published_pull_off),
+                published.pull_off(job.input.published_pull_off),
                 Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
             ),
-            given["reference_surface"],
+            params["reference_surface"],
             constants["error_threshold"],
             constants["force_floor"],
-            Sampling(given["seed"], given["samples"], given["confidence"]),
+            Sampling(params["seed"], params["samples"], params["confidence"]),
         ),
         title="range and work of adhesion and force statistics",
     )

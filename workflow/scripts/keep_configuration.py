@@ -4,6 +4,6 @@ import yaml
 
 from hardcontact.base.job import job
 
-with job(snakemake) as this:
-    this.write_text(yaml.safe_dump(this.parameters, allow_unicode=True), "configuration")
-    this.copy(this.input.surfaces, "surfaces")
+with job(snakemake) as job:
+    job.write_text(yaml.safe_dump(job.parameters, allow_unicode=True), "configuration")
+    job.copy(job.input.surfaces, "surfaces")

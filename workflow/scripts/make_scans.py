@@ -8,28 +8,28 @@ from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_measur
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 
-with job(snakemake) as this:
-    given, surface, scans = this.parameters, this.parameters["surface"], this.parameters["scans"]
-    conditioning = dataset.read(this.input.conditioning)
-    density = amplified(read_spectrum(this.input.spectrum), conditioning["gain"].values)
+with job(snakemake) as job:
+    params, surface, scans = job.parameters, job.parameters["surface"], job.parameters["scans"]
+    conditioning = dataset.read(job.input.conditioning)
+    density = amplified(read_spectrum(job.input.spectrum), conditioning["gain"].values)
     for place, number in enumerate(scans):
         # Substitutes of all scans come first among the outputs, then levelled and stitched ones.
         substitute, levelled, stitched = (place + kind * len(scans) for kind in range(3))
-        this.write(
+        job.write(
             synthesized_scan(
-                generator(given["seed"], surface, number, "scan"),
+                generator(params["seed"], surface, number, "scan"),
                 density,
-                ScanGrid(**given["scan"]),
+                ScanGrid(**params["scan"]),
                 float(conditioning["factor"].sel(scan=number)),
-                sphere_radius=given["sphere_radius"],
-                skewness=given["skewness"],
+                sphere_radius=params["sphere_radius"],
+                skewness=params["skewness"],
             ),
             title=f"substitute scan {number} of {surface}",
             output=substitute,
             file_format="NETCDF3_64BIT",
         )
         flat, periodic = prepared(
-            read_measurement(this.output[substitute]), "substitute", given["sphere_radius"]
+            read_measurement(job.output[substitute]), "substitute", params["sphere_radius"]
         )
-        this.write(flat, LEVELLED, levelled)
-        this.write(periodic, STITCHED, stitched)
+        job.write(flat, LEVELLED, levelled)
+        job.write(periodic, STITCHED, stitched)

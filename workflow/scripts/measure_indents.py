@@ -12,16 +12,16 @@ def by_scan(scans: tuple[int, ...], paths: list[str]) -> dict[int, HeightMap]:
     return {scan: read_height_map(path) for scan, path in files.items()}
 
 
-with job(snakemake) as this:
-    given = this.parameters
-    scans, sphere_scans = zip(*given["pairs"], strict=True)
+with job(snakemake) as job:
+    params = job.parameters
+    scans, sphere_scans = zip(*params["pairs"], strict=True)
     indents = indents_of_scans(
-        by_scan(scans, this.input.substrates),
-        by_scan(sphere_scans, this.input.spheres),
-        Contact(radius=given["radius"], preload=max(given["preloads"]), **given["contact"]),
-        given["preloads"],
+        by_scan(scans, job.input.substrates),
+        by_scan(sphere_scans, job.input.spheres),
+        Contact(radius=params["radius"], preload=max(params["preloads"]), **params["contact"]),
+        params["preloads"],
     )
-    this.write(
-        indents.assign_attrs({name: given[name] for name in ("surface", "label", "basis")}),
-        title=f"indents left in the sphere by contacts on {given['label']}",
+    job.write(
+        indents.assign_attrs({name: params[name] for name in ("surface", "label", "basis")}),
+        title=f"indents left in the sphere by contacts on {params['label']}",
     )

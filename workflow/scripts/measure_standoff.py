@@ -7,14 +7,14 @@ from hardcontact.base.job import job
 from hardcontact.paper.inference import PLASTIC
 from hardcontact.paper.standoff import standoff
 
-with job(snakemake) as this:
-    topography = dataset.read(this.input.topography)
+with job(snakemake) as job:
+    topography = dataset.read(job.input.topography)
     sphere = topography["rms_height_mean"].sel(surface=topography.attrs["sphere_surface"])
-    this.write(
+    job.write(
         standoff(
-            dataset.read(this.input.adhesion).sel(contact_model=PLASTIC),
-            published.pull_off(this.input.published_pull_off),
-            published.constants(this.input.published_constants)["value"]["work_of_adhesion"],
+            dataset.read(job.input.adhesion).sel(contact_model=PLASTIC),
+            published.pull_off(job.input.published_pull_off),
+            published.constants(job.input.published_constants)["value"]["work_of_adhesion"],
             np.hypot(topography["rms_height_mean"], sphere).to_series(),
         ),
         title="heights of the sphere's apex that follow from pull-off forces",

@@ -6,17 +6,17 @@ from hardcontact.contact.contact import Contact
 from hardcontact.own.master_forces import Masters
 from hardcontact.own.predicted_force import own_force
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     contact = Contact(
         radius=params["radius"], range=params["rho"], work=params["work"], **params["contact"]
     )
-    this.write(
+    job.write(
         own_force(
-            dataset.read(this.input.adhesion),
-            dataset.read(this.input.scales),
-            dataset.read(this.input.topography),
-            dataset.read(this.input.spectra),
+            dataset.read(job.input.adhesion),
+            dataset.read(job.input.scales),
+            dataset.read(job.input.topography),
+            dataset.read(job.input.spectra),
             contact=contact,
             masters=Masters(params["scans"], params["tiles"]),
             tolerance=params["tolerance"],

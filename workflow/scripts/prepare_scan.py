@@ -3,9 +3,7 @@
 from hardcontact.base.job import job
 from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_stored
 
-with job(snakemake) as this:
-    levelled, stitched = prepared(
-        read_stored(this.input.measurement), "measured", **this.parameters
-    )
-    this.write(levelled, LEVELLED, "scan")
-    this.write(stitched, STITCHED, "stitched")
+with job(snakemake) as job:
+    levelled, stitched = prepared(read_stored(job.input.measurement), "measured", **job.parameters)
+    job.write(levelled, LEVELLED, "scan")
+    job.write(stitched, STITCHED, "stitched")

@@ -3,8 +3,8 @@
 from hardcontact.base.job import job
 from hardcontact.surfaces.scans import read_measurement
 
-with job(snakemake) as this:
-    this.write(
-        read_measurement(this.input.scan, **this.parameters).stored(),
+with job(snakemake) as job:
+    job.write(
+        read_measurement(job.input.scan, **job.parameters).stored(),
         title="heights of a measured scan, as read",
     )

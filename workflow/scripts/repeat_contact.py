@@ -12,10 +12,10 @@ from hardcontact.contact.repeated_contact import (
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 
-with job(snakemake) as this:
-    params = this.parameters
-    spectrum, ratios = read_spectrum(this.input.spectrum), []
-    paths = zip(this.input.substrates, this.input.spheres, strict=True)
+with job(snakemake) as job:
+    params = job.parameters
+    spectrum, ratios = read_spectrum(job.input.spectrum), []
+    paths = zip(job.input.substrates, job.input.spheres, strict=True)
     for (scan, _), (substrate_path, sphere_path) in zip(params["pairs"], paths, strict=True):
         sphere = read_height_map(sphere_path)
         pixel_size = min(read_height_map(substrate_path).pixel_size, sphere.pixel_size)
@@ -27,7 +27,7 @@ with job(snakemake) as this:
         contact_pixels = contact.pixels(pair.geometry.pixel_size)
         ratios.append(indented_area_ratio(pair, contact_pixels, rng, params["contacts"]))
     names = ("surface", "label", "basis", "contacts")
-    this.write(
+    job.write(
         mean_over_surfaces(ratios, params["confidence"]).assign_attrs(
             params["load"] | {name: params[name] for name in names}
         ),

@@ -11,12 +11,12 @@ from hardcontact.contact.pull_off import WORK_OF_ADHESION
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.theory.edge_scaling import designed_edges, edge_scaling, stacked_scaling
 
-with job(snakemake) as this:
-    params = this.parameters
-    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+with job(snakemake) as job:
+    params = job.parameters
+    paths = zip(params["surfaces"], job.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
     keys = [[surface] for surface in params["masters"]]
-    masters = zip(keys, map(read, this.input.masters), strict=True)
+    masters = zip(keys, map(read, job.input.masters), strict=True)
     scaling = stacked_scaling(
         single_masters(masters, params["realizations"]),
         {"labels": params["labels"], "basis": params["basis"]},
@@ -28,8 +28,8 @@ with job(snakemake) as this:
         params["tolerance"],
         Sampling(params["seed"], params["samples"], params["confidence"]),
     )
-    designed = designed_edges(pd.read_csv(this.input.computed), pd.read_csv(this.input.formulas))
-    this.write(
+    designed = designed_edges(pd.read_csv(job.input.computed), pd.read_csv(job.input.formulas))
+    job.write(
         edges.merge(designed).assign_attrs(
             {name: params[name] for name in ("sphere_radius", "rho", "area")}
         ),

@@ -8,22 +8,22 @@ from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pai
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 
-with job(snakemake) as this:
-    given = this.parameters
-    surface, scan = given["surface"], given["scan"]
-    constants = published.constants(this.input.published_constants).value
+with job(snakemake) as job:
+    params = job.parameters
+    surface, scan = params["surface"], params["scan"]
+    constants = published.constants(job.input.published_constants).value
     contact = Contact(
-        radius=given["radius"],
+        radius=params["radius"],
         range=constants["range_of_adhesion"],
         work=constants["work_of_adhesion"],
-        **given["contact"],
+        **params["contact"],
     )
-    rng = generator(given["seed"], surface, scan, "elastic contacts")
-    this.write(
+    rng = generator(params["seed"], surface, scan, "elastic contacts")
+    job.write(
         elastic_contacts_of_pair(
-            read_bodies(this.input.substrate, this.input.sphere, contact),
+            read_bodies(job.input.substrate, job.input.sphere, contact),
             contact,
-            sampled_contacts(rng, contact.count, given["contacts"]),
+            sampled_contacts(rng, contact.count, params["contacts"]),
             PAPER_MODULUS,
             PULL_OFF_WINDOW,
         ),

@@ -6,14 +6,14 @@ from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import synthesized_master
 
-with job(snakemake) as this:
-    params = this.parameters
+with job(snakemake) as job:
+    params = job.parameters
     surface, realization = params["surface"], params["realization"]
-    scan, spectrum = read_height_map(this.input.scan), read_spectrum(this.input.spectrum)
+    scan, spectrum = read_height_map(job.input.scan), read_spectrum(job.input.spectrum)
     for side, scales in params["sides"].items():
         rng = generator(params["seed"], surface, realization, f"{side}-scale master")
         master = synthesized_master(side, rng, scan, scales, spectrum)
-        this.write(
+        job.write(
             master.dataset(),
             title=f"{side}-scale master: realization {realization} of {surface}",
             output=side,

@@ -8,18 +8,18 @@ from hardcontact.contact.traced_contact import traced_contact
 
 NAMED = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 
-with job(snakemake) as this:
-    given, constants = this.parameters, published.constants(this.input.published_constants).value
+with job(snakemake) as job:
+    params, constants = job.parameters, published.constants(job.input.published_constants).value
     contact = Contact(
-        radius=given["radius"],
+        radius=params["radius"],
         range=constants["range_of_adhesion"],
         work=constants["work_of_adhesion"],
-        **given["contacts"],
+        **params["contacts"],
     )
-    pair = read_bodies(this.input.substrate, this.input.sphere, contact)
-    traced = traced_contact(pair, given["contact"], contact)
-    named = {name: given[name] for name in NAMED}
-    this.write(
+    pair = read_bodies(job.input.substrate, job.input.sphere, contact)
+    traced = traced_contact(pair, params["contact"], contact)
+    named = {name: params[name] for name in NAMED}
+    job.write(
         traced.assign_attrs(named),
-        title=f"contact {given['contact']} on {given['label']}",
+        title=f"contact {params['contact']} on {params['label']}",
     )

@@ -5,8 +5,8 @@ import sys
 from hardcontact.base import crate, provenance
 from hardcontact.base.job import job
 
-with job(snakemake) as this:
-    folder = this.parameters["results"]
+with job(snakemake) as job:
+    folder = job.parameters["results"]
     faults, counts = provenance.check(folder, crate.described_files(folder))
     print(*faults, counts, sep="\n")
     sys.exit(1 if faults else 0)
