@@ -41,7 +41,7 @@ def direct_forces(bodies, contact_pixels, law, rho):
 def test_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
     roughness = periodic_noise(96, 0.7, 4) if rough else None
     bodies = over(periodic_noise(96, rms, 3), roughness, 50.0, 160, 3)
-    ranges = range_grid(5.6, 0.5, 0.01, 1e5)
+    ranges = range_grid(5.6, 0.45, 0.01, 1e5)
     forces = range_forces(bodies, *parameters(50.0, contact_pixels, ranges))
     for rho in (0.15, 2.0, 8.0):
         mixture = law_forces(law, [rho], ranges, np.moveaxis(forces, 0, -1))[..., 0]

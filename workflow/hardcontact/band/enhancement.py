@@ -19,8 +19,8 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     Parameters
     ----------
     forces : xarray.Dataset
-        Of `stacked_forces`, over two loads, of which one pixel carries the rigid one, a single
-        radius, and rho.
+        As from `stacked_forces`, over a single radius, two loads and rho. The rigid load is the one
+        that a single pixel carries.
     tolerance : float
         Relative change of the force that counts.
     sampling : Sampling
@@ -33,9 +33,9 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     """
     by_area = forces.squeeze("radius", drop=True).sortby("area")
     models = []
-    for place in range(len(CONTACTS)):
+    for load in range(len(CONTACTS)):
         ranges = [
-            critical_band(by_area.isel(load=place, rho=column, drop=True), tolerance, sampling)
+            critical_band(by_area.isel(load=load, rho=column, drop=True), tolerance, sampling)
             for column in range(by_area.sizes["rho"])
         ]
         models.append(xr.concat(ranges, by_area["rho"]))

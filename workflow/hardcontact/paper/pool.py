@@ -39,7 +39,7 @@ class PoolSettings(TypedDict):
 
 
 class PoolSources(NamedTuple):
-    """What forces of scans of a pool are computed from."""
+    """Spectrum, targets, rms heights and settings of the scans of a pool."""
 
     density: Spectrum  #: C_iso of the substrate.
     targets: Targets
@@ -53,10 +53,10 @@ def pool_sources(
     constants: pd.DataFrame,
     parameters: Mapping[str, Any],
 ) -> PoolSources:
-    """Return what forces of scans of a pool are computed from.
+    """Gather spectrum, targets, rms heights and settings of the scans of a pool.
 
-    The spectrum is that of a substrate, Table 1 and constants are those of `published`, the
-    parameters those of the rule.
+    The spectrum is that of a substrate. Table 1 and constants are as from `published`, the
+    parameters are those of the rule. Raises ValueError if the paper has no rms height of it.
     """
     surface, definitions = parameters["surface"], parameters["table1"]
     grid, rows = ScanGrid(**parameters["scan"]), rows_of_surface(table1, surface, **definitions)

@@ -1,6 +1,7 @@
-"""Sets in which the scans of one surface have rare protrusions, and what they say of adhesion.
+"""Sets in which one surface has rare protrusions: forces, and fits of range and work of adhesion.
 
-A surface has the same protrusions on all of its scans; another draw of them makes another surface.
+All scans of a surface have protrusions of one density, height and width. Another draw of these
+makes another surface, a variant.
 """
 
 from collections.abc import Sequence
@@ -20,31 +21,31 @@ from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.protrusions import draw_protrusions, with_protrusions
 from hardcontact.surfaces.substitute_scans import drawn_scan
 
-#: A set agrees where mean and median force of the protruded surface lie within this factor of the
-#: published ones, at the range and work of adhesion that fit the set best.
+#: A set agrees if the mean and the median force of the protruded surface are within this factor of
+#: the published forces. Both are taken at the range and work of adhesion that fit the set best.
 FACTOR = 2.0
 NEWTON = {"units": "N"}
-#: Of protrusions, with their units.
-OF_PROTRUSIONS = {"density": "um-2", "height": "1", "width": "nm"}
+#: Units of the fields of `Protrusions`.
+PROTRUSION_UNITS = {"density": "um-2", "height": "1", "width": "nm"}
 
 
 def compute_protruded(numbers: Sequence[int], scans: int, sources: PoolSources) -> xr.Dataset:
-    """Return the forces of some protruded surfaces, each with so many scans, on a smooth sphere.
+    """Compute the forces of a smooth sphere on several protruded surfaces.
 
     Parameters
     ----------
     numbers : sequence of int
-        Of the surfaces.
+        Numbers of the surfaces.
     scans : int
-        Of each surface. Their rms heights get the mean and the deviation of the targets.
+        Scans of each surface. Their rms heights get the mean and the deviation of the targets.
     sources : PoolSources
-        Of the surface without protrusions.
+        Spectrum and targets of the surface without protrusions.
 
     Returns
     -------
     xarray.Dataset
-        Over variant: ``pull_off_force`` (rho, contact) in N at 1 J/m² of all contacts on all scans,
-        plastic, and ``density`` (1/µm²), ``height`` (rms heights) and ``width`` (nm).
+        ``pull_off_force`` (variant, rho, contact) in N at 1 J/m², plastic, of all contacts on all
+        scans; ``density`` (1/µm²), ``height`` (rms heights) and ``width`` (nm) over variant.
     """
     surfaces = [
         _protruded_surface(number, scans, sources)
@@ -66,7 +67,7 @@ def _protruded_surface(number: int, scans: int, sources: PoolSources) -> xr.Data
         computed = forces_at_heights(protruded, heights, settings["contact"], settings["ranges"])
         log_forces.append(computed["log_force"].sel(contact_model=PLASTIC, drop=True))
         rms_heights.append(computed["rms_height"].item())
-    # With more scans than five a height of a group may lie below those computed.
+    # With six scans or more a height may lie below the least height of the forces.
     wanted = group_heights(np.array(rms_heights), targets.means["rms_height"], targets.deviation)
     weights = height_weights(heights, np.maximum(wanted, heights[0]))
     by_scan = [
@@ -76,7 +77,7 @@ def _protruded_surface(number: int, scans: int, sources: PoolSources) -> xr.Data
     forces: xr.DataArray = xr.apply_ufunc(np.exp, xr.concat(by_scan, "scan"))
     forces = forces.stack(contact=["scan", "contact_y", "contact_x"])
     values = {name: ((), getattr(protrusions, name), {"units": unit})
-              for name, unit in OF_PROTRUSIONS.items()}  # fmt: skip
+              for name, unit in PROTRUSION_UNITS.items()}  # fmt: skip
     force = forces.transpose("rho", "contact").drop_vars(
         ["contact", *forces.indexes["contact"].names]
     )
@@ -86,7 +87,7 @@ def _protruded_surface(number: int, scans: int, sources: PoolSources) -> xr.Data
 def judge_protruded(
     protruded: xr.Dataset, surface: str, sets: xr.Dataset, measured: Published
 ) -> xr.Dataset:
-    """Fit range and work of adhesion to each set with each protruded surface in place of its own.
+    """Fit range and work of adhesion to every set, with every protruded surface put into it.
 
     Parameters
     ----------
@@ -103,12 +104,12 @@ def judge_protruded(
     Returns
     -------
     xarray.Dataset
-        Over (variant, set): ``range_of_adhesion`` (nm), ``work_of_adhesion`` (J/m²),
-        ``best_error``, and at this pair ``mean_force`` and ``median_force`` (N) of the protruded
-        surface; ``agrees`` is 1 where both lie within FACTOR of the published ones. Over variant,
-        at the published pair: ``mean_at_published``, ``median_at_published`` and
-        ``spread_at_published``, the standard deviation of ln F; and density, height and width of
-        the protrusions.
+        The `fitted_pairs` over (variant, set). At the fitted pair ``mean_force`` and
+        ``median_force`` (variant, set) of the protruded surface in N; ``agrees`` (variant, set) is
+        1 if both are within FACTOR of the published forces. At the published pair
+        ``mean_at_published`` and ``median_at_published`` (variant) in N and
+        ``spread_at_published`` (variant), the standard deviation of ln F. The fields of
+        `Protrusions` (variant).
     """
     factor = sets["sphere_factor"].sel(surface=surface, drop=True)
     forces = (protruded["pull_off_force"] * factor).transpose("variant", "contact", "rho")
@@ -117,11 +118,12 @@ def judge_protruded(
     fits = fitted_pairs(curves.transpose("variant", "set", ...), published["mean_force"])
     shape = tuple(fits.sizes.values())
     means, medians = np.empty(shape), np.empty(shape)
-    for place in range(len(forces)):
-        fit = fits.isel(variant=place)
-        at_fit = on_fine_grid(forces.values[place], ranges, fit["range_of_adhesion"].values)
+    for row in range(len(forces)):
+        fit = fits.isel(variant=row)
+        at_fit = on_fine_grid(forces.values[row], ranges, fit["range_of_adhesion"].values)
         at_fit = at_fit * fit["work_of_adhesion"].values  # (contact, set)
-        means[place], medians[place] = at_fit.mean(axis=0), np.median(at_fit, axis=0)
+        means[row] = at_fit.mean(axis=0)
+        medians[row] = np.median(at_fit, axis=0)
     agrees = np.ones(shape, bool)
     for name, values in (("mean_force", means), ("median_force", medians)):
         agrees &= abs(np.log(values / published[name][surface])) <= np.log(FACTOR)
@@ -134,16 +136,16 @@ def judge_protruded(
         mean_at_published=("variant", at_published.mean(axis=1), NEWTON),
         median_at_published=("variant", np.median(at_published, axis=1), NEWTON),
         spread_at_published=("variant", np.log(at_published).std(axis=1), {"units": "1"}),
-    ).assign(protruded[list(OF_PROTRUSIONS)])
+    ).assign(protruded[list(PROTRUSION_UNITS)])
 
 
 def none_protruded(ranges: np.ndarray) -> xr.Dataset:
-    """Return what `compute_protruded` gives of no surface at ranges of adhesion (rho,) in nm."""
+    """Return the result of `compute_protruded` for no surface; ranges of adhesion (rho,) in nm."""
     forces = np.empty((0, len(ranges), 1))
     return xr.Dataset(
         {
             "pull_off_force": (("variant", "rho", "contact"), forces, NEWTON),
-            **{name: ("variant", [], {"units": unit}) for name, unit in OF_PROTRUSIONS.items()},
+            **{name: ("variant", [], {"units": unit}) for name, unit in PROTRUSION_UNITS.items()},
         },
         {"variant": np.arange(0), "rho": ranges},
     )

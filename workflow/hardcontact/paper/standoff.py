@@ -1,10 +1,12 @@
-"""How high above the mean planes pull-off forces put the apex of the sphere.
+"""Heights of the sphere's apex above the mean planes, inferred from pull-off forces.
 
-A sphere whose apex stays at the height m above the mean plane of Gaussian roughness of the rms
-height sigma feels the force 2 pi R W exp(sigma²/2 rho² - m/rho) Phi(m/sigma - sigma/rho): the
-points below the sphere, each with Eq. 1. A force therefore tells m, for every rho and W. Forces of
-few points that touch are larger, so that m is compared with that of computed forces by the same
-formula.
+The apex is at the height m above the mean plane of Gaussian roughness of the rms height sigma. The
+points below the sphere attract by Eq. 1, together with the force
+
+    F = 2 pi R W exp(sigma²/2 rho² - m/rho) Phi(m/sigma - sigma/rho).
+
+A force therefore gives m for every rho and W. The formula is too small where few points carry the
+force. Published forces are therefore compared with computed forces by the same formula.
 """
 
 import numpy as np
@@ -26,11 +28,11 @@ NM = {"units": "nm"}
 
 
 def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
-    """Return the height m (...) in nm at which the points of a surface attract with a force.
+    """Return the height m (...) of the apex in nm that gives a force.
 
-    The force (...) is a share of 2 pi R W, the rms height and rho are in nm. Only heights count
-    beyond that of the largest force: closer to the surface fewer points lie below the sphere. NaN
-    where no height gives as large a force.
+    The force (...) is a share of 2 pi R W. The rms height and rho are in nm. The height is NaN
+    where every height gives a smaller force. Heights below that of the largest force are left out:
+    there fewer points lie below the sphere.
     """
     highest = HIGHEST_IN_RMS * rms_height + HIGHEST_IN_RANGES * rho
     heights = np.linspace(0, highest, TABULATED_HEIGHTS)
@@ -43,7 +45,7 @@ def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
 def standoff(
     adhesion: xr.Dataset, published: pd.DataFrame, work: float, rms_heights: pd.Series
 ) -> xr.Dataset:
-    """Return the heights of the apex that follow from published and from computed forces.
+    """Infer the height of the apex from published and from computed forces.
 
     Parameters
     ----------
@@ -54,14 +56,15 @@ def standoff(
     work : float
         The published work of adhesion in J/m².
     rms_heights : pandas.Series
-        By surface in nm, of the substrate and the sphere together.
+        Root of the sum of the squares of substrate and sphere in nm, by surface.
 
     Returns
     -------
     xarray.Dataset
-        Over (surface, statistic, rho) in nm ``computed_height``, from the forces computed, which
-        does not depend on W; over work_of_adhesion, too, ``required_height``, from the published
-        ones. Over surface ``rms_height``, over rho the ``fitted_work`` in J/m².
+        ``computed_height`` (surface, statistic, rho) in nm follows from computed forces and does
+        not depend on W. ``required_height`` (surface, statistic, work_of_adhesion, rho) in nm
+        follows from published forces. ``rms_height`` (surface) is in nm, ``fitted_work`` (rho) in
+        J/m².
     """
     forces = adhesion["pull_off_force"].stack(
         contact=["scan", "sphere_scan", "contact_y", "contact_x"]
@@ -74,18 +77,18 @@ def standoff(
     smooth = float(dmt_pull_off(1.0, adhesion.attrs["sphere_radius"]))
     works = np.stack([np.full(ranges.size, work), fitted])
     required = np.empty((surfaces.size, len(STATISTICS), len(WORKS), ranges.size))
-    of_computed = np.empty(computed.shape)
-    for place, surface in enumerate(surfaces):
+    computed_height = np.empty(computed.shape)
+    for row, surface in enumerate(surfaces):
         for column, rho in enumerate(ranges):
-            height = rms_heights[surface]
-            measured_shares = measured[place, :, None] / (smooth * works[:, column])
-            required[place, :, :, column] = apex_height(measured_shares, height, rho)
-            computed_shares = computed.values[place, :, column] / smooth
-            of_computed[place, :, column] = apex_height(computed_shares, height, rho)
+            rms_height = rms_heights[surface]
+            measured_shares = measured[row, :, None] / (smooth * works[:, column])
+            required[row, :, :, column] = apex_height(measured_shares, rms_height, rho)
+            computed_shares = computed.values[row, :, column] / smooth
+            computed_height[row, :, column] = apex_height(computed_shares, rms_height, rho)
     return xr.Dataset(
         {
             "required_height": (("surface", "statistic", "work_of_adhesion", "rho"), required, NM),
-            "computed_height": (("surface", "statistic", "rho"), of_computed, NM),
+            "computed_height": (("surface", "statistic", "rho"), computed_height, NM),
             "fitted_work": ("rho", fitted, {"units": "J m-2"}),
             "rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
         },

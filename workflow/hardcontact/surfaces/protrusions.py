@@ -1,4 +1,4 @@
-"""Rare protrusions on a rough surface, such as grains that polishing left or debris."""
+"""Rare protrusions on a rough surface, such as unpolished grains or debris."""
 
 from dataclasses import replace
 from typing import NamedTuple
@@ -13,7 +13,7 @@ from hardcontact.surfaces.height_map import HeightMap, level
 DENSITIES = (0.1, 3.0)
 HEIGHTS = (3.0, 8.0)
 WIDTHS = (30.0, 100.0)
-#: Of surfaces so many have none.
+#: Share of the surfaces that have no protrusions.
 GAUSSIAN_SHARE = 0.25
 
 
@@ -26,8 +26,9 @@ class Protrusions(NamedTuple):
 
 
 def draw_protrusions(rng: np.random.Generator) -> Protrusions:
-    """Draw the protrusions of one surface; a surface without any has the density and height 0."""
-    density, width = (float(np.exp(rng.uniform(*np.log(ends)))) for ends in (DENSITIES, WIDTHS))
+    """Draw the protrusions of one surface; without any, density and height are 0."""
+    density = float(np.exp(rng.uniform(*np.log(DENSITIES))))
+    width = float(np.exp(rng.uniform(*np.log(WIDTHS))))
     height = float(rng.uniform(*HEIGHTS))
     if rng.uniform() < GAUSSIAN_SHARE:
         return Protrusions(0.0, 0.0, width)
@@ -37,9 +38,9 @@ def draw_protrusions(rng: np.random.Generator) -> Protrusions:
 def with_protrusions(
     rng: np.random.Generator, scan: HeightMap, protrusions: Protrusions
 ) -> HeightMap:
-    """Return a scan with protrusions at random places, levelled, at the rms height that it had.
+    """Add protrusions at random places to a scan, level it and restore its rms height.
 
-    Their number is that of a Poisson process; those whose centres lie outside of the scan are left
+    Their number is Poisson distributed. Protrusions whose centres lie outside of the scan are left
     out.
     """
     rms_height = scan.heights.std()
@@ -47,10 +48,9 @@ def with_protrusions(
     count = rng.poisson(protrusions.density * (scan.size / 1e3) ** 2)
     heights = scan.heights.astype(float)
     for y, x in rng.uniform(0, scan.size, (count, 2)):
-        along_y, along_x = (
-            np.exp(-((position - centre) ** 2) / (2 * protrusions.width**2)) for centre in (y, x)
-        )
-        heights += protrusions.height * rms_height * along_y[:, None] * along_x
+        shape_y = np.exp(-((position - y) ** 2) / (2 * protrusions.width**2))
+        shape_x = np.exp(-((position - x) ** 2) / (2 * protrusions.width**2))
+        heights += protrusions.height * rms_height * shape_y[:, None] * shape_x
     protruded = level(replace(scan, heights=heights))
     factor = rms_height / protruded.heights.std()
     return replace(protruded, heights=factor * protruded.heights)
