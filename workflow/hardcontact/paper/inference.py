@@ -125,10 +125,8 @@ def _at_pair(
         force_statistics(contacts.sel(surface=surface).values, floor, sampling)
         for surface in forces.surface.values
     ]
-    return (
-        xr.concat(statistics, pd.Index(forces.surface.values, name="surface"))
-        .assign(sampling.with_interval("ratio_at_pair", "surface", ratio, ratios, ONE))
-        .assign(pair_range=((), rho, NM), pair_work=((), work, ENERGY))
+    return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
+        sampling.with_interval("ratio_at_pair", "surface", ratio, ratios, ONE)
     )
 
 

@@ -13,6 +13,7 @@ import pandas as pd
 import xarray as xr
 from scipy.interpolate import make_interp_spline
 
+from hardcontact.base import dataset, published
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
@@ -47,17 +48,15 @@ class PoolSources(NamedTuple):
     settings: PoolSettings
 
 
-def pool_sources(
-    spectrum: xr.Dataset,
-    table1: pd.DataFrame,
-    constants: pd.DataFrame,
-    parameters: Mapping[str, Any],
-) -> PoolSources:
-    """Gather spectrum, targets, rms heights and settings of the scans of a pool.
+def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources:
+    """Read spectrum, targets, rms heights and settings of the scans of a pool.
 
-    The spectrum is that of a substrate. Table 1 and constants are as from `published`, the
-    parameters are those of the rule. Raises ValueError if the paper has no rms height of it.
+    Inputs (paths as attributes) and parameters are those of the rule. Raises ValueError if the
+    paper has no rms height of the surface.
     """
+    spectrum = dataset.read(inputs.spectrum)
+    table1 = published.table1(inputs.published_table1)
+    constants = published.constants(inputs.published_constants)
     surface, definitions = parameters["surface"], parameters["table1"]
     grid, rows = ScanGrid(**parameters["scan"]), rows_of_surface(table1, surface, **definitions)
     targets = scan_targets(spectrum, rows, constants, definitions, grid)

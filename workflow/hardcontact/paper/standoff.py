@@ -63,8 +63,7 @@ def standoff(
     xarray.Dataset
         ``computed_height`` (surface, statistic, rho) in nm follows from computed forces and does
         not depend on W. ``required_height`` (surface, statistic, work_of_adhesion, rho) in nm
-        follows from published forces. ``rms_height`` (surface) is in nm, ``fitted_work`` (rho) in
-        J/m².
+        follows from published forces. ``rms_height`` (surface) is in nm.
     """
     forces = adhesion["pull_off_force"].stack(
         contact=["scan", "sphere_scan", "contact_y", "contact_x"]
@@ -89,7 +88,6 @@ def standoff(
         {
             "required_height": (("surface", "statistic", "work_of_adhesion", "rho"), required, NM),
             "computed_height": (("surface", "statistic", "rho"), computed_height, NM),
-            "fitted_work": ("rho", fitted, {"units": "J m-2"}),
             "rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
         },
         {"statistic": STATISTICS, "work_of_adhesion": WORKS, "rho": computed["rho"]},

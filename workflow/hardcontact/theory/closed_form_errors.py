@@ -64,10 +64,9 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
     xarray.Dataset
         Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
         realizations with its interval over realizations; also over source ("spectrum": closest
-        approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
-        ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
-        ``predicted_approach`` in nm. Of the whole spectra ``whole_freezing`` and ``regime`` over
-        (surface, rho), and ``edge`` (surface, side) in nm.
+        approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N)
+        and ``error``, predicted over computed. Of the whole spectra ``whole_freezing`` and
+        ``regime`` over (surface, rho), and ``edge`` (surface, side) in nm.
     """
     compared = [
         [_compare(name, spectrum, size, trial) for size in trial.sizes]
@@ -114,7 +113,6 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     interval = student_log_interval(realizations, trial.confidence, "realization")
     predicted = [[form.force for form in row] for row in forms]
     first_term = [[form.first_term * smooth for form in row] for row in forms]
-    freezing = [[form.freezing for form in row] for row in forms]
     over, newton, one = ("source", "rho"), {"units": "N"}, {"units": "1"}
     return xr.Dataset(
         {
@@ -122,9 +120,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
             "computed_force_interval": interval.assign_attrs(newton),
             "predicted_force": (over, predicted, newton),
             "first_term_force": (over, first_term, newton),
-            "freezing": (over, freezing, one),
             "error": (over, predicted / computed.values, one),
-            "predicted_approach": ((), forms[0][0].closest_approach, {"units": "nm"}),
         }
     )
 

@@ -58,8 +58,6 @@ NODES, WEIGHTS = hermegauss(15)
 WEIGHTS /= WEIGHTS.sum()
 #: Relative error of a mean force, for which contacts and scans are counted.
 MEAN_ERROR = 0.05
-#: Shares of places at which quantiles are compared.
-SHARES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 #: Level of closest approach, in rms heights, above which the clumps that touch are rare. Below it
 #: waves longer than the sphere reaches lift it with the surface.
 LEAST_LEVEL = 2.0
@@ -354,14 +352,13 @@ def with_comparison(
     Inference and published statistics are those of the paper's study: ``published_spread`` and
     ``computed_spread`` with its interval (surface), NaN where there is none. The table is that of
     designed surfaces in `resources/validation`: ``designed_<column>`` (case) of what tells the
-    error of the law, and ``designed_quantile`` (case, share), computed over predicted.
+    error of the law.
     """
     plastic, name = {"contact_model": "plastic", "pair": "published"}, "lognormal_shape"
     names = {name: "computed_spread", f"{name}_interval": "computed_spread_interval"}
     computed = inference[list(names)].sel(plastic, drop=True).rename(names)
     published = pull_off.reindex(scatter["surface"].values)
     shapes = lognormal_shape(published["mean_force"], published["median_force"])
-    quantiles = table[[f"quantile_{100 * share:g}" for share in SHARES]]
     columns = [
         "surface", "held_back", "skewed", "level", "modulus", "spread", "predicted_spread",
         *table.columns[table.columns.str.startswith("distance_")],
@@ -373,11 +370,7 @@ def with_comparison(
     return (
         scatter.merge(computed.drop_vars(["label", "basis"], errors="ignore"), join="left")
         .merge(designed)
-        .assign(
-            published_spread=("surface", shapes, {"units": "1"}),
-            designed_quantile=(("case", "share"), quantiles.to_numpy(), {"units": "1"}),
-        )
-        .assign_coords(share=("share", list(SHARES), {"units": "1"}))
+        .assign(published_spread=("surface", shapes, {"units": "1"}))
     )
 
 
