@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
+from periodic_maps import RADIUS, over
 
-from hardcontact.contact.asperities import asperities
+from hardcontact.contact.asperities import asperities, asperities_of_pair
+from hardcontact.contact.contact import Contact
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
@@ -29,3 +31,15 @@ def test_two_peaks_share_the_force():
     assert largest == pytest.approx(12 / 15, rel=1e-3)
     assert two_largest == pytest.approx(14 / 15, rel=1e-3)
     assert asperities(attraction, 0.99, 4.0)[2] == 3
+
+
+def test_a_single_peak_carries_the_force_of_every_contact():
+    heights = np.zeros((200, 200))
+    heights[105, 94] = 60.0
+    contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
+    places = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
+    pair = over(heights, None, 20.0, 200, 2)
+    carriers = asperities_of_pair(pair, contact, places, 0.9, [1.0])
+    assert (carriers["patches"] == 1).all()
+    assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)
+    assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

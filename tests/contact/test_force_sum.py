@@ -119,3 +119,27 @@ def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
         mean = mean_attraction(heights, rho, rough) * np.exp(heights.max() / rho)
         error = np.sqrt(np.expm1(sigma**2 / rho**2)) / pixels
         assert mean * np.exp(-(sigma**2) / (2 * rho**2)) == pytest.approx(1, abs=4 * error)
+
+
+def test_force_of_a_sphere_over_a_sinusoid_is_that_over_a_flat_times_its_factor():
+    # Waves much shorter than the interaction radius: the factor of the plane holds for the sphere.
+    amplitude, rho, pixel_size = 3.0, 5.6, 20.0
+    wave = amplitude * np.cos(2 * np.pi * np.arange(256) / 8) + np.zeros((256, 1))
+    wavy, flat = (
+        plastic_totals(over(heights, None, pixel_size, 640, 1), [1], rho)[0].item()
+        for heights in (wave, np.zeros((256, 256)))
+    )
+    position = int(over(wave, None, pixel_size, 640, 1).geometry.positions[0])
+    assert wave[0, position] == amplitude  # the apex stands on a crest
+    assert wavy / flat == pytest.approx(ive(0, amplitude / rho), rel=1e-9)
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("contact_pixels", [1, 9])
+@pytest.mark.parametrize("rho", [0.1, 5.6])
+def test_smooth_sphere_force_is_the_direct_sum(case, contact_pixels, rho):
+    bodies = bodies_of(case, 5, rough=False)
+    (totals,) = plastic_totals(bodies, [contact_pixels], rho)
+    for place, total in np.ndenumerate(totals):
+        expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
+        assert total == pytest.approx(expected, rel=1e-12)

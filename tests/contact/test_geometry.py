@@ -65,3 +65,10 @@ def test_gaps_at_offsets_are_those_of_the_whole_window():
     y, x = np.indices((200, 200)) - 100
     gaps = geometry.gaps_at(pair, pair.geometry.positions[[2, 1]], np.stack([y, x], -1))
     np.testing.assert_allclose(gaps, gap_map(pair, (2, 1)), atol=1e-12)
+
+
+def test_a_sphere_without_roughness_is_its_paraboloid():
+    pair = over(heights(80), np.zeros((96, 96)), 25.0, 120, 4)
+    cap = pair.sphere(7 + np.arange(-2, 3), -30 + np.arange(-2, 3))
+    y, x = (np.arange(5)[:, None] + 5) * 25.0, (np.arange(5) - 32) * 25.0
+    np.testing.assert_allclose(cap, (y**2 + x**2) / (2 * RADIUS), rtol=1e-12)

@@ -16,7 +16,7 @@ from hardcontact.config.grids import realization_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap, level, metrics
-from hardcontact.surfaces.spectrum import AFM_ROWS, spectrum_dataset, spectrum_from
+from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, spectrum_dataset, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 from hardcontact.surfaces.substitute_spectra import (
     expected_moments,
@@ -175,3 +175,11 @@ def test_on_another_size_nothing_of_table_1_is_met(spectrum):
     expected = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), expected)
     assert targets.rows == ()
+
+
+def test_bands_add_up_to_one_and_go_over_smoothly():
+    shares = conditioning.band_shares(GRID)
+    np.testing.assert_allclose(shares.sum(axis=0), 1, rtol=1e-12)
+    assert (shares >= 0).all() and np.abs(np.diff(shares, axis=1)).max() < 0.1
+    assert (shares[0, WAVEVECTORS < 2 * np.pi / GRID.size] == 1).all()
+    assert (shares[2, WAVEVECTORS > np.pi / PIXEL] == 1).all()

@@ -12,6 +12,7 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     HALF_LAPLACIAN,
     continued_spectrum,
     levelled_share,
+    with_rolloff,
 )
 from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
 from hardcontact.surfaces.spectrum import (
@@ -154,3 +155,9 @@ def test_a_surface_that_is_measured_to_be_steeper_gets_no_tail():
     assert np.isnan(tail.tail_hurst)
     points = Spectrum(WAVEVECTORS, spectrum)(np.minimum(BINS, WAVEVECTORS[174]))
     np.testing.assert_allclose(points, steep, rtol=1e-6)
+
+
+def test_a_spectrum_rises_to_its_rolloff_and_is_constant_beyond():
+    density = with_rolloff(np.ones(len(WAVEVECTORS)), 1000.0, -3.0, 8000.0)
+    wavelength = 2 * np.pi / WAVEVECTORS
+    np.testing.assert_allclose(density, np.clip(wavelength / 1000, 1, 8) ** 3.0)

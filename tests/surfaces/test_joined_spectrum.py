@@ -24,6 +24,7 @@ from hardcontact.surfaces.measured_spectrum import (
     measured_psd,
     variance_of_log,
 )
+from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     WAVEVECTORS,
@@ -190,3 +191,16 @@ def test_what_is_not_known_is_artificial():
     stacked = stacked_spectra({"x": described_spectrum(stored(), "x.csv")}, {"x": "X"})
     bands = artificial_bands(stacked.sel(surface="x"))
     np.testing.assert_allclose(bands, [(0, 10), (100, 1000), (1e6, np.inf)])
+
+
+def test_only_what_is_reliable_is_joined():
+    scans = two_sizes_and_a_line(10)
+    noise = generator(11).normal(0, 10.0, scans[0].heights.shape)
+    scans[0] = measurement(scans[0].heights + noise, scans[0].pixel_size)
+    joined = joined_spectrum(scans, [None] * 3)
+    wavelength = 2 * np.pi / joined["bin_wavevector"].values
+    for place, scan in enumerate(scans):
+        band, stored = reliable_band(scan, None), joined.isel(measurement=place)
+        within = (wavelength >= band.shortest) & (wavelength <= band.longest)
+        np.testing.assert_array_equal(stored["reliable"] == 1, within & np.isfinite(stored["psd"]))
+    assert joined["limited_by"].values[0] == "noise"

@@ -85,3 +85,11 @@ def test_a_tail_continues_the_power_law_above_it(above):
     inside = 2 * np.pi / WAVEVECTORS > 1.1
     np.testing.assert_allclose((above + tail)[inside], WAVEVECTORS[inside] ** -3.6, rtol=1e-9)
     assert (tail[2 * np.pi / WAVEVECTORS < 0.9] == 0).all()
+
+
+def test_without_change_a_varying_hurst_exponent_is_a_self_affine_spectrum():
+    np.testing.assert_allclose(
+        spectrum.varying_hurst(WAVEVECTORS, 1e7, 800.0, 0.9, 0.0),
+        spectrum.self_affine(WAVEVECTORS, 1e7, 800.0, 0.9),
+        rtol=1e-10,
+    )

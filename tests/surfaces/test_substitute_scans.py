@@ -154,3 +154,9 @@ def test_tops_are_rounded_as_by_grey_morphology(reach):
         for along in (parabola[None], parabola[:, None]):
             opened = change(opened, structure=along, mode="wrap")
     np.testing.assert_array_equal(_opened(heights, depth), opened)
+
+
+def test_heights_and_lengths_have_no_scale_of_their_own(surface):
+    skewed = skewed_surface(surface, 0.5).heights
+    larger = replace(surface, heights=4 * surface.heights, pixel_size=2 * surface.pixel_size)
+    np.testing.assert_allclose(skewed_surface(larger, 0.5).heights, 4 * skewed, rtol=1e-9)
