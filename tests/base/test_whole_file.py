@@ -1,13 +1,11 @@
 """Files are whole or not there."""
 
-import os
-import time
 from pathlib import Path
 
 import pytest
-from refusals import assert_says, refusal
+from refusals import assert_says
 
-from hardcontact.base.whole_file import PART, refuse_future, whole_file
+from hardcontact.base.whole_file import PART, whole_file
 
 
 def test_a_file_appears_when_the_block_has_ended(tmp_path):
@@ -39,15 +37,3 @@ def test_what_the_system_refuses_is_said_in_one_line(tmp_path):
         message, f"{path}: expected a file to be written, found:", "MB of the disk are free"
     )
     assert len(message.splitlines()) == 1
-
-
-def test_files_of_the_future_are_refused_all_at_once(tmp_path):
-    for name, age in (("new.nc", 0), ("old.nc", 9e8), ("a/wrong.nc", -9e6), ("wrong.nc", -9e6)):
-        path = tmp_path / name
-        path.parent.mkdir(exist_ok=True)
-        path.touch()
-        os.utime(path, (time.time() - age,) * 2)
-    lines = refusal(refuse_future, tmp_path).splitlines()
-    assert [line.partition(": ")[0] for line in lines] == [
-        str(tmp_path / name) for name in ("a/wrong.nc", "wrong.nc")
-    ]

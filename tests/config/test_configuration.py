@@ -54,28 +54,6 @@ def test_quantities_become_numbers():
 
 
 @pytest.mark.parametrize(
-    ("text", "fault"),
-    [
-        ("scan: {size: 1 nm}\ncontact: {count: 1}\nscan: {pixels: 2}", "line 3: scan"),
-        ("contact:\n  count: 1\n  count: 2", "line 3: contact.count"),
-        ("contact: {count: 1}\nrobustness: {count: 1}", None),
-        ("scan: &a {size: 1 nm, again: *a}\ncontact: *a", None),  # an alias that holds itself
-        ('{\n\t"seed": 1\n}', None),  # JSON with tabs
-        ("", None),
-    ],
-)
-def test_a_key_is_given_once(tmp_path, text, fault):
-    path = tmp_path / "a.yaml"
-    path.write_text(text)
-    if fault is None:
-        configuration.refuse_repeated_keys(path)
-    else:
-        line, key = fault.split(": ")
-        message = refusal(configuration.refuse_repeated_keys, path)
-        assert message == f"{path}: {line}: expected each key once, found {key} again"
-
-
-@pytest.mark.parametrize(
     ("content", "part"),
     [
         (b"", "found: nothing"),
@@ -84,6 +62,8 @@ def test_a_key_is_given_once(tmp_path, text, fault):
         (b"a: 1\0", "#x0000"),
         (b"a: 1\nb:\n\t- 1", "line 3"),
         (b"a: 1\n---\nb: 2", "line 2"),
+        (b"scan: {size: 1 nm}\ncontact: {count: 1}\nscan: {pixels: 2}", "key scan again"),
+        (b"contact:\n  count: 1\n  count: 2", "line 3"),
         (b"a: 2026-13-45", "month"),
         (b"a: " + b"9" * 5000, "4300 digits"),
         (b"a: " + b"[" * 50_000, "maximum recursion depth"),
@@ -98,6 +78,19 @@ def test_what_is_no_configuration_is_refused(tmp_path, content, part):
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
     assert_says(message, part)
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "contact: {count: 1}\nrobustness: {count: 1}",
+        "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
+    ],
+)
+def test_a_configuration_is_accepted(tmp_path, text):
+    path = tmp_path / "a.yaml"
+    path.write_text(text)
+    configuration.refuse_unreadable(path)
 
 
 # Many faults

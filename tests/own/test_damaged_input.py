@@ -13,7 +13,7 @@ from scan_files import MAPS, nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
-from hardcontact.config.configuration import refuse_repeated_keys, refuse_unreadable
+from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.model import configuration
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.selection import surface_table
@@ -92,7 +92,6 @@ def read_bands(path):
 
 def read_overlay(path):
     refuse_unreadable(path)
-    refuse_repeated_keys(path)
     overlay = yaml.safe_load(path.read_bytes().decode("utf-8"))
     config = deepcopy(PAPER)
     update_config(config, overlay)  # as Snakemake does

@@ -11,10 +11,11 @@ from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.config import checks
+from hardcontact.config.configuration import with_keys
 from hardcontact.config.model import configuration
 from hardcontact.config.selection import surface_table
 from hardcontact.own import new, request
-from hardcontact.own.new import nested, overlay_text, write_files
+from hardcontact.own.new import overlay_text, values
 from hardcontact.own.proposal import Choice
 
 NAME = "a-test.of_new"
@@ -181,9 +182,12 @@ REFUSED = [
     ([NAME, "bare.nc"], ["bare.nc", "--unit"]),
     ([NAME, "one.nc", "--forces", "none.csv"], ["--forces", "none.csv"]),
     ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
-    ([NAME, "one.nc", "--range", "0.01 nm"], ["--range: expected at least", "found 0.01 nm"]),
+    ([NAME, "one.nc", "--range", "0.01 nm"], ["scales.range: expected at least", "0.01 nm"]),
     # A quarter of the stitched scan of 5 um at 25 GPa.
-    ([NAME, "one.nc", "--preload", "1 N"], ["--preload: expected at most 156 mN", "found 1 N"]),
+    (
+        [NAME, "one.nc", "--preload", "1 N"],
+        ["preload: expected at most 156 mN", "found 1 N"],
+    ),
     ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "(the tip)"]),
 ]
 
@@ -201,12 +205,7 @@ def test_what_makes_no_study_is_refused_in_a_line_and_nothing_is_written(folder,
         assert sorted(folder.rglob("*")) == before
 
 
-def test_another_clone_and_an_interruption_end_in_one_line(folder, run, monkeypatch, tmp_path):
-    (tmp_path / "other/workflow/hardcontact").mkdir(parents=True)
-    monkeypatch.chdir(tmp_path / "other")
-    done = run(NAME, own_scan(folder / "a.nc"))
-    assert done.code == 1 and len(done.errors) == 1 and str(tmp_path / "other") in done.errors[0]
-
+def test_an_interruption_ends_in_one_line(run, monkeypatch):
     def interrupted(arguments):
         raise KeyboardInterrupt
 
@@ -222,17 +221,8 @@ def test_an_overlay_is_read_as_it_was_meant():
         Choice("scales.small.cutoffs", [f"{length} nm" for length in range(5, 60)], "many"),
         Choice("scales.range", "5.6 nm", "the paper's"),
     ]
-    text = overlay_text(["by hand", "", "# twice"], choices, [Choice("study", "no", "")])
-    assert yaml.safe_load(text) == nested(choices, {"quick": {"study": "no"}})
+    text = overlay_text("snakemake", choices, [Choice("study", "no", "")])
+    overlay = with_keys({}, values(choices)) | {"quick": {"study": "no"}}
+    assert yaml.safe_load(text) == overlay
     base = {"scales": {"range": "1 nm", "large": {"tiles": 4}}, "seed": 1}
-    assert nested(choices, base)["scales"]["large"] == {"tiles": 4}
-
-
-def test_all_files_are_written_or_none(tmp_path):
-    first, second = tmp_path / "first", tmp_path / "folder"
-    second.mkdir()
-    (second / "kept").write_text("")
-    for texts in ({second: "b", first: "a"}, {first: "a", second: "b"}):
-        with pytest.raises(ValueError, match="folder: expected a file to be written"):
-            write_files(texts)
-        assert [path.name for path in tmp_path.iterdir()] == ["folder"]
+    assert with_keys(base, values(choices))["scales"]["large"] == {"tiles": 4}

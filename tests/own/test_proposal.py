@@ -11,13 +11,14 @@ from random_scans import uncd
 from refusals import assert_says, refusal
 from repository import PAPER
 
+from hardcontact.config.configuration import with_keys
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import configuration
 from hardcontact.contact.contact import Contact
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import Entry
-from hardcontact.own.new import nested
-from hardcontact.own.proposal import Choice, propose
+from hardcontact.own.new import values
+from hardcontact.own.proposal import propose
 from hardcontact.own.request import Source
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES
@@ -100,16 +101,17 @@ def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, r
 
 def both_efforts(asked, proposal):
     """Return the configurations of the study and of its quick effort."""
-    named = [
-        Choice("study", "own", ""),
-        Choice("published", "none", ""),
-        Choice("sphere.surface", "smooth", ""),
-        Choice("sphere.radius", f"{asked.radius:.12g} nm", ""),
-        Choice("contact.preload", f"{asked.preload:.12g} N", ""),
-        Choice("contact.hardness", f"{asked.hardness:.12g} Pa", ""),
-    ]
-    full = [*named, *proposal.choices]
-    return [configuration(nested(keys, PAPER)) for keys in (full, [*full, *proposal.quick])]
+    named = {
+        "study": "own",
+        "published": "none",
+        "sphere.surface": "smooth",
+        "sphere.radius": f"{asked.radius:.12g} nm",
+        "contact.preload": f"{asked.preload:.12g} N",
+        "contact.hardness": f"{asked.hardness:.12g} Pa",
+    }
+    full = named | values(proposal.choices)
+    quick = full | values(proposal.quick)
+    return [configuration(with_keys(PAPER, keys)) for keys in (full, quick)]
 
 
 def check_study(asked, proposal):
@@ -139,7 +141,7 @@ def check_refusal(line, scan, asked):
     area = 1e18 * asked.preload / asked.hardness
     if line.startswith("surface a: expected a height map"):
         assert scan.pixel_size < 0.05
-    elif line.startswith("--range"):
+    elif line.startswith("config key scales.range"):
         pixels = 2 * scan.pixel_size**2 / asked.radius
         depth = math.sqrt(area)
         assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
@@ -147,7 +149,9 @@ def check_refusal(line, scan, asked):
         window = min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.range))
         # What 16 contacts with a hundred images of each pixel keep in memory.
         in_memory = area / scan.pixel_size**2 / (2**26 / 16 / 100)
-        assert line.startswith("--preload") and (area / window**2 > 0.15 or in_memory > 1), line
+        assert line.startswith("config key contact.preload") and (
+            area / window**2 > 0.15 or in_memory > 1
+        ), line
 
 
 @pytest.mark.parametrize("examples", [20, pytest.param(1000, marks=pytest.mark.study)])
@@ -161,14 +165,12 @@ def test_any_scan_gives_what_the_study_accepts_or_a_refusal_of_what_it_cannot(ex
     @given(scans(), st.builds(probe, between(1e3, 5e6), between(1e-9, 1e-3), between(1e8, 1e12)))
     def check(entries, asked):
         try:
-            proposal = propose(entries, None, asked)
+            check_study(asked, propose(entries, None, asked))
+            event("accepted")
         except ValueError as error:
             for line in str(error).splitlines():
                 event(line.partition(":")[0])
                 check_refusal(line, entries[0], asked)
-        else:
-            event("accepted")
-            check_study(asked, proposal)
 
     check()
 
@@ -224,13 +226,23 @@ def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, asked, parts):
     [
         ([entry(1e5, 3000, kind="profile")], probe(), ["surface a: expected a height map"]),
         ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
-        ([entry(20000, 512, 700.0)], probe(rho=6.0), ["--range: expected at least 11.2 nm"]),
-        # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
-        ([entry()], probe(preload=1.0, hardness=1e9, rho=0.02), ["--range", "at most 6.25 mN"]),
         ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
     ],
 )
 def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, asked, expected):
-    message = refusal(propose, entries, None, asked, True)
+    message = refusal(propose, entries, None, asked)
     assert_says(message, *expected)
     assert len(message.splitlines()) == len(expected)
+
+
+@pytest.mark.parametrize(
+    ("scan", "asked", "expected"),
+    [
+        (entry(20000, 512, 700.0), probe(rho=6.0), ["scales.range: expected at least 11.2 nm"]),
+        # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
+        (entry(), probe(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
+    ],
+)
+def test_the_study_refuses_what_was_given_and_the_scans_do_not_permit(scan, asked, expected):
+    message = refusal(check_study, asked, propose([scan], None, asked, True))
+    assert_says(message, *expected)

@@ -2,7 +2,6 @@
 
 import os
 import shutil
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -34,19 +33,3 @@ def whole_file(path: str | Path) -> Iterator[str]:
     finally:
         if path.parent.is_dir():
             temporary.unlink(missing_ok=True)
-
-
-def refuse_future(folder: str | Path) -> None:
-    """Raise ValueError, with a line for each file below a folder whose time is in the future.
-
-    All that is made from such a file is older than it, and would be made again in every run.
-    """
-    now = time.time() + 60  # clocks of machines that share a file system differ a little
-    paths = (path for path in sorted(Path(folder).rglob("*")) if path.lstat().st_mtime > now)
-    lines = [
-        f"{path}: expected a file of the past, found one of {time.ctime(path.lstat().st_mtime)}; "
-        "give it a time of today (touch)"
-        for path in paths
-    ]
-    if lines:
-        raise ValueError("\n".join(lines))

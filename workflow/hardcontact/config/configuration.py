@@ -64,10 +64,25 @@ def read_yaml(path: str) -> Any:
     return yaml.safe_load((LIBRARY.parents[1] / path).read_text("utf-8"))
 
 
+class _EachKeyOnce(yaml.SafeLoader):
+    """Refuses a key that is given twice, of which only the last would count."""
+
+    def construct_mapping(self, node: Any, deep: bool = False) -> dict[Any, Any]:
+        """Return the mapping of a node."""
+        names = set[str]()
+        for key, _ in node.value:
+            name = str(key.value)
+            if name in names:
+                problem = f"the key {plain(name)} again"
+                raise yaml.MarkedYAMLError(problem=problem, problem_mark=key.start_mark)
+            names.add(name)
+        return super().construct_mapping(node, deep)
+
+
 def refuse_unreadable(path: str | Path) -> None:
     """Refuse a file that is no YAML with keys at its top; raise ValueError with one line."""
     try:
-        content = yaml.safe_load(Path(path).read_bytes().decode("utf-8"))
+        content = yaml.load(Path(path).read_bytes().decode("utf-8"), _EachKeyOnce)
         reason = plain(content) if content is not None else "nothing"
     except (OSError, RecursionError, ValueError, yaml.YAMLError) as error:
         text = " ".join(str(error).split())[:150]
@@ -76,37 +91,22 @@ def refuse_unreadable(path: str | Path) -> None:
         raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")
 
 
-def refuse_repeated_keys(path: str | Path) -> None:
-    """Refuse a YAML file that gives a key twice: only the last would count.
-
-    Raises ValueError with one line that names the file, the line and the key; other faults of the
-    file are left to whoever reads it.
-    """
-    try:
-        pending = [("", yaml.compose(Path(path).read_text("utf-8"), yaml.CSafeLoader))]
-    except yaml.YAMLError:  # JSON with tabs
-        return
-    visited = set()  # An alias is the node that it stands for, which may even contain itself.
-    while pending:
-        above, node = pending.pop()
-        if not isinstance(node, yaml.MappingNode) or id(node) in visited:
-            continue
-        visited.add(id(node))
-        keys = set()
-        for key, value in node.value:
-            name = f"{above}{key.value}"
-            if name in keys:
-                raise ValueError(
-                    f"{path}: line {key.start_mark.line + 1}: expected each key once, "
-                    f"found {plain(name)} again"
-                )
-            keys.add(name)
-            pending.append((f"{name}.", value))
-
-
 def get_key(tree: Mapping[str, Any], key: str) -> Any:
     """Return the value of a key, with dots between its parts, in a tree of keys."""
     return reduce(getitem, key.split("."), tree)
+
+
+def with_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a copy of a tree of keys with other values, by keys with dots between their parts."""
+    changed = dict(config)
+    for key, value in values.items():
+        *sections, name = key.split(".")
+        section = changed
+        for part in sections:
+            section[part] = dict(section.get(part, {}))
+            section = section[part]
+        section[name] = value
+    return changed
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:

@@ -5,13 +5,15 @@
 
 import inspect
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
+import yaml
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from hardcontact.config.configuration import with_keys
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.model import Study
 from hardcontact.config.selection import SurfaceRow
@@ -32,7 +34,13 @@ VALUES = {"scans": "`all` or a list: 1 to 9999", "quick": "a mapping"}
 
 def configuration() -> str:
     """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
-    return "\n".join([HEAD, *_yaml(Study, "")]) + "\n"
+    fields = dict(_fields(Study))
+    comments = {
+        key: _meaning(field) + (f" ({_paper(field)})" if _paper(field) else "")
+        for key, field in fields.items()
+    }
+    tree = with_keys({}, {key: field.default for key, field in fields.items()})
+    return "\n".join([HEAD, *commented_yaml(tree, comments)]) + "\n"
 
 
 def documented(text: str) -> str:
@@ -60,10 +68,13 @@ def _meaning(field: FieldInfo) -> str:
     return " ".join(str(field.description).split())
 
 
-def _subsection(field: FieldInfo) -> type[BaseModel] | None:
-    """Return the model of a field that is a section of keys, or None for a key."""
-    kind = field.annotation
-    return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None
+def _fields(section: type[BaseModel], above: str = "") -> Iterator[tuple[str, FieldInfo]]:
+    """Yield the keys of a section and of those within it, each with its field."""
+    for name, field in section.model_fields.items():
+        if isinstance(field.default, BaseModel):
+            yield from _fields(type(field.default), f"{above}{name}.")
+        else:
+            yield f"{above}{name}", field
 
 
 def _paper(field: FieldInfo) -> str:
@@ -72,41 +83,38 @@ def _paper(field: FieldInfo) -> str:
     return str(about.get("paper", ""))
 
 
-def _yaml(section: type[BaseModel], indent: str) -> Iterator[str]:
-    """Yield the lines of the keys of a section, and of those within it."""
-    for name, field in section.model_fields.items():
-        if subsection := _subsection(field):
-            yield f"\n{indent}{name}:"
-            yield from _yaml(subsection, f"{indent}  ")
-        else:
-            paper = f" ({_paper(field)})" if _paper(field) else ""
-            yield textwrap.indent(
-                "\n".join(textwrap.wrap(_meaning(field) + paper, 96)),
-                f"{indent}# ",
-            )
-            yield f"{indent}{name}: {_written(field.default)}"
+def commented_yaml(
+    tree: Mapping[str, Any], comments: Mapping[str, str], above: str = ""
+) -> Iterator[str]:
+    """Yield the lines of a tree of keys as YAML, every key below its comment.
+
+    Comments are by key, with dots between its parts; `above` leads to the tree.
+    """
+    indent = "  " * above.count(".")
+    for name, value in tree.items():
+        section = isinstance(value, dict) and bool(value)
+        if section:
+            yield ""
+        comment = textwrap.wrap(comments.get(f"{above}{name}", ""), 96)
+        yield from (f"{indent}# {line}" for line in comment)
+        yield f"{indent}{name}:" if section else f"{indent}{name}: {_written(value)}"
+        if section:
+            yield from commented_yaml(value, comments, f"{above}{name}.")
 
 
 def _sections() -> Iterator[str]:
     """Yield heading, table and text of the keys at the top, and of each section of keys."""
-    sections = {name: _subsection(field) for name, field in Study.model_fields.items()}
-    for name, section in {"": Study, **sections}.items():
-        if section:
-            heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
-            yield f"### {heading.rstrip('.')}"
-            yield _table(COLUMNS, [*_rows(section, name)])
-            yield from (" ".join(text.split()) for text in texts)
-
-
-def _rows(section: type[BaseModel], above: str) -> Iterator[tuple[str, ...]]:
-    """Yield the cells of the keys of a section, and of those within it unless it is the top."""
-    for name, field in section.model_fields.items():
-        key, subsection = f"{above}.{name}".strip("."), _subsection(field)
-        if not subsection:
-            values = VALUES.get(key) or _values(field)
-            yield f"`{key}`", _meaning(field), values, _default(field.default), _paper(field)
-        elif above:
-            yield from _rows(subsection, key)
+    rows: dict[str, list[tuple[str, ...]]] = {}
+    for key, field in _fields(Study):
+        values = VALUES.get(key) or _values(field)
+        row = (f"`{key}`", _meaning(field), values, _default(field.default), _paper(field))
+        rows.setdefault(key.rpartition(".")[0].partition(".")[0], []).append(row)
+    for name, section_rows in rows.items():
+        section = type(Study.model_fields[name].default) if name else Study
+        heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
+        yield f"### {heading.rstrip('.')}"
+        yield _table(COLUMNS, section_rows)
+        yield from (" ".join(text.split()) for text in texts)
 
 
 def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -137,10 +145,9 @@ def _values(field: FieldInfo) -> str:
 
 
 def _written(value: Any) -> str:
-    """Return a default as it stands in YAML."""
-    if isinstance(value, list):
-        return f"[{', '.join(map(str, value))}]"
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    """Return a value as it stands in YAML, on one line."""
+    text: str = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
+    return text.strip()[1:-1]
 
 
 def _default(value: Any) -> str:

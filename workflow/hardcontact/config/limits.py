@@ -121,10 +121,10 @@ def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator
     for use in uses:
         count = get_key(config, use.count)
         yield Limit(count <= stitched, use.count, expected, count)
-    ranges = {"adhesion.ranges": config["adhesion"]["ranges"][0]}
+    ranges = {"scales.range": config["scales"]["range"]}
+    ranges["adhesion.ranges"] = config["adhesion"]["ranges"][0]
     if config["published"] == PAPER:
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
-    ranges["scales.range"] = config["scales"]["range"]
     for key, rho in ranges.items():
         yield _limit_of_range(window, (key, rho, radius), surface, grid)
 

@@ -20,8 +20,7 @@ from snakemake.utils import min_version, update_config
 from hardcontact.base import published
 from hardcontact.base.code import LIBRARY, write_pins
 from hardcontact.base.origin import digests, refuse_changed
-from hardcontact.base.whole_file import refuse_future
-from hardcontact.config.configuration import refuse_repeated_keys
+from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.faults import refuse_all
 from hardcontact.config.model import configuration as numbers_of
 from hardcontact.config.patterns import PUBLISHED
@@ -105,8 +104,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     try:
         if _plans_the_run(workflow):
             refuse_all(
-                partial(refuse_repeated_keys, os.path.relpath(path))
-                for path in workflow.configfiles
+                partial(refuse_unreadable, os.path.relpath(path)) for path in workflow.configfiles
             )
         numbers = numbers_of(config)
         if numbers["quick"]:
@@ -155,7 +153,7 @@ def _stop_looking() -> None:
 
 
 def check_folders(*folders: str) -> None:
-    """Refuse folders that cannot be written to, and those that have files of the future."""
+    """Refuse folders that cannot be written to."""
     for folder in folders:
         try:
             Path(folder).mkdir(parents=True, exist_ok=True)
@@ -163,7 +161,3 @@ def check_folders(*folders: str) -> None:
                 pass
         except OSError as error:
             _refuse(f"{folder}: expected a folder to write to, found: {error.strerror}")
-    try:
-        refuse_all(partial(refuse_future, folder) for folder in folders)
-    except ValueError as error:
-        _refuse(error)

@@ -40,26 +40,17 @@ def contact_scans(
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, those of a surface on one grid, and reasons.
 
-    Surfaces are compared on one grid where they have one in common. Of grids that resolve the
-    interaction radius, it is the smallest that is large enough for the draw size (nm, by surface),
-    or else the largest. The id of the sphere's surface is None if it is smooth. Raises ValueError
-    with a line for each surface without a height map.
+    Of grids that resolve the interaction radius, it is the smallest that is large enough for the
+    largest draw size (nm, by surface) of all surfaces, or else the largest: so surfaces are
+    compared on scans of one size where they can be. The id of the sphere's surface is None if it is
+    smooth. Raises ValueError with a line for each surface without a height map.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
-    common = {
-        surface: [
-            group
-            for group in surface_groups
-            if all(any(_alike(group, other) for other in others) for others in groups.values())
-        ]
-        for surface, surface_groups in groups.items()
-    }
-    shared = len(groups) > 1 and all(common.values())
+    enough = LARGE_ENOUGH * max(draw_sizes.values())
     chosen: list[Entry] = []
     reasons = []
-    for surface, surface_groups in (common if shared else groups).items():
-        enough = LARGE_ENOUGH * (max(draw_sizes.values()) if shared else draw_sizes[surface])
+    for surface, surface_groups in groups.items():
         group = _best_group(surface_groups, math.sqrt(2 * probe.radius * probe.range), enough)
         reason = "no others can be used"
         if len(surface_groups) > 1:

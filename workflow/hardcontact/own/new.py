@@ -5,19 +5,16 @@ of surfaces. It prints one line per problem, all at once, and then writes nothin
 """
 
 import sys
-import textwrap
 from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from hardcontact.base.whole_file import whole_file
-from hardcontact.config.configuration import read_yaml
+from hardcontact.config.configuration import read_yaml, with_keys
 from hardcontact.config.faults import refuse_all, refuse_lines, validated
+from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, SMOOTH, configuration
 from hardcontact.config.selection import CONTACT, SurfaceRow
@@ -42,12 +39,8 @@ from hardcontact.own.request import (
     options,
     parsed,
     path_from_root,
-    refuse_another_clone,
     sources,
 )
-
-#: Characters of a line of an overlay.
-WIDTH = 100
 
 
 def main() -> int:
@@ -80,7 +73,6 @@ def new_study(arguments: Namespace) -> str:
 
     Raises ValueError with a line for each problem; then nothing is written.
     """
-    refuse_another_clone(Path.cwd())
     quantities, faults = options(arguments)
     files, file_faults = sources(arguments, quantities["radius"].number)
     tip = quantities.get("tip")
@@ -98,11 +90,13 @@ def new_study(arguments: Namespace) -> str:
     *_, (proposal, choices, quick) = refuse_all(checks)
     overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
     run = f"snakemake --configfile {overlay}"
-    head = ["Written by `hardcontact new`; config/README.md explains every key.", run]
-    rows = table_rows(entries, proposal.contact, tip_text)
-    write_files(
-        {ROOT / overlay: overlay_text(head, choices, quick), ROOT / table: table_text(rows)}
-    )
+    texts = {
+        table: table_text(table_rows(entries, proposal.contact, tip_text)),
+        overlay: overlay_text(run, choices, quick),
+    }
+    for path, text in texts.items():
+        with whole_file(ROOT / path) as temporary:
+            Path(temporary).write_text(text, "utf-8")
     report = [
         *_report_lines(entries, unreadable, proposal, choices),
         f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:",
@@ -140,8 +134,6 @@ def _plan(
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, probe, quantities["range"].given)
     choices = [*_named_choices(arguments, quantities), *proposal.choices]
-    order = list(nested(choices, {}))
-    choices.sort(key=lambda choice: order.index(choice.key.split(".")[0]))
     quick_name = arguments.name + QUICK_NAME
     quick = [
         Choice("study", quick_name, ""),
@@ -153,11 +145,11 @@ def _plan(
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
         for surface, scans in by_surface(proposal.contact).items()
     }
-    paper = read_yaml("config/config.yaml")
-    for keys in (choices, [*choices, *quick]):
+    full = values(choices)
+    for keys in (full, full | values(quick)):
         # Faults of keys that follow from the name are those of the name.
-        others = [choice for choice in keys if choice.key not in ("study", "store")]
-        check_grids(configuration(nested(others, paper)), grids)
+        others = {key: value for key, value in keys.items() if key not in ("study", "store")}
+        check_grids(configuration(with_keys(read_yaml("config/config.yaml"), others)), grids)
     refuse_unreliable(entries)
     return proposal, choices, quick
 
@@ -210,79 +202,25 @@ def _report_lines(
         yield from (f"- {caution}" for caution in proposal.cautions)
 
 
-def nested(choices: Sequence[Choice], base: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of a configuration with the values of choices, of several the last."""
-    config = dict(base)
-    for key, value, _ in choices:
-        *sections, name = key.split(".")
-        section = config
-        for part in sections:
-            section[part] = dict(section.get(part, {}))
-            section = section[part]
-        section[name] = value
-    return config
+def values(choices: Sequence[Choice]) -> dict[str, Any]:
+    """Return the values of choices by their keys."""
+    return {choice.key: choice.value for choice in choices}
 
 
-def overlay_text(head: Sequence[str], choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
-    """Return an overlay with a comment for every choice that has a reason, as YAML.
+def overlay_text(run: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
+    """Return an overlay as YAML: the command that runs it, and each choice below its reason.
 
-    Below the lines of a head stand the keys of the study, and those that count with `effort:
-    quick`. Choices of one section follow each other.
+    The choices of quick effort stand under the key `quick`.
     """
-    quick_keys = [choice._replace(key=f"quick.{choice.key}") for choice in quick]
-    lines = [*(f"# {line}" for line in head), "", *_keys(choices)]
-    lines += ["", "# With --config effort=quick these replace those above.", *_keys(quick_keys)]
-    return "\n".join(lines) + "\n"
-
-
-def _keys(choices: Sequence[Choice]) -> Iterator[str]:
-    """Yield the lines of choices below those of their sections."""
-    above: list[str] = []
-    for key, value, reason in choices:
-        *sections, name = key.split(".")
-        for depth, section in enumerate(sections):
-            if above[: depth + 1] != sections[: depth + 1]:
-                yield f"{depth * '  '}{section}:"
-        above = sections
-        yield from _commented(len(sections) * "  ", name, value, reason)
-
-
-def _commented(indent: str, name: str, value: object, reason: str) -> list[str]:
-    """Return a key with its value, and its reason beside it or, if that is too long, above it."""
-    lines = [f"{indent}{name}: {_scalar(value)}"]
-    if isinstance(value, list):
-        # An item stays on one line: its spaces are no places to break at.
-        items = ", ".join(_scalar(item).replace(" ", "\0") for item in value)
-        lines = [line.replace("\0", " ") for line in _wrapped(f"{name}: [{items}]", indent, "  ")]
-    beside = f"{lines[0]:32} # {reason}"
-    if reason and len(lines) == 1 and len(beside) <= WIDTH:
-        return [beside]
-    return [*_wrapped(reason, f"{indent}# "), *lines]
-
-
-def _wrapped(text: str, indent: str, hanging: str = "") -> list[str]:
-    return textwrap.wrap(text, WIDTH, initial_indent=indent, subsequent_indent=f"{indent}{hanging}")
-
-
-def _scalar(value: object) -> str:
-    text = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
-    return str(text).strip()[1:-1]
+    reasons = {choice.key: choice.reason for choice in choices}
+    reasons["quick"] = "With --config effort=quick these replace those above."
+    tree = with_keys({}, values(choices)) | {"quick": with_keys({}, values(quick))}
+    lines = commented_yaml(tree, reasons)
+    head = "# Written by `hardcontact new`; config/README.md explains every key.\n"
+    return f"{head}# {run}\n" + "".join(f"{line}\n" for line in lines)
 
 
 def table_text(rows: Sequence[Mapping[str, str]]) -> str:
     """Return rows as a table, separated by tabs, with a header."""
     lines = [[*rows[0]], *([*row.values()] for row in rows)]
     return "\n".join("\t".join(cells) for cells in lines) + "\n"
-
-
-def write_files(texts: Mapping[Path, str]) -> None:
-    """Write all files or, of those that are not there yet, none: a ValueError of one line."""
-    new = [path for path in texts if not path.exists()]
-    try:
-        with ExitStack() as files:
-            for path, text in texts.items():
-                Path(files.enter_context(whole_file(path))).write_text(text, "utf-8")
-    except ValueError:
-        for path in new:
-            path.unlink(missing_ok=True)
-        raise

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.base.printing import print_length, print_quantity
+from hardcontact.base.printing import print_length
 from hardcontact.config import model
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import (
@@ -16,7 +16,7 @@ from hardcontact.config.grids import (
     PENETRATION_OVER_RANGE,
     least_range,
 )
-from hardcontact.config.limits import carrying_pixels, pressed_depth, window_images
+from hardcontact.config.limits import pressed_depth, window_images
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
@@ -96,8 +96,8 @@ def propose(
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
     The probe has radius, load and range of adhesion; the user gave its range, or it is the usual
-    one. Raises ValueError with a line for each problem: no height map, surfaces with scans too
-    different for one study, a range of adhesion that is too short, a preload that is too high.
+    one. Raises ValueError with a line for each surface without a height map, and for surfaces with
+    scans too different for one study.
     """
     summits = draw_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, summits)
@@ -156,39 +156,18 @@ def _contact(
 ) -> tuple[Contact, float, dict[str, str]]:
     """Return the probe with a window, and with a longer range of adhesion if the scans need it.
 
-    The scans of contacts are given with those of the sphere and without. Returned are also the
-    shortest range (nm) that the scans permit, and the reasons for window and range by key.
+    The scans of contacts are given with those of the sphere and without. Returns also the shortest
+    range (nm) that the scans permit, and the reasons for window and range by key. The limits of the
+    study refuse a range that stays too short.
     """
     window, _ = _window(scans, probe.radius, probe.range)
     shortest, why = _shortest_range(scans, substrates, probe, window)
-    rho = max(probe.range, shortest)
+    rho, range_reason = probe.range, "as given" if range_given else "the paper's"
+    if shortest > rho and not range_given:
+        rho = max(rho, min(shortest, LONGEST_RANGE))
+        range_reason = f"the least on these scans, where {why}"
     # A wider window, as a longer range needs, does not raise the shortest range.
     window, window_reason = _window(scans, probe.radius, rho)
-    faults = []
-    if rho > probe.range and (range_given or shortest > LONGEST_RANGE):
-        usual = "" if range_given else "the usual "
-        faults.append(
-            f"--range: expected at least {shortest:.3g} nm on these scans, where {why}, "
-            f"found {usual}{probe.range:.4g} nm"
-        )
-    carried = min(
-        min(
-            carrying_pixels(window, scan.grid),
-            CONTACT_PIXELS / COUNTS[-1] ** 2 / window_images(window, scan.size),
-        )
-        * (scan.pixel_size * 1e-9) ** 2
-        for scan in scans
-    )
-    most = carried * probe.hardness
-    if probe.preload > most:
-        faults.append(
-            f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
-            f"scans can carry at this hardness, found {print_quantity(probe.preload, 'N')}"
-        )
-    refuse_lines(faults)
-    range_reason = "as given" if range_given else "the paper's"
-    if rho > probe.range:
-        range_reason = f"the least on these scans, where {why}"
     reasons = {"contact.window": window_reason, "scales.range": range_reason}
     return replace(probe, range=rho, window=window), shortest, reasons
 
@@ -377,9 +356,7 @@ def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
     ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
     ends += [(scan.band.shortest, LIMITS[scan.band.limited_by]) for scan in substrates]
     wavelength, reason = max(ends)
-    shortest = float(f"{wavelength:.3g}")
-    if shortest > longest:
-        return longest, longest, f"no wave of the scan is reliable ({reason})"
+    shortest = min(float(f"{wavelength:.3g}"), longest)
     return shortest, longest, f"{reason}; below, roughness is artificial"
 
 

@@ -163,15 +163,6 @@ def _label_faults(option: str, label: str) -> Iterator[str]:
         yield f"{option}: label: {error}"
 
 
-def refuse_another_clone(here: Path) -> None:
-    """Refuse to write a study into this clone when the user stands in another one."""
-    if (here / "workflow/hardcontact").is_dir() and here.resolve() != ROOT:
-        raise ValueError(
-            f"hardcontact: expected the library of {here}, found that of {ROOT}: this is the "
-            "environment of another copy of the study; make one here (README.md)"
-        )
-
-
 def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
     """Return the files of all surfaces, the sphere's last, and a line for each fault of theirs.
 
