@@ -54,7 +54,9 @@ def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):
     path = tmp_path / "a.yaml"
     path.write_text("seed: 1\n'seed': 2")
     workflow = planned_workflow(path)
-    assert_says(refused(start.checked_configuration, workflow, PAPER), "a.yaml", "line 2", "seed again")
+    assert_says(
+        refused(start.checked_configuration, workflow, PAPER), "a.yaml", "line 2", "seed again"
+    )
     workflow.exec_mode = ExecMode.SUBPROCESS
     assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
 
