@@ -47,6 +47,7 @@ else:
     include: "workflow/rules/answer_surfaces.smk"
 
 
+include: "workflow/rules/targets.smk"
 include: "workflow/rules/provenance.smk"
 
 

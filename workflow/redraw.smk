@@ -32,6 +32,9 @@ else:
     include: "rules/answer_surfaces.smk"
 
 
+include: "rules/targets.smk"
+
+
 #: What is drawn from the final datasets alone.
 DRAWN = [
     target

@@ -275,16 +275,16 @@ if not tried:
 
 def test_a_job_that_fails_is_tried_again_and_does_not_stop_others(copy, own):
     alter(copy, "keep_configuration", FAILS_ONCE)
-    alter(copy, "find_band_edges", 'raise RuntimeError("fails always")')
+    alter(copy, "answer_surfaces", 'raise RuntimeError("fails always")')
     (copy / RESULTS / "fit.nc").unlink()
     failed = run(copy)
     assert failed.returncode == 1
-    edges = f"{RESULTS}/logs/find_band_edges.log"
+    answer = f"{RESULTS}/logs/answer_surfaces.log"
     assert errors(failed.stdout) == [
-        f"error: fails always (see {edges})",
+        f"error: fails always (see {answer})",
         f"error: fails once (see {RESULTS}/logs/keep_configuration.log)",
     ]
-    assert_says(failed.stdout, "Error in rule find_band_edges:")
-    assert_says((copy / edges).read_text(), "Traceback", "RuntimeError: fails always")
+    assert_says(failed.stdout, "Error in rule answer_surfaces:")
+    assert_says((copy / answer).read_text(), "Traceback", "RuntimeError: fails always")
     for name in ("configuration.yaml", "fit.nc"):
         assert (copy / RESULTS / name).is_file()

@@ -34,9 +34,7 @@ def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
 
 PAGE = {"answer_surfaces", "keep_configuration", "describe_crate"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_forces"}
-MASTERS = {
-    "synthesize_masters", "filter_masters", "aggregate_scales", "find_band_edges",
-}  # fmt: skip
+MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}
 SPECTRA = {"measure_spectrum", "draw_spectra", "aggregate_spectra"}
 #: What says of every surface how rough it is, and what reads that.
 TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_forces"}
@@ -48,10 +46,9 @@ SCANS = {"prepare_scan"} | TOPOGRAPHY
     [
         ("adhesion.work", "60 mJ/m2", {"predict_force", "fit_forces"}),
         ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | MASTERS),
-        ("contact.preload", "20 uN",
-         FORCES | {"filter_masters", "aggregate_scales", "find_band_edges"}),
+        ("contact.preload", "20 uN", FORCES | {"filter_masters", "aggregate_scales"}),
     ],
-)  # fmt: skip
+)
 def test_a_key_makes_again_what_depends_on_it(own, key, value, rules):
     for part in reversed(key.split(".")):
         value = {part: value}

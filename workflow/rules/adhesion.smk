@@ -13,8 +13,6 @@ rule compute_pull_off:
         PATTERNS.log("compute_pull_off", PATTERNS.pull_off),
     benchmark:
         PATTERNS.benchmark("compute_pull_off", PATTERNS.pull_off)
-    resources:
-        mem_mb=1000,
     params:
         canonical=canonical(
             {
@@ -44,18 +42,10 @@ rule aggregate_adhesion:
         canonical=canonical(
             {
                 "scans": FILES.substrate_scans,
-                "labels": SELECTION.labels,
-                "basis": SELECTION.basis,
+                **NAMED_SURFACES,
                 "sphere_radius": STUDY["sphere"]["radius"],
                 "reference_rho": STUDY["scales"]["range"],
             }
         ),
     script:
         "../scripts/aggregate_adhesion.py"
-
-
-rule adhesion:
-    """Make the pull-off forces of all pairs, and the traced contact of the paper."""
-    input:
-        rules.aggregate_adhesion.output,
-        PATTERNS.dataset("contact") if COMPARED else [],

@@ -35,10 +35,3 @@ rule answer_insight:
         canonical=canonical(config),
     script:
         "../scripts/answer_insight.py"
-
-
-rule insight:
-    """Make the chapter on what decides the band: datasets, figures, page."""
-    input:
-        rules.answer_insight.output,
-        [getattr(rules, f"draw_{name}").output for name in OF_INSIGHT],

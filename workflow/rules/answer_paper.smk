@@ -40,10 +40,3 @@ rule answer_paper:
         canonical=canonical(config),
     script:
         "../scripts/answer_paper.py"
-
-
-rule answer:
-    """Make the page that answers, and the pages that it leads to."""
-    input:
-        rules.answer_paper.output,
-        rules.describe_study.output,

@@ -40,9 +40,3 @@ rule answer_surfaces:
         ),
     script:
         "../scripts/answer_surfaces.py"
-
-
-rule answer:
-    """Make the page that answers."""
-    input:
-        rules.answer_surfaces.output,

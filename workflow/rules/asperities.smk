@@ -13,8 +13,6 @@ rule find_asperities:
         PATTERNS.log("find_asperities", PATTERNS.asperities),
     benchmark:
         PATTERNS.benchmark("find_asperities", PATTERNS.asperities)
-    resources:
-        mem_mb=1500,
     params:
         canonical=lambda w: canonical(
             {
@@ -45,15 +43,8 @@ rule aggregate_asperities:
         canonical=canonical(
             {
                 "scans": FILES.substrate_scans,
-                "labels": SELECTION.labels,
-                "basis": SELECTION.basis,
+                **NAMED_SURFACES,
             }
         ),
     script:
         "../scripts/aggregate_asperities.py"
-
-
-rule asperities:
-    """Make the patches that carry the force of contacts."""
-    input:
-        rules.aggregate_asperities.output,

@@ -2,60 +2,31 @@
 
 from hardcontact.paper.evaluation import DATASETS, INSIGHT_DATASETS
 
+for verdicts, datasets in {"claims": DATASETS, "insight_claims": INSIGHT_DATASETS}.items():
 
-rule evaluate_claims:
-    """Judge each statement of the paper by what was computed: claims.csv."""
-    input:
-        **{name: PATTERNS.dataset(name) for name in DATASETS},
-        sets=rules.judge_sets.output[0],
-        claims="resources/paper/claims.csv",
-        published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("evaluate_claims.py"),
-    output:
-        claims=PATTERNS.result("claims.csv"),
-    log:
-        PATTERNS.log("evaluate_claims"),
-    benchmark:
-        PATTERNS.benchmark("evaluate_claims")
-    params:
-        canonical=canonical(
-            {
-                "datasets": DATASETS,
-                "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
-            }
-        ),
-    script:
-        "../scripts/evaluate_claims.py"
-
-
-rule evaluate_insight_claims:
-    """Judge the statements of the paper on which the chapter has the numbers: insight_claims.csv."""
-    input:
-        **{name: PATTERNS.dataset(name) for name in INSIGHT_DATASETS},
-        sets=rules.judge_sets.output[0],
-        claims="resources/paper/insight_claims.csv",
-        published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("evaluate_claims.py"),
-    output:
-        claims=PATTERNS.result("insight_claims.csv"),
-    log:
-        PATTERNS.log("evaluate_insight_claims"),
-    benchmark:
-        PATTERNS.benchmark("evaluate_insight_claims")
-    params:
-        canonical=canonical(
-            {
-                "datasets": INSIGHT_DATASETS,
-                "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
-            }
-        ),
-    script:
-        "../scripts/evaluate_claims.py"
-
-
-rule claims:
-    """Make the verdicts on the paper's statements."""
-    input:
-        rules.evaluate_claims.output,
+    rule:
+        """Judge statements of the paper by what was computed: claims.csv, insight_claims.csv."""
+        name:
+            f"evaluate_{verdicts}"
+        input:
+            **{dataset: PATTERNS.dataset(dataset) for dataset in datasets},
+            sets=rules.judge_sets.output[0],
+            claims=f"resources/paper/{verdicts}.csv",
+            published_constants=PUBLISHED["published_constants"],
+            code=code_inputs("evaluate_claims.py"),
+        output:
+            claims=PATTERNS.result(f"{verdicts}.csv"),
+        log:
+            PATTERNS.log(f"evaluate_{verdicts}"),
+        benchmark:
+            PATTERNS.benchmark(f"evaluate_{verdicts}")
+        params:
+            canonical=canonical(
+                {
+                    "datasets": datasets,
+                    "confidence": STUDY["inference"]["confidence"],
+                    "seed": STUDY["seed"],
+                }
+            ),
+        script:
+            "../scripts/evaluate_claims.py"

@@ -16,17 +16,6 @@ rule apply_classical_models:
     benchmark:
         PATTERNS.benchmark("apply_classical_models")
     params:
-        canonical=canonical(
-            {
-                "seed": STUDY["seed"],
-                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
-            }
-        ),
+        canonical=canonical(SAMPLING),
     script:
         "../scripts/apply_classical_models.py"
-
-
-rule classical:
-    """Make the classical models beside the study's own."""
-    input:
-        rules.apply_classical_models.output,

@@ -10,4 +10,6 @@ config.update(start.with_effort(config))
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = Patterns(f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"])
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
+#: How intervals follow from random samples.
+SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
 COMPARED = STUDY["published"] == PAPER

@@ -14,8 +14,6 @@ rule solve_elastic_contact:
         PATTERNS.log("solve_elastic_contact", PATTERNS.elastic),
     benchmark:
         PATTERNS.benchmark("solve_elastic_contact", PATTERNS.elastic)
-    resources:
-        mem_mb=1500,
     params:
         canonical=lambda w: canonical(
             {
@@ -46,15 +44,8 @@ rule aggregate_elastic:
         canonical=canonical(
             {
                 "scans": FILES.substrate_scans,
-                "labels": SELECTION.labels,
-                "basis": SELECTION.basis,
+                **NAMED_SURFACES,
             }
         ),
     script:
         "../scripts/aggregate_elastic.py"
-
-
-rule elastic:
-    """Make elastic contact beside rigid and plastic contact."""
-    input:
-        rules.aggregate_elastic.output,

@@ -34,16 +34,3 @@ for name in FIGURES:
             caption="\n\n".join(caption(name, config)),
         script:
             "../scripts/draw_figure.py"
-
-    rule:
-        """Make one figure, from nothing if need be."""
-        name:
-            name
-        input:
-            getattr(rules, f"draw_{name}").output,
-
-
-rule figures:
-    """Draw all figures of the paper's story."""
-    input:
-        [getattr(rules, f"draw_{name}").output for name in OF_PAPER],

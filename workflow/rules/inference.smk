@@ -14,8 +14,6 @@ rule infer:
         PATTERNS.log("infer"),
     benchmark:
         PATTERNS.benchmark("infer")
-    resources:
-        mem_mb=2000,
     params:
         canonical=canonical(
             {

@@ -2,7 +2,6 @@
 
 INSIGHT = STUDY["insight"]
 INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
-NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 
 
 rule compare_closed_form:
@@ -17,8 +16,6 @@ rule compare_closed_form:
         PATTERNS.log("compare_closed_form"),
     benchmark:
         PATTERNS.benchmark("compare_closed_form")
-    resources:
-        mem_mb=1500,
     params:
         canonical=canonical(
             {
@@ -57,8 +54,6 @@ rule compare_statistics:
         PATTERNS.log("compare_statistics"),
     benchmark:
         PATTERNS.benchmark("compare_statistics")
-    resources:
-        mem_mb=1000,
     params:
         canonical=canonical(
             {

@@ -16,8 +16,6 @@ rule compute_law_forces:
         PATTERNS.log("compute_law_forces", PATTERNS.law_scan),
     benchmark:
         PATTERNS.benchmark("compute_law_forces", PATTERNS.law_scan)
-    resources:
-        mem_mb=2000,
     params:
         canonical=lambda w: canonical(
             {
@@ -53,8 +51,6 @@ rule compare_laws:
         PATTERNS.log("compare_laws"),
     benchmark:
         PATTERNS.benchmark("compare_laws")
-    resources:
-        mem_mb=2000,
     params:
         canonical=canonical(
             {
@@ -63,8 +59,7 @@ rule compare_laws:
                 "reference_surface": STUDY["reference_surface"],
                 "contacts": INSIGHT["count"] ** 2,
                 "tolerance": STUDY["scales"]["tolerance"],
-                "seed": STUDY["seed"],
-                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
+                **SAMPLING,
             }
         ),
     script:

@@ -1,6 +1,5 @@
 # Own surfaces: edges of the band, predicted force, fit to own forces.
 
-from hardcontact.config.configuration import left_out
 from hardcontact.config.model import NONE
 
 OF_ALL_REALIZATIONS = PATTERNS.drawn_spectrum.replace("/realization-{realization}", "")
@@ -59,32 +58,8 @@ rule draw_spectra:
         "../scripts/draw_spectra.py"
 
 
-rule find_band_edges:
-    """Find the wavelengths that decide the force, or the bounds that are known: edges.nc."""
-    input:
-        scales=rules.aggregate_scales.output[0],
-        code=code_inputs("find_band_edges.py"),
-    output:
-        PATTERNS.dataset("edges"),
-    log:
-        PATTERNS.log("find_band_edges"),
-    benchmark:
-        PATTERNS.benchmark("find_band_edges")
-    params:
-        canonical=canonical(
-            {
-                "scans": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
-                "tiles": STUDY["scales"]["large"]["tiles"],
-                "tolerance": STUDY["scales"]["tolerance"],
-                "confidence": STUDY["inference"]["confidence"],
-            }
-        ),
-    script:
-        "../scripts/find_band_edges.py"
-
-
 rule predict_force:
-    """Predict the pull-off force at the range and work of adhesion that are asked for: force.nc."""
+    """Find the edges of the band, and predict the pull-off force: edges.nc, force.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
         scales=rules.aggregate_scales.output[0],
@@ -92,7 +67,8 @@ rule predict_force:
         spectra=rules.aggregate_spectra.output[0],
         code=code_inputs("predict_force.py"),
     output:
-        PATTERNS.dataset("force"),
+        edges=PATTERNS.dataset("edges"),
+        force=PATTERNS.dataset("force"),
     log:
         PATTERNS.log("predict_force"),
     benchmark:
@@ -118,7 +94,7 @@ rule fit_forces:
     """Fit range and work of adhesion to own pull-off forces: fit.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
-        force=rules.predict_force.output[0],
+        force=rules.predict_force.output.force,
         topography=rules.aggregate_topography.output[0],
         forces=[] if STUDY["forces"] == NONE else STUDY["forces"],
         code=code_inputs("fit_forces.py"),
@@ -128,39 +104,7 @@ rule fit_forces:
         PATTERNS.log("fit_forces"),
     benchmark:
         PATTERNS.benchmark("fit_forces")
-    resources:
-        mem_mb=2000,
     params:
-        canonical=canonical(
-            {
-                "samples": STUDY["inference"]["samples"],
-                "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
-            }
-        ),
+        canonical=canonical(SAMPLING),
     script:
         "../scripts/fit_forces.py"
-
-
-rule force:
-    """Make the predicted pull-off force of own surfaces."""
-    input:
-        rules.predict_force.output,
-
-
-if STUDY["forces"] != NONE:
-
-    rule fit:
-        """Make range and work of adhesion from own forces."""
-        input:
-            rules.fit_forces.output,
-
-
-for target, reason in left_out(STUDY).items():
-
-    rule:
-        """Say why a target of the paper's study is left out."""
-        name:
-            target
-        message:
-            f"{target} is left out: {reason}"

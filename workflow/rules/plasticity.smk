@@ -15,8 +15,6 @@ rule measure_indents:
         PATTERNS.log("measure_indents"),
     benchmark:
         PATTERNS.benchmark("measure_indents")
-    resources:
-        mem_mb=1000,
     params:
         canonical=canonical(
             {
@@ -46,8 +44,6 @@ rule repeat_contact:
         PATTERNS.log("repeat_contact"),
     benchmark:
         PATTERNS.benchmark("repeat_contact")
-    resources:
-        mem_mb=1500,
     params:
         canonical=canonical(
             {
@@ -87,20 +83,9 @@ rule compare_enhancement:
                 "masters": [row.surface for row in FILES.masters("enhancement")],
                 "realizations": STUDY["robustness"]["realizations"],
                 "tolerance": STUDY["scales"]["tolerance"],
-                "samples": STUDY["inference"]["samples"],
-                "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
-                "labels": SELECTION.labels,
-                "basis": SELECTION.basis,
+                **SAMPLING,
+                **NAMED_SURFACES,
             }
         ),
     script:
         "../scripts/compare_enhancement.py"
-
-
-rule plasticity:
-    """Make the indents in the sphere."""
-    input:
-        rules.measure_indents.output,
-        rules.repeat_contact.output,
-        rules.compare_enhancement.output,

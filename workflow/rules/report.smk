@@ -30,9 +30,3 @@ rule describe_study:
         canonical=canonical(config),
     script:
         "../scripts/describe_study.py"
-
-
-rule pages:
-    """Write the pages of the report."""
-    input:
-        rules.describe_study.output,

@@ -17,8 +17,6 @@ rule average_pull_off:
         PATTERNS.log("average_pull_off", PATTERNS.mean_forces),
     benchmark:
         PATTERNS.benchmark("average_pull_off", PATTERNS.mean_forces)
-    resources:
-        mem_mb=1000,
     params:
         canonical=lambda w: canonical(
             {
@@ -53,8 +51,6 @@ rule aggregate_robustness:
         PATTERNS.log("aggregate_robustness"),
     benchmark:
         PATTERNS.benchmark("aggregate_robustness")
-    resources:
-        mem_mb=2000,
     params:
         canonical=canonical(
             {
@@ -80,9 +76,3 @@ rule aggregate_robustness:
         ),
     script:
         "../scripts/aggregate_robustness.py"
-
-
-rule robustness:
-    """Make the headline numbers under other choices."""
-    input:
-        rules.aggregate_robustness.output,

@@ -95,8 +95,7 @@ rule aggregate_scales:
                 "drawn": [row.surface for row in DRAWN],
                 "realizations": STUDY["scales"]["realizations"],
                 "load": FILES.contact.load,
-                "labels": SELECTION.labels,
-                "basis": SELECTION.basis,
+                **NAMED_SURFACES,
                 "rho": STUDY["scales"]["range"],
                 "sphere_radius": STUDY["sphere"]["radius"],
                 "transitions": {side: STUDY["scales"][side]["transition"] for side in SIDES},
@@ -121,17 +120,8 @@ rule find_critical_band:
         canonical=canonical(
             {
                 "tolerance": STUDY["scales"]["tolerance"],
-                "samples": STUDY["inference"]["samples"],
-                "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
+                **SAMPLING,
             }
         ),
     script:
         "../scripts/find_critical_band.py"
-
-
-rule scales:
-    """Make the forces of filtered surfaces, and the critical band or the edges of own surfaces."""
-    input:
-        rules.aggregate_scales.output,
-        PATTERNS.dataset("band" if COMPARED else "edges"),

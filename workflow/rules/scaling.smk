@@ -15,8 +15,6 @@ rule scale_edges:
         PATTERNS.log("scale_edges"),
     benchmark:
         PATTERNS.benchmark("scale_edges")
-    resources:
-        mem_mb=1000,
     params:
         canonical=canonical(
             {
@@ -25,8 +23,7 @@ rule scale_edges:
                 "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
                 "tolerance": STUDY["scales"]["tolerance"],
-                "seed": STUDY["seed"],
-                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
+                **SAMPLING,
                 "sphere_radius": STUDY["sphere"]["radius"],
                 "rho": STUDY["scales"]["range"],
                 "area": STUDY["contact"]["preload"] / STUDY["contact"]["hardness"] * 1e18,

@@ -22,8 +22,6 @@ rule calibrate_spectrum:
         PATTERNS.log("calibrate_spectrum", PATTERNS.calibrated_spectrum),
     benchmark:
         PATTERNS.benchmark("calibrate_spectrum", PATTERNS.calibrated_spectrum)
-    resources:
-        mem_mb=1000,
     params:
         canonical=lambda w: canonical(
             {
@@ -88,8 +86,6 @@ rule condition_scans:
         PATTERNS.log("condition_scans", PATTERNS.conditioning),
     benchmark:
         PATTERNS.benchmark("condition_scans", PATTERNS.conditioning)
-    resources:
-        mem_mb=1000,
     params:
         canonical=lambda w: canonical(
             {
@@ -124,8 +120,6 @@ for scans, surfaces in FILES.scan_groups.items():
             PATTERNS.benchmark("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}"))
         wildcard_constraints:
             surface=any_of(surfaces),
-        resources:
-            mem_mb=1000,
         params:
             canonical=lambda w, scans=scans: canonical(
                 {

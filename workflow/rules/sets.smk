@@ -1,28 +1,42 @@
 # Sets: many equally good sets of substitute scans, drawn from pools, and the numbers of each.
 
 from hardcontact.paper.evaluation import replicated_statements
-from hardcontact.config.patterns import STUDY_VARIANT
 
+for forces, pattern in {"pool": PATTERNS.pool, "protruded": PATTERNS.protruded}.items():
 
-rule compute_pool:
-    """Compute the forces of some scans of a pool at several heights of each."""
-    input:
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        published_table1=PUBLISHED["published_table1"],
-        published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("compute_pool.py"),
-    output:
-        PATTERNS.pool,
-    log:
-        PATTERNS.log("compute_pool", PATTERNS.pool),
-    benchmark:
-        PATTERNS.benchmark("compute_pool", PATTERNS.pool)
-    resources:
-        mem_mb=1000,
-    params:
-        canonical=lambda w: canonical(pool_parameters(w.surface, w.variant, w.first, w.last)),
-    script:
-        "../scripts/compute_pool.py"
+    rule:
+        """Compute the forces of some scans of a pool, or on some surfaces with rare protrusions."""
+        name:
+            f"compute_{forces}"
+        input:
+            spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+            published_table1=PUBLISHED["published_table1"],
+            published_constants=PUBLISHED["published_constants"],
+            code=code_inputs(f"compute_{forces}.py"),
+        output:
+            pattern,
+        log:
+            PATTERNS.log(f"compute_{forces}", pattern),
+        benchmark:
+            PATTERNS.benchmark(f"compute_{forces}", pattern)
+        params:
+            canonical=lambda w: canonical(
+                {
+                    "surface": w.surface,
+                    "first": int(w.first),
+                    "last": int(w.last),
+                    "scans": len(SELECTION.scans(w.surface)),
+                    "scan": SCAN_GRID,
+                    "table1": FILES.surface_variants[w.variant].table1,
+                    "amplitudes": STUDY["sets"]["amplitudes"],
+                    "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+                    "ranges": RANGES,
+                    "radius": STUDY["sphere"]["radius"],
+                    "seed": STUDY["seed"],
+                }
+            ),
+        script:
+            f"../scripts/compute_{forces}.py"
 
 
 rule judge_sets:
@@ -42,8 +56,6 @@ rule judge_sets:
         PATTERNS.log("judge_sets"),
     benchmark:
         PATTERNS.benchmark("judge_sets")
-    resources:
-        mem_mb=2000,
     params:
         canonical=canonical(
             {
@@ -67,41 +79,25 @@ rule judge_sets:
         "../scripts/judge_sets.py"
 
 
-rule compute_protruded:
-    """Compute the forces on some surfaces with rare protrusions."""
+rule judge_fit:
+    """Find what decides range and work of adhesion: leave_one_out.nc, protruded.nc, standoff.nc."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        published_table1=PUBLISHED["published_table1"],
-        published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("compute_protruded.py"),
-    output:
-        PATTERNS.protruded,
-    log:
-        PATTERNS.log("compute_protruded", PATTERNS.protruded),
-    benchmark:
-        PATTERNS.benchmark("compute_protruded", PATTERNS.protruded)
-    resources:
-        mem_mb=1000,
-    params:
-        canonical=lambda w: canonical(pool_parameters(w.surface, STUDY_VARIANT, w.first, w.last)),
-    script:
-        "../scripts/compute_protruded.py"
-
-
-rule judge_protruded:
-    """Fit range and work of adhesion if one surface had rare protrusions: protruded.nc."""
-    input:
-        protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks),
+        topography=rules.aggregate_topography.output[0],
+        adhesion=rules.aggregate_adhesion.output[0],
+        inference=rules.infer.output[0],
         sets=rules.judge_sets.output[0],
+        protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("judge_protruded.py"),
+        code=code_inputs("judge_fit.py"),
     output:
-        PATTERNS.dataset("protruded"),
+        leave_one_out=PATTERNS.dataset("leave_one_out"),
+        protruded=PATTERNS.dataset("protruded"),
+        standoff=PATTERNS.dataset("standoff"),
     log:
-        PATTERNS.log("judge_protruded"),
+        PATTERNS.log("judge_fit"),
     benchmark:
-        PATTERNS.benchmark("judge_protruded")
+        PATTERNS.benchmark("judge_fit")
     params:
         canonical=canonical(
             {
@@ -111,52 +107,4 @@ rule judge_protruded:
             }
         ),
     script:
-        "../scripts/judge_protruded.py"
-
-
-rule fit_without_surfaces:
-    """Fit range and work of adhesion to all surfaces but one: leave_one_out.nc."""
-    input:
-        inference=rules.infer.output[0],
-        sets=rules.judge_sets.output[0],
-        published_pull_off=PUBLISHED["published_pull_off"],
-        code=code_inputs("fit_without_surfaces.py"),
-    output:
-        PATTERNS.dataset("leave_one_out"),
-    log:
-        PATTERNS.log("fit_without_surfaces"),
-    benchmark:
-        PATTERNS.benchmark("fit_without_surfaces")
-    params:
-        canonical=canonical({}),
-    script:
-        "../scripts/fit_without_surfaces.py"
-
-
-rule measure_standoff:
-    """Compute how high published and computed forces put the apex of the sphere: standoff.nc."""
-    input:
-        topography=rules.aggregate_topography.output[0],
-        adhesion=rules.aggregate_adhesion.output[0],
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("measure_standoff.py"),
-    output:
-        PATTERNS.dataset("standoff"),
-    log:
-        PATTERNS.log("measure_standoff"),
-    benchmark:
-        PATTERNS.benchmark("measure_standoff")
-    params:
-        canonical=canonical({}),
-    script:
-        "../scripts/measure_standoff.py"
-
-
-rule sets:
-    """Make the numbers of many sets of substitutes, and what decides range and work of adhesion."""
-    input:
-        rules.judge_sets.output,
-        rules.fit_without_surfaces.output,
-        rules.judge_protruded.output,
-        rules.measure_standoff.output,
+        "../scripts/judge_fit.py"

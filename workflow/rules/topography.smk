@@ -19,8 +19,7 @@ rule aggregate_topography:
             {
                 "scans": FILES.scans,
                 "conditioned": list(FILES.conditionings),
-                "labels": SELECTION.labels,
-                "basis": SELECTION.basis,
+                **NAMED_SURFACES,
                 "sphere_surface": SPHERE,
                 "table1": TABLE1_DEFINITIONS,
                 "reference_surface": STUDY["reference_surface"],
@@ -29,10 +28,3 @@ rule aggregate_topography:
         ),
     script:
         "../scripts/aggregate_topography.py"
-
-
-rule topography:
-    """Make the topography of all surfaces, and the joined spectra of own ones."""
-    input:
-        rules.aggregate_topography.output,
-        [] if COMPARED else PATTERNS.dataset("spectra"),

@@ -1,26 +1,34 @@
-"""The pull-off forces that a work and a range of adhesion predict."""
+"""The edges of the band of own surfaces, and the force that a work and a range predict."""
 
-from hardcontact.base import dataset
+from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.own.master_forces import Masters
+from hardcontact.own.open_edges import band_edges
 from hardcontact.own.predicted_force import own_force
 
 with job(snakemake) as job:
     params = job.parameters
+    scales, masters = read(job.input.scales), Masters(params["scans"], params["tiles"])
+    limits = {name: params[name] for name in ("tolerance", "confidence")}
+    job.write(
+        band_edges(scales, masters, **limits),
+        title="pull-off force against cutoff wavelength, and the edges of the band",
+        output="edges",
+    )
     contact = Contact(
         radius=params["radius"], range=params["rho"], work=params["work"], **params["contact"]
     )
     job.write(
         own_force(
-            dataset.read(job.input.adhesion),
-            dataset.read(job.input.scales),
-            dataset.read(job.input.topography),
-            dataset.read(job.input.spectra),
+            read(job.input.adhesion),
+            scales,
+            read(job.input.topography),
+            read(job.input.spectra),
             contact=contact,
-            masters=Masters(params["scans"], params["tiles"]),
-            tolerance=params["tolerance"],
-            confidence=params["confidence"],
+            masters=masters,
+            **limits,
         ),
         title="predicted pull-off forces",
+        output="force",
     )

@@ -1,0 +1,69 @@
+# Named targets: what each stage leaves in the results, and figures one by one.
+
+from hardcontact.config.configuration import PAGES, available_targets, left_out
+from hardcontact.report.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
+
+#: The datasets of each target that makes some.
+DATASETS_OF_TARGETS = {
+    "topography": ["topography"] if COMPARED else ["topography", "spectra"],
+    "adhesion": ["adhesion", "contact"] if COMPARED else ["adhesion"],
+    "elastic": ["elastic"],
+    "plasticity": ["indent", "repeated_contact", "enhancement"],
+    "asperities": ["asperities"],
+    "scales": ["scales", "band" if COMPARED else "edges"],
+    "classical": ["classical"],
+    "sets": ["sets", "leave_one_out", "protruded", "standoff"],
+    "robustness": ["robustness"],
+    "force": ["force"],
+    "fit": ["fit"],
+}
+PAGES_OF_STUDY = [PATTERNS.page(page) for page in PAGES] if COMPARED else []
+
+
+def drawn(figures):
+    """Return all files of figures."""
+    kinds = ("pdf", "png", "svg", "csv")
+    return [PATTERNS.figure(figure, kind) for figure in figures for kind in kinds]
+
+
+FILES_OF_TARGETS = {
+    **{
+        target: [PATTERNS.dataset(name) for name in names]
+        for target, names in DATASETS_OF_TARGETS.items()
+    },
+    "claims": [PATTERNS.result("claims.csv")],
+    "figures": drawn(OF_PAPER),
+    "pages": PAGES_OF_STUDY,
+    "answer": [PATTERNS.result("answer.html"), PATTERNS.result("answer.json"), *PAGES_OF_STUDY],
+    "insight": [PATTERNS.result("insight.html"), *drawn(OF_INSIGHT)],
+}
+
+
+for target in available_targets(STUDY):
+
+    rule:
+        """Make one stage of the study, and what it needs."""
+        name:
+            target
+        input:
+            FILES_OF_TARGETS[target],
+
+
+for figure in FIGURES if COMPARED else []:
+
+    rule:
+        """Make one figure, from nothing if need be."""
+        name:
+            figure
+        input:
+            drawn([figure]),
+
+
+for target, reason in left_out(STUDY).items():
+
+    rule:
+        """Say why a target of the paper's study is left out."""
+        name:
+            target
+        message:
+            f"{target} is left out: {reason}"

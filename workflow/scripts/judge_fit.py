@@ -1,0 +1,55 @@
+"""What decides range and work of adhesion: one surface less, rare protrusions, heights of the apex."""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base import published
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.paper.inference import PLASTIC, Pair, Published
+from hardcontact.paper.leave_one_out import leave_one_out_fits
+from hardcontact.paper.protruded_sets import judge_protruded, none_protruded
+from hardcontact.paper.standoff import standoff
+
+with job(snakemake) as job:
+    constants = published.constants(job.input.published_constants)["value"]
+    pull_off = published.pull_off(job.input.published_pull_off)
+    inference, sets = read(job.input.inference), read(job.input.sets)
+
+    fits = leave_one_out_fits(inference["mean_force"], pull_off["mean_force"])
+    set_fits = leave_one_out_fits(sets["mean_force"], pull_off["mean_force"])
+    set_fits = set_fits.rename({name: f"set_{name}" for name in set_fits.data_vars})
+    job.write(
+        xr.merge([fits, set_fits, inference[["label", "basis"]]], combine_attrs="drop_conflicts"),
+        title="range and work of adhesion fitted without one surface",
+        output="leave_one_out",
+    )
+
+    plastic_sets = sets.sel(contact_model=PLASTIC)
+    surfaces = [read(path) for path in job.input.protruded]
+    none = none_protruded(plastic_sets["rho"].values)  # without substitutes
+    pair = Pair(constants["range_of_adhesion"], constants["work_of_adhesion"])
+    protruded_fits = judge_protruded(
+        xr.concat(surfaces, "variant") if surfaces else none,
+        job.parameters["surface"],
+        plastic_sets,
+        Published(pull_off, pair),
+    )
+    job.write(
+        protruded_fits.assign_attrs(job.parameters),
+        title="range and work of adhesion if one surface had protrusions",
+        output="protruded",
+    )
+
+    rms_height = read(job.input.topography)["rms_height_mean"]
+    sphere = rms_height.sel(surface=read(job.input.topography).attrs["sphere_surface"])
+    job.write(
+        standoff(
+            read(job.input.adhesion).sel(contact_model=PLASTIC),
+            pull_off,
+            constants["work_of_adhesion"],
+            np.hypot(rms_height, sphere).to_series(),
+        ),
+        title="heights of the sphere's apex that follow from pull-off forces",
+        output="standoff",
+    )
