@@ -1,4 +1,4 @@
-"""What decides range and work of adhesion: one surface less, rare protrusions, heights of the apex."""
+"""What decides range and work of adhesion: single surfaces, rare protrusions, the apex in height."""
 
 import numpy as np
 import xarray as xr
