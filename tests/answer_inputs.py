@@ -157,7 +157,7 @@ def edges(count=1):
         | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
-    data = data.assign(
+    return data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_at_least=(("surface", "side"), [[0] * 2] * count),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
@@ -167,17 +167,6 @@ def edges(count=1):
         interval_scans=("surface", [SCANS] * count),
         label=("surface", LABELS[:count]),
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
-    if count == 1:
-        return data
-    return data.assign(
-        between_multiples("pooled_edge", "side", [45.0, 1500.0], (0.8, 1.25), CONFIDENCE)
-    ).assign(
-        pooled_change=data["scale_ratio"].mean("surface") - 1,
-        pooled_change_interval=data["scale_ratio_interval"].mean("surface") - 1,
-        pooled_edge_bound=("side", [np.nan] * 2),
-        pooled_edge_at_least=("side", [0] * 2),
-        pooled_edge_status=("side", ["found"] * 2),
-    )
 
 
 def with_edge(edge, low, high, side="small"):

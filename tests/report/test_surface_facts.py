@@ -197,19 +197,6 @@ def test_a_work_beyond_that_of_any_solids_is_told(work, told):
     assert rows(data)["measured_work"].about["beyond_solids"] is told
 
 
-def test_pooled_edges_are_of_several_surfaces_and_as_sure_as_the_least_sure():
-    of_first = list(rows().values())
-    assert facts.pooled_rows(edges(), [of_first]) == []
-    short, long = facts.pooled_rows(edges(2), [of_first, of_first])
-    assert (short.fact.name, short.fact.source) == ("pooled_short_edge", "artificial")
-    assert (short.fact.status, plain(short.fact.low)) == ("no_interval", None)
-    assert (long.fact.value, long.fact.low, long.fact.high) == (1500.0, 1200.0, 1875.0)
-    unresolved = edges(2).assign(
-        pooled_edge=("side", [np.nan] * 2), pooled_edge_at_least=("side", [1, 0])
-    )
-    assert facts.pooled_rows(unresolved, [of_first, of_first]) == []
-
-
 def fit_status(data):
     return force_facts.fit_facts(force_facts.of_answer(data))
 

@@ -251,7 +251,7 @@ def force_ratios(
             "cell": ("side", np.full(len(cutoffs), surface.size)),
         }
     )
-    edges = edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
+    edges = edges_of_curves(curves, logarithmic_limits(tolerance))
     names = ("edge", "edge_status", "edge_bound", "edge_at_least")
     return xr.Dataset(
         {"ratio": ratio} | {name: edges[name] for name in names},
@@ -347,7 +347,7 @@ def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         "sphere": {"radius": contact.radius},
         "contact": section,
         "adhesion": {"ranges": [least]},
-        "scales": {"range": least},
+        "scales": {"range": math.inf},  # the ranges are those above
     }
     for holds, key, expected, found in limits_of_scan(config, "the map", grid):
         if not holds:

@@ -1,4 +1,4 @@
-"""What decides range and work of adhesion: single surfaces, rare protrusions, the apex in height."""
+"""What decides range and work of adhesion: single surfaces, rare protrusions, heights of apices."""
 
 import numpy as np
 import xarray as xr

@@ -73,7 +73,7 @@ def own_spectrum(
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
-    tables = [path for path in files if _is_table(Path(path))]
+    tables = [path for path in files if Path(path).suffix.lower() == ".csv"]
     if tables and len(files) > 1:
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
@@ -105,24 +105,6 @@ def own_spectrum(
     differing = told_contradictions(contradictions(*columns), names)
     notes += [f"take care: {line}" for line in differing]
     return OwnSpectrum(reliable, tuple(notes), joined)
-
-
-def _is_table(path: Path) -> bool:
-    """Return whether a file is a CSV by its name, or by a column of a spectrum in its first line.
-
-    The reader of scans says why a file cannot be read.
-    """
-    if path.suffix.lower() == ".csv":
-        return True
-    if not path.is_file():  # a pipe would be waited for
-        return False
-    try:
-        with path.open("rb") as file:
-            head = file.readline(1024).decode("utf-8-sig", "replace")
-    except OSError:
-        return False
-    cells = {cell.strip(' "\r\n') for cell in re.split("[,;]", head)}
-    return not cells.isdisjoint({*WAVES, *DENSITIES})
 
 
 def table_spectrum(path: str | Path) -> Spectrum:

@@ -37,20 +37,14 @@ def band_edges(
     Returns, over surface, side and cutoff_wavelength, ``scale_ratio``, the mean over realizations,
     with its interval, from zero to infinity where it is not bounded; over surface and side the
     variables of EDGE; over surface ``conditional`` (1 where the interval is conditional on one or
-    two scans), ``interval_source``, ``interval_scans``, label and basis. If several surfaces have
-    cutoffs in common, there are ``pooled_`` variables over side: mean and edge of their change
-    |ratio - 1|.
+    two scans), ``interval_source``, ``interval_scans``, label and basis.
     """
     curves = over_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     curves = curves.transpose("surface", "side", ...)
     sources = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
     band = curves[["scale_ratio", "scale_ratio_interval"]].merge(sources)
-    band = band.assign(edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))).assign(
-        label=scales.label, basis=scales.basis
-    )
-    common = curves.change.notnull().all("surface").any("cutoff_wavelength").all()
-    if curves.sizes["surface"] > 1 and common:
-        band = band.assign(_pooled(curves, tolerance))
+    band = band.assign(edges_of_curves(curves, logarithmic_limits(tolerance)))
+    band = band.assign(label=scales.label, basis=scales.basis)
     attributes = {name: scales.attrs[name] for name in ("rho", "sphere_radius")}
     return band.assign_attrs(tolerance=tolerance, confidence=confidence, **attributes)
 
@@ -66,16 +60,11 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     if not np.isnan(interval).all():
         # A ratio without an interval among others that have one is the same in all parts: known.
         filled = np.where(np.isnan(interval), ratio[:, None], interval)
-    # |ratio - 1| and its lowest and highest value within the interval: NaN where there is none.
-    change, ends = np.abs(ratio - 1), np.abs(filled - 1)
-    lowest = np.where((filled[:, 0] < 1) & (filled[:, 1] > 1), 0.0, ends.min(axis=-1))
-    change_interval = np.stack([lowest, ends.max(axis=-1)], axis=-1)
     axis, unit = "cutoff_wavelength", {"units": "1"}
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         logarithms = np.log(ratio), np.log(filled)
     return xr.Dataset(
         with_interval("scale_ratio", axis, ratio, interval, unit, confidence)
-        | with_interval("change", axis, change, change_interval, unit, confidence)
         | with_interval("logarithm", axis, *logarithms, unit, confidence)
         | {
             "cell": masters.cell,
@@ -87,14 +76,12 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     )
 
 
-def edges_of_curves(
-    curves: xr.Dataset, measure: str, limits: tuple[float, float]
-) -> dict[str, Any]:
+def edges_of_curves(curves: xr.Dataset, limits: tuple[float, float]) -> dict[str, Any]:
     """Return the variables EDGE, over the dimensions of ``cell``, of several curves.
 
-    The curves have the measure, ln(ratio) or the change of several surfaces, and its interval
+    The curves have ``logarithm``, ln(ratio) of several surfaces, and its interval
     (cutoff_wavelength, ...), NaN at cutoffs that a curve does not have; ``cell`` (...), the longest
-    wavelength of the surface in nm; side as a coordinate. Within the limits, lower and upper, a
+    wavelength of the surface in nm; side as a coordinate. Between the limits, lower and upper, a
     change counts as none.
     """
     dimensions, shape = curves.cell.dims, curves.cell.shape
@@ -102,9 +89,9 @@ def edges_of_curves(
     for place in np.ndindex(shape):
         curve = curves.isel(dict(zip(dimensions, place, strict=True)))
         side = str(curve.side.values)
-        curve = curve.dropna("cutoff_wavelength", subset=[measure])
+        curve = curve.dropna("cutoff_wavelength", subset=["logarithm"])
         curve = curve.sortby("cutoff_wavelength", ascending=side == "small")
-        values = np.vstack([curve[measure].values, curve[f"{measure}_interval"].values.T])
+        values = np.vstack([curve.logarithm.values, curve.logarithm_interval.values.T])
         cutoffs = curve.cutoff_wavelength.values
         edges.append(described_edge(Curve(side, float(curve.cell), cutoffs, values, limits)))
     return {
@@ -115,16 +102,3 @@ def edges_of_curves(
         )
         for name, (further, attributes) in EDGE.items()
     }
-
-
-def _pooled(curves: xr.Dataset, tolerance: float) -> dict[str, Any]:
-    """Return mean change and edge of all surfaces, at the cutoffs that all have.
-
-    The ends of its interval are the means of the ends of the surfaces. As these are independent,
-    that is wider than it need be.
-    """
-    mean = curves[["change", "change_interval"]].mean("surface", skipna=False, keep_attrs=True)
-    mean = mean.assign(cell=curves.cell.min("surface"))
-    edges = edges_of_curves(mean, "change", (-np.inf, tolerance))
-    pooled = edges | {name: mean[name] for name in ("change", "change_interval")}
-    return {f"pooled_{name}": variable for name, variable in pooled.items()}

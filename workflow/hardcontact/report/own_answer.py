@@ -16,7 +16,6 @@ from hardcontact.report.quantities import Quantity, number_of, numbers_within, q
 from hardcontact.report.surface_facts import (
     answer_rows,
     next_measurements,
-    pooled_rows,
     verdict,
 )
 from hardcontact.report.templates import rendered
@@ -85,11 +84,6 @@ class OwnAnswer(NamedTuple):
         """What the user's own forces allow, by the model of the answer; None without forces."""
         return None if self.given.fit is None else fit_facts(of_answer(self.given.fit))
 
-    @property
-    def pooled(self) -> list[Row]:
-        """The edges of the mean change over several surfaces."""
-        return pooled_rows(self.given.edges, [one.rows for one in self.surfaces.values()])
-
 
 def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
     """Return what the datasets answer."""
@@ -121,8 +115,6 @@ def own_quantities(answer: OwnAnswer) -> Iterator[Quantity]:
         yield quantity(Number(name, given.force.attrs[name], unit, source="given"))
     for name in ("tolerance", "confidence"):
         yield quantity(Number(name, given.edges.attrs[name], source="given"))
-    for row in answer.pooled:
-        yield quantity(row.fact)
     for number in numbers_within("fit", answer.fit or {}):
         yield quantity(number)
     for name, surface in surfaces.items():
@@ -166,7 +158,6 @@ def own_page(answer: OwnAnswer) -> str:
         tolerance=float(given.edges.attrs["tolerance"]),
         confidence=float(given.edges.attrs["confidence"]),
         surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
-        pooled=answer.pooled,
         contact=setting.contact,
         of_paper=setting.of_paper,
         forces=figures.svg(figures.force_figure(given.force, labels), "pull-off forces"),

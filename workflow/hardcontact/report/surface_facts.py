@@ -35,29 +35,29 @@ SOURCES = {
 }
 
 
-def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: str = "") -> Number:
+def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Number:
     """Return the edge at one side in nm, or the bound of an open one, with the ends that are known.
 
-    `of_side` is the part of edges.nc at one side, of one surface or, with the prefix "pooled_" of
-    its variables, of all. An interval without ends is "not_bounded" if force ratios have intervals.
+    `side_edges` is the part of edges.nc at one side of one surface. An interval without ends is
+    "not_bounded" if force ratios have intervals.
     """
-    edge, bound = (of_side[f"{prefix}{part}"].item() for part in ("edge", "edge_bound"))
-    low, high = ends(of_side, f"{prefix}edge")
+    edge, bound = side_edges["edge"].item(), side_edges["edge_bound"].item()
+    low, high = ends(side_edges, "edge")
     if np.isnan(edge):
-        status = "open_above" if of_side[f"{prefix}edge_at_least"].item() else "open_below"
+        status = "open_above" if side_edges["edge_at_least"].item() else "open_below"
         return Number(name, bound, "nm", low, high, status, source)
-    scatter = of_side["pooled_change_interval" if prefix else "scale_ratio_interval"]
+    scatter = side_edges["scale_ratio_interval"]
     endless = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
     return Number(name, edge, "nm", low, high, "not_bounded" if endless else "", source)
 
 
-def resolves_nothing(edges: xr.Dataset, prefix: str = "") -> bool:
+def resolves_nothing(edges: xr.Dataset) -> bool:
     """Return whether the force changes at no cutoff, from either side: both edges are bounds then.
 
-    It is the force on a smooth sphere. Edges are of one surface or, as in `edge_fact`, of all.
+    It is the force on a smooth sphere. Edges are of one surface.
     """
-    facts = (edge_fact(edges.sel(side=side), name, prefix=prefix) for side, name in EDGES.items())
-    return [one.status for one in facts] == ["open_above", "open_below"]
+    facts = (edge_fact(edges.sel(side=side), name) for side, name in EDGES.items())
+    return [fact.status for fact in facts] == ["open_above", "open_below"]
 
 
 def edge_rows(of: Datasets) -> list[Row]:
@@ -121,25 +121,6 @@ def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[R
     if of.fit is not None and surface in of.fit["surface"].values:
         own = measured_rows(of_answer(of.fit).sel(surface=surface))
     return [*edge_rows(of), *force_rows(of), *pair_rows(of.force, pairs), *own]
-
-
-def pooled_rows(edges: xr.Dataset, of_surfaces: Sequence[Sequence[Row]]) -> list[Row]:
-    """Return the edges of the mean change over several surfaces, none of one or without a change.
-
-    An edge rests on artificial roughness as far as that of any surface, of which rows are given.
-    """
-    if "pooled_edge" not in edges or resolves_nothing(edges, "pooled_"):
-        return []
-    found, worst_first = [], list(SOURCES.values())
-    for side, name in EDGES.items():
-        facts = (row.fact for rows in of_surfaces for row in rows)
-        sources = [one.source for one in facts if one.name == name and one.source in worst_first]
-        source = min(sources, key=worst_first.index, default="computed")
-        edge = edge_fact(edges.sel(side=side), f"pooled_{name}", source, "pooled_")
-        if source == "artificial":
-            edge = edge._replace(low=np.nan, high=np.nan, status=edge.status or "no_interval")
-        found.append(Row(edge, {}))
-    return found
 
 
 def verdict(rows: Sequence[Row]) -> dict[str, Any]:
