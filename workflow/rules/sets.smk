@@ -2,41 +2,62 @@
 
 from hardcontact.paper.evaluation import replicated_statements
 
-for forces, pattern in {"pool": PATTERNS.pool, "protruded": PATTERNS.protruded}.items():
 
-    rule:
-        """Compute the forces of some scans of a pool, or on some surfaces with rare protrusions."""
-        name:
-            f"compute_{forces}"
-        input:
-            spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-            published_table1=PUBLISHED["published_table1"],
-            published_constants=PUBLISHED["published_constants"],
-            code=code_inputs(f"compute_{forces}.py"),
-        output:
-            pattern,
-        log:
-            PATTERNS.log(f"compute_{forces}", pattern),
-        benchmark:
-            PATTERNS.benchmark(f"compute_{forces}", pattern)
-        params:
-            canonical=lambda w: canonical(
-                {
-                    "surface": w.surface,
-                    "first": int(w.first),
-                    "last": int(w.last),
-                    "scans": len(SELECTION.scans(w.surface)),
-                    "scan": SCAN_GRID,
-                    "table1": FILES.surface_variants[w.variant].table1,
-                    "amplitudes": STUDY["sets"]["amplitudes"],
-                    "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-                    "ranges": RANGES,
-                    "radius": STUDY["sphere"]["radius"],
-                    "seed": STUDY["seed"],
-                }
-            ),
-        script:
-            f"../scripts/compute_{forces}.py"
+def pool_parameters(wildcards):
+    """Return the parameters of scans of a pool, or of surfaces with protrusions, and of their contacts."""
+    return canonical(
+        {
+            "surface": wildcards.surface,
+            "first": int(wildcards.first),
+            "last": int(wildcards.last),
+            "scans": len(SELECTION.scans(wildcards.surface)),
+            "scan": SCAN_GRID,
+            "table1": FILES.surface_variants[wildcards.variant].table1,
+            "amplitudes": STUDY["sets"]["amplitudes"],
+            "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+            "ranges": RANGES,
+            "radius": STUDY["sphere"]["radius"],
+            "seed": STUDY["seed"],
+        }
+    )
+
+
+rule compute_pool:
+    """Compute the forces of some scans of a pool at several heights of each."""
+    input:
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        published_table1=PUBLISHED["published_table1"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compute_pool.py"),
+    output:
+        PATTERNS.pool,
+    log:
+        PATTERNS.log("compute_pool", PATTERNS.pool),
+    benchmark:
+        PATTERNS.benchmark("compute_pool", PATTERNS.pool)
+    params:
+        canonical=pool_parameters,
+    script:
+        "../scripts/compute_pool.py"
+
+
+rule compute_protruded:
+    """Compute the forces on some surfaces with rare protrusions."""
+    input:
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        published_table1=PUBLISHED["published_table1"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compute_protruded.py"),
+    output:
+        PATTERNS.protruded,
+    log:
+        PATTERNS.log("compute_protruded", PATTERNS.protruded),
+    benchmark:
+        PATTERNS.benchmark("compute_protruded", PATTERNS.protruded)
+    params:
+        canonical=pool_parameters,
+    script:
+        "../scripts/compute_protruded.py"
 
 
 rule judge_sets:
