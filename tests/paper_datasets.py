@@ -75,10 +75,14 @@ def band() -> xr.Dataset:
         {
             "scale_change": change.expand_dims(group=groups),
             "critical_wavelength": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
+            "critical_wavelength_interval": (
+                ("side", "group", "bound"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
+            ),
         },
-        {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES},
+        {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES,
+         "bound": ["low", "high"]},
         {"scale_tolerance": 0.1, "confidence": 0.9},
-    )
+    )  # fmt: skip
 
 
 def sets() -> xr.Dataset:
@@ -86,11 +90,13 @@ def sets() -> xr.Dataset:
     scatter = np.random.default_rng(1).lognormal(0, 0.1, (SETS, 2))
     ranges = np.where(np.arange(SETS) < 58, 9.0, 1.3)[:, None] * scatter
     fits = ("set", "contact_model")
+    edges = xr.DataArray(np.linspace(0.9, 1.3, SETS), dims="set")
     return xr.Dataset(
         {
             "range_of_adhesion": (fits, ranges),
             "work_of_adhesion": (fits, 0.12 / ranges),
             "scale_change": band()["scale_change"].isel(cutoff_wavelength=slice(1, -1)),
+            "critical_wavelength": edges * band()["critical_wavelength"],
         },
         {"contact_model": ["rigid", "plastic"]},
         {"confidence": 0.9},

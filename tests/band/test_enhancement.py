@@ -29,3 +29,24 @@ def test_every_contact_has_the_edge_of_its_own_forces():
     assert bands["contact_model"].values.tolist() == CONTACTS
     for model, expected in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(found.sel(contact_model=model), expected, rtol=1e-9)
+    ratio = bands["edge_ratio"].sel(group="a", side="small")
+    expected = [
+        edges[0, 0] / edges[1, 0],
+        edges[0, 0] / edges[0, 1],
+    ]  # at 5.6 nm, in plastic contact
+    np.testing.assert_allclose(ratio.sel(without=["plasticity", "long_range"]), expected)
+
+
+def test_edges_that_scatter_alike_have_a_ratio_that_is_known():
+    """Every contact has the same forces: the edge is uncertain, its ratio is one."""
+    factors = 1.1 ** (np.array([0.7, 1.0, 1.4])[:, None] * np.log(CUTOFFS / 2) / np.log(20))
+    ratio = xr.DataArray(
+        factors, {"realization": [1, 2, 3], "cutoff_wavelength": CUTOFFS}
+    ).expand_dims(surface=["a"], side=["small"], radius=[1.0], load=2, rho=[5.6, 1.0])
+    forces = xr.Dataset({"ratio": ratio}, {"area": ("load", [400.0, 1.0])}).assign(
+        unfiltered_wavelength=(("surface", "side"), [[2.0]])
+    )
+    bands = bands_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
+    low, high = np.moveaxis(bands["critical_wavelength_interval"].values, -1, 0)
+    assert (high > 1.2 * low).all()
+    np.testing.assert_allclose(bands["edge_ratio_interval"], 1)

@@ -67,12 +67,25 @@ def test_contact_height_is_taken_scan_by_scan():
     np.testing.assert_allclose(*bounds(height, "value"))
 
 
-def test_tabor_parameter_with_the_range_as_the_spacing():
-    modulus = 289.7e9  # Pa, of ruby and diamond
-    own, at_range = (
-        np.cbrt(0.25e-3 * 0.0463**2 / (modulus**2 * spacing**3)) for spacing in (0.3e-9, 5.6e-9)
-    )
-    near(contact.tabor_at_range(xr.Dataset({"tabor_parameter": own}), PAPER), at_range)
+def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
+    """Contacts bear the pressure h' E*/2; strips around them attract with W/r, r the range.
+
+    Of a contact with the area A and the perimeter P, d = pi A/P is its diameter, and the strip is
+    d (3/16 · 4 r/(h' d))^(2/3) wide.
+    """
+    modulus, work, reach, slope = 289.7e9, 0.0463, 0.3, np.array([0.31, 1.17])
+    curvature = np.array([1.99, 6.32])  # 1/nm
+    diameter = 4 * slope / curvature
+    width = diameter * (3 / 16 * 4 * reach / (slope * diameter)) ** (2 / 3)
+    area, perimeter = np.pi * diameter**2 / 4, np.pi * np.pi * diameter / 4
+    repulsion = area * slope * modulus / 2
+    attraction = perimeter * width * work / (reach * 1e-9)
+    topography = xr.Dataset(
+        {"slope": ("surface", slope), "curvature": ("surface", curvature)},
+        attrs={"table1_variables": json.dumps(
+            {"all_rms_slope": "slope", "all_rms_curvature": "curvature"})},
+    )  # fmt: skip
+    near(contact.nonstickiness(topography, PAPER), repulsion / attraction, rtol=1e-3)
 
 
 def test_elastic_contact_beside_rigid_and_plastic_contact():
@@ -82,14 +95,18 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
         {
             "rigid_pull_off_force": (by_contact, rigid),
             "elastic_pull_off_force": (by_contact, 0.99 * rigid),
-            "peak_pressure": (by_contact, 60e9 * np.ones((2, 2))),
+            "hard_share": (by_contact, [[0.2, 0.4], [0.5, 0.7]]),
             "contact_area": (by_contact, [[100.0, 100.0], [400.0, 400.0]]),
         },
         attrs={"hardness": 25e9, "preload": 10e-6, "confidence": 0.95},
     )
     near(contact.elastic_change(elastic), 0.01)
-    near(contact.peak_over_hardness(elastic), 2.4)
-    near(contact.plastic_over_elastic_area(elastic), (4 + 1) / 2)  # 400 nm² carry the preload
+    # Of three surfaces with other areas and shares the second counts.
+    scale = xr.DataArray([0.1, 1.0, 1.3], dims="surface")
+    areas, shares = elastic["contact_area"] * scale, elastic["hard_share"] * scale
+    three = elastic.assign(contact_area=areas, hard_share=shares)
+    near(contact.typical_hard_share(three), 0.45)
+    near(contact.typical_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
 
 
 def test_deformation_energy_of_one_wave():
@@ -127,8 +144,6 @@ def test_ratios_of_forces_are_taken_scan_by_scan():
     near(force.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
     forces[1, 0] = forces[1, 1] * np.array([2.0, 4.0])[:, None]
     near(force.short_range_rise(make_adhesion(forces)), [1.0, 3.0])
-    least = 0.0463 * np.sqrt(2.0) * (1 + 3) / 2
-    near(force.least_force(make_adhesion(forces), PAPER)[{"contact_model": 1}], least)
 
 
 def test_the_force_on_a_smooth_sphere_changes_where_pixels_are_coarse():
@@ -266,6 +281,26 @@ def test_the_edge_of_a_curve_that_never_leaves_is_its_last_cutoff(band):
     near(ratio.sel(side="large"), 1750 / 1673, rtol=1e-3)
     band["critical_wavelength"][:] = np.nan
     near(inference.band_edge(band), [1000.0, 200.0])
+
+
+def test_the_first_edge_is_that_of_the_first_surface_to_leave():
+    cutoffs = [20.0, 100.0, 1000.0, 5000.0]
+    known = np.array([[1, 1, np.nan, np.nan], [np.nan, np.nan, 1, 1]])
+    edges = [[60.0, 40.0, 30.0], [1500.0, np.nan, 9000.0]]
+    band = xr.Dataset(
+        {
+            "scale_change": (("side", "group", "cutoff_wavelength"), np.stack([known] * 3, axis=1)),
+            "critical_wavelength": (("side", "group"), edges),
+            "critical_wavelength_interval": (
+                ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
+            ),
+        },
+        {"side": ["small", "large"], "group": ["uncd", "mcd", "pooled"],
+         "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
+    )  # fmt: skip
+    first = inference.first_edge(band)
+    near(first, [40.0, 1500.0])
+    np.testing.assert_allclose(first["value_interval"].sel(side="small"), [36, 44])
 
 
 def test_the_force_on_a_plane_is_that_of_derjaguin():

@@ -57,7 +57,8 @@ def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
         assert rows["", name]["low"] == (None if np.isnan(low) else low)
     for surface in SUBSTRATES:
         edge = rows[surface, "short_edge"]
-        assert edge["value"] == table["computed"][f"edge_small_{surface}"]
+        # Nine tenths of the sets, whose edges are spread evenly from 0.9 to 1.3 times that value.
+        assert [edge["value"], edge["low"], edge["high"]] == pytest.approx([60, 55.2, 76.8])
 
 
 def test_grids_coarser_than_the_papers_are_known():

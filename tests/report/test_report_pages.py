@@ -35,7 +35,7 @@ def evaluated(**values):
             "accepted_high": [4.0, np.inf, 0.2],
             "frequency": [0.87, np.nan, np.nan],
             "stability": [0.68, np.nan, np.nan],
-            "verdict": ["undecided", "not reproduced", "not testable on substitutes"],
+            "verdict": ["undecided", "not reproduced", "not testable"],
             "follows_from": ["", "first", ""],
             "basis": ["substitute scans", "no scan", "substitute scans"],
             "note": ["", "", "Assumed."],

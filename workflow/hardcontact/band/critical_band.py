@@ -24,6 +24,18 @@ def last_cutoff(values: xr.DataArray, side: str) -> float:
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
 
+def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
+    """Return the critical wavelengths (..., side, group) in nm, the last cutoff of a side for NaN.
+
+    The band has the variables of `critical_band` without intervals.
+    """
+    cutoffs = band["cutoff_wavelength"].where(band["scale_change"].notnull())
+    last = cutoffs.max("cutoff_wavelength").where(
+        band["side"] == "small", cutoffs.min("cutoff_wavelength")
+    )
+    return band["critical_wavelength"].fillna(last)
+
+
 def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return ratio curves, changes of the force and critical wavelengths, by side.
 
@@ -35,6 +47,36 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     group, cutoff_wavelength), |ratio - 1|, and its mean over surfaces for the group POOLED; and
     ``critical_wavelength`` (side, group) in nm. A surface leaves the tolerance where ln(ratio)
     does. A sampled change that never does gets the last cutoff of its side.
+    """
+    bands: dict[str, Any] = {}
+    for name, variable in sampled_band(scales, tolerance, sampling).items():
+        attributes = {"units": variable.units, "long_name": variable.long_name}
+        bands |= sampling.with_interval(
+            name, variable.dimensions, variable.value, variable.samples, attributes
+        )
+    coordinates = {
+        "side": scales.side.values,
+        "surface": scales.surface.values,
+        "group": [*scales.surface.values.tolist(), POOLED],
+        "cutoff_wavelength": scales.cutoff_wavelength,
+    }
+    return xr.Dataset(bands, coordinates)
+
+
+class Sampled(NamedTuple):
+    """A variable of all data, and of samples of them."""
+
+    dimensions: tuple[str, ...]
+    value: np.ndarray  #: Over the dimensions.
+    samples: np.ndarray  #: The sample is the first axis.
+    units: str
+    long_name: str
+
+
+def sampled_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> dict[str, Sampled]:
+    """Return the variables of `critical_band`, to which the arguments belong, with their samples.
+
+    Samples of other forces on the same masters are drawn with the same random numbers.
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
@@ -63,28 +105,19 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     critical_samples = _critical_wavelengths(ends, cutoffs, samples_of_ratio, tolerance)
     stays = np.isnan(critical_samples) & np.isfinite(changes).any(axis=-1)
     critical_samples = np.where(stays, last, critical_samples)
-    variables = [
-        ("scale_ratio", AXES, ratio, samples_of_ratio, "1", "pull-off force over that unfiltered"),
-        (
-            "scale_change", ("side", "group", "cutoff_wavelength"), change, changes,
+    return {
+        "scale_ratio": Sampled(
+            AXES, ratio, samples_of_ratio, "1", "pull-off force over that unfiltered"
+        ),
+        "scale_change": Sampled(
+            ("side", "group", "cutoff_wavelength"), change, changes,
             "1", "relative change of the pull-off force, up or down",
         ),
-        (
-            "critical_wavelength", ("side", "group"), critical, critical_samples,
+        "critical_wavelength": Sampled(
+            ("side", "group"), critical, critical_samples,
             "nm", "cutoff where the force leaves its tolerance",
         ),
-    ]  # fmt: skip
-    bands: dict[str, Any] = {}
-    for name, dimensions, value, samples, units, long_name in variables:
-        attributes = {"units": units, "long_name": long_name}
-        bands |= sampling.with_interval(name, dimensions, value, samples, attributes)
-    coordinates = {
-        "side": scales.side.values,
-        "surface": scales.surface.values,
-        "group": [*scales.surface.values.tolist(), POOLED],
-        "cutoff_wavelength": scales.cutoff_wavelength,
-    }
-    return xr.Dataset(bands, coordinates)
+    }  # fmt: skip
 
 
 def _changes(ratios: np.ndarray) -> np.ndarray:

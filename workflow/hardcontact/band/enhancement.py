@@ -3,10 +3,13 @@
 Source: the paper, Determining the Most Relevant Length-scales of Roughness.
 """
 
+from collections.abc import Mapping
+
+import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import critical_band
+from hardcontact.band.critical_band import Sampled, critical_band, sampled_band
 from hardcontact.base.statistics import Sampling
 
 #: Contacts in the order of their areas, the smallest first.
@@ -29,14 +32,33 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     Returns
     -------
     xarray.Dataset
-        `critical_band` over contact_model (CONTACTS) and rho.
+        `critical_band` over contact_model (CONTACTS) and rho, and ``edge_ratio`` (without, side,
+        group) with its interval: the edge of plastic contact at the longest range over that without
+        plasticity, at the same range, or without the long range, in plastic contact.
     """
     by_area = forces.squeeze("radius", drop=True).sortby("area")
     models = []
-    for load in range(len(CONTACTS)):
-        ranges = [
-            critical_band(by_area.isel(load=load, rho=column, drop=True), tolerance, sampling)
-            for column in range(by_area.sizes["rho"])
-        ]
+    edges = {}
+    for load, model in enumerate(CONTACTS):
+        ranges = []
+        for column, rho in enumerate(by_area["rho"].values):
+            contact = by_area.isel(load=load, rho=column, drop=True)
+            ranges.append(critical_band(contact, tolerance, sampling))
+            edges[model, rho] = sampled_band(contact, tolerance, sampling)["critical_wavelength"]
         models.append(xr.concat(ranges, by_area["rho"]))
-    return xr.concat(models, pd.Index(CONTACTS, name="contact_model"))
+    bands = xr.concat(models, pd.Index(CONTACTS, name="contact_model"))
+    return bands.merge(_edge_ratios(edges, sampling))
+
+
+def _edge_ratios(edges: Mapping[tuple[str, float], Sampled], sampling: Sampling) -> xr.Dataset:
+    """Return the variables of ``edge_ratio``, of edges by contact model and range of adhesion."""
+    short, *_, long = sorted({rho for _, rho in edges})
+    both = edges["plastic", long]
+    without = {"plasticity": edges["rigid", long], "long_range": edges["plastic", short]}
+    values = np.stack([both.value / other.value for other in without.values()])
+    samples = np.stack([both.samples / other.samples for other in without.values()], axis=1)
+    attributes = {"units": "1", "long_name": "edge of the band over that without a cause"}
+    variables = sampling.with_interval(
+        "edge_ratio", ("without", *both.dimensions), values, samples, attributes
+    )
+    return xr.Dataset(variables, {"without": list(without)})

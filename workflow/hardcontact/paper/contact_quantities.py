@@ -4,9 +4,12 @@ Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `
 does; in brackets its dimensions.
 """
 
+import json
+
 import numpy as np
 import xarray as xr
 
+from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.paper.numbers import (
     absolute_value,
     decades,
@@ -35,16 +38,6 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
         variable_as_number(classical, "mean_relative_error"),
         variable_as_number(inference, "best_error"),
     )
-
-
-def tabor_at_range(classical: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter with the published range of adhesion as the spacing ().
-
-    It is inversely proportional to the spacing.
-    """
-    wider = paper["range_of_adhesion"] / paper["equilibrium_spacing"]
-    at_range: xr.Dataset = variable_as_number(classical, "tabor_parameter") / wider
-    return at_range
 
 
 def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
@@ -76,17 +69,22 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
     return absolute_value(signed_mean_over_scans(soft / rigid - 1, elastic.attrs["confidence"]))
 
 
-def peak_over_hardness(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the greatest pressure of an elastic contact over the hardness (surface)."""
-    hardness: float = elastic.attrs["hardness"]
-    return variable_as_number(elastic, "peak_pressure") / hardness
+def typical_hard_share(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the share of the contact area that bears more than the hardness ().
+
+    It is the median over the surfaces.
+    """
+    return variable_as_number(elastic, "hard_share").median("surface", skipna=False)
 
 
-def plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area that carries the preload at the hardness over the elastic one (surface)."""
+def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the area that carries the preload at the hardness over the elastic one ().
+
+    It is the median over the surfaces.
+    """
     plastic = elastic.attrs["preload"] / elastic.attrs["hardness"] / NM2
     ratio = plastic / mean_over_contacts(elastic["contact_area"])
-    return mean_over_scans(ratio, elastic.attrs["confidence"])
+    return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)
 
 
 def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
@@ -100,3 +98,28 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     energy = elastic.attrs["effective_modulus"] / 4 * 1e-9 * moment.where(moment > 0)
     ratio = energy / elastic.attrs["work_of_adhesion"]
     return mean_over_scans(ratio, elastic.attrs["confidence"])
+
+
+def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return how far a surface is from sticking, with the roughness of all scales (surface).
+
+    Two large rough surfaces do not stick above one, which balances attraction beside the contacts
+    and repulsion in them: h' r/(k l) (h' d/(4 r))^(2/3) / (pi (3/16)^(2/3)) with the rms slope h',
+    the rms curvature h'', d = 4 h'/h'', l = W/E*, k = 2 and r the range of adhesion, here the
+    smallest of atomic interactions. Pastewka and Robbins, Proceedings of the National Academy of
+    Sciences 111 (2014) 3298.
+    """
+    names = json.loads(topography.attrs["table1_variables"])
+    slope, curvature = (topography[names[f"all_rms_{name}"]] for name in ("slope", "curvature"))
+    bodies = (
+        Material(
+            modulus=paper[f"{body}_youngs_modulus"].item(),
+            poisson_ratio=paper[f"{body}_poisson_ratio"].item(),
+        )
+        for body in ("sphere", "substrate")
+    )
+    length = 1e9 * paper["work_of_adhesion"] / effective_modulus(*bodies)  # nm
+    reach = paper["atomic_range_lower_bound"]
+    repulsion = slope * reach / (2 * length)
+    attraction = np.pi * (3 / 16) ** (2 / 3) * (reach * curvature / slope**2) ** (2 / 3)
+    return number(repulsion / attraction)

@@ -35,9 +35,9 @@ from hardcontact.paper.verdicts import (
     UNTESTABLE,
     accepted_range,
     accepts,
-    sets_interval,
+    interval_with_sets,
     stability,
-    stretched,
+    vary,
     verdict,
 )
 
@@ -136,7 +136,7 @@ def evaluate(
     for claim, computed in _all_computed(statements, datasets, constants, confidence):
         if computed is not None:
             with _named(claim):
-                row = _row(claim, computed, datasets["topography"], sets, confidence)
+                row = _row(claim, computed, datasets["topography"], constants, sets, confidence)
                 rows.append(row | {"stability": _stability(claim, row, sets, confidence, seed)})
     return pd.DataFrame(rows, columns=list(COLUMNS))
 
@@ -205,7 +205,12 @@ def _named(claim: Any) -> Iterator[None]:
 
 
 def _row(
-    claim: Any, computed: _Computed, topography: xr.Dataset, sets: xr.Dataset, confidence: float
+    claim: Any,
+    computed: _Computed,
+    topography: xr.Dataset,
+    constants: pd.DataFrame,
+    sets: xr.Dataset,
+    confidence: float,
 ) -> dict[str, Any]:
     """Return one row of the result, without the stability of its verdict."""
     surfaces = surfaces_of(claim, computed.parts, computed.chosen, topography)
@@ -213,7 +218,7 @@ def _row(
     accepted = accepted_range(claim.rule, *limits)
     replicas = _replicas(claim, sets)
     low, high = _interval(claim, computed.number, replicas, confidence)
-    fixed, reason = fixed_verdict(claim, surfaces, topography)
+    fixed, reason = fixed_verdict(claim, surfaces, topography, constants)
     no_value = "No value exists." if np.isnan(value) else ""
     row = claim._asdict() | {
         "computed": value,
@@ -239,26 +244,16 @@ def _replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
     return replicas
 
 
-def _vary(replicas: np.ndarray) -> bool:
-    """Return whether the sets that have a number have different ones."""
-    known = replicas[np.isfinite(replicas)]
-    return len(known) > 0 and np.ptp(known) > 0
-
-
 def _interval(
     claim: Any, number: xr.Dataset, replicas: np.ndarray, confidence: float
 ) -> tuple[float, float]:
     """Return the ends of the interval of a number, NaN where none can be given.
 
-    It is the spread of the sets where they vary. Otherwise it is the number's own; of zero width if
-    no scan enters it.
+    It is that of `interval_with_sets`; of zero width if no scan enters it.
     """
     value = float(number["value"])
-    ends = sets_interval(replicas, confidence) if _vary(replicas) else bounds(number, "value")
-    if claim.needs == NO_SCAN and np.isnan(ends[0]):
-        return value, value
-    low, high = stretched(ends, value)
-    return float(low), float(high)
+    ends = interval_with_sets(value, bounds(number, "value"), replicas, confidence)
+    return (value, value) if claim.needs == NO_SCAN and np.isnan(ends[0]) else ends
 
 
 def _stability(
@@ -266,7 +261,7 @@ def _stability(
 ) -> float:
     """Return how often the verdict stays with other sets, NaN if it does not depend on them."""
     replicas = _replicas(claim, sets)
-    if not _vary(replicas) or row["verdict"] in FIXED:
+    if not vary(replicas) or row["verdict"] in FIXED:
         return np.nan
 
     def judge(value: float, low: float, high: float) -> str:

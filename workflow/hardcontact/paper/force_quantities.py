@@ -85,16 +85,6 @@ def short_range_rise(adhesion: xr.Dataset) -> xr.Dataset:
     return mean_over_scans(rise, adhesion.attrs["confidence"])
 
 
-def least_force(adhesion: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the least mean force in N at any range, at the published work of adhesion.
-
-    Over surface and contact_model. At smaller ranges contact pixels raise it again.
-    """
-    work = paper["work_of_adhesion"] / adhesion.attrs["work_of_adhesion"]
-    least = work * mean_over_contacts(adhesion["pull_off_force"]).min("rho")
-    return mean_over_scans(least, adhesion.attrs["confidence"])
-
-
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the largest relative change with range of the force on a smooth sphere and plane ().
 

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from scipy import special
 
+from hardcontact.band.critical_band import POOLED, edges_or_last_cutoffs
 from hardcontact.base.statistics import bounds
 from hardcontact.paper.numbers import (
     mean_over_contacts,
@@ -130,12 +131,14 @@ def band_edge(band: xr.Dataset) -> xr.Dataset:
 
     A curve that never leaves counts as the last cutoff of its side.
     """
-    known = band["cutoff_wavelength"].where(band["scale_change"].notnull())
-    last = known.max("cutoff_wavelength").where(
-        band["side"] == "small", known.min("cutoff_wavelength")
-    )
-    low, high = bounds(band, "critical_wavelength")
-    return number(band["critical_wavelength"].fillna(last), low, high)
+    return number(edges_or_last_cutoffs(band), *bounds(band, "critical_wavelength"))
+
+
+def first_edge(band: xr.Dataset) -> xr.Dataset:
+    """Return the `band_edge` of the surface that leaves its tolerance first (side)."""
+    edges = band_edge(band).drop_sel(group=POOLED)
+    first = [edges.sel(side="small").min("group"), edges.sel(side="large").max("group")]
+    return xr.concat(first, "side")
 
 
 def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:

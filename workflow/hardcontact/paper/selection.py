@@ -5,6 +5,7 @@ from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
@@ -106,11 +107,17 @@ def _is_substitute(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
     return [of == "substitute" for of in topography["basis"].sel(surface=surfaces).values]
 
 
-def fixed_verdict(claim: Any, surfaces: list[str], topography: xr.Dataset) -> tuple[str, str]:
+#: Quantities of Table 1 that depend on the size of a pixel.
+OF_PIXEL = ("afm_rms_slope", "afm_rms_curvature", "slope_by_scales")
+
+
+def fixed_verdict(
+    claim: Any, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
+) -> tuple[str, str]:
     """Return a verdict that no number decides, and why; both empty where the number decides.
 
     `calibrated_to_table1` names the rows of Table 1 that the scans of a surface meet by
-    construction.
+    construction. Constants are those of `published.constants`.
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""
@@ -126,4 +133,12 @@ def fixed_verdict(claim: Any, surfaces: list[str], topography: xr.Dataset) -> tu
     ]
     if surfaces and all(by_construction):
         return BY_CONSTRUCTION, "The substitute scans are made to meet this."
+    if claim.quantity in OF_PIXEL and _is_coarse(topography, constants["value"]):
+        return UNTESTABLE, "It depends on the size of a pixel, which is larger than the paper's."
     return "", ""
+
+
+def _is_coarse(topography: xr.Dataset, published: "pd.Series[float]") -> bool:
+    """Return whether the pixels of the scans are larger than those of the paper."""
+    pixel_size = topography["scan_size"].max().item() / topography.sizes["row"]
+    return bool(pixel_size > 1.01 * published["scan_size"] / published["scan_pixels"])

@@ -15,7 +15,7 @@ from hardcontact.band.critical_band import last_cutoff
 from hardcontact.base.statistics import percentile_interval
 
 BY_CONSTRUCTION = "by construction"
-UNTESTABLE = "not testable on substitutes"
+UNTESTABLE = "not testable"
 EXPERIMENT = "model beside experiment"
 VERDICTS = (
     "reproduced", "consistent", "undecided", "not reproduced", BY_CONSTRUCTION, UNTESTABLE,
@@ -115,6 +115,24 @@ def stretched(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray
     )
 
 
+def vary(replicas: np.ndarray) -> bool:
+    """Return whether the sets (set,) that have a number have different ones."""
+    known = replicas[np.isfinite(replicas)]
+    return len(known) > 0 and np.ptp(known) > 0
+
+
+def interval_with_sets(
+    value: float, own: tuple[ArrayLike, ArrayLike], replicas: np.ndarray, confidence: float
+) -> tuple[float, float]:
+    """Return the ends of the interval of a number, stretched to hold it; NaN if there is none.
+
+    It is the spread of the numbers (set,) of all sets where they vary, otherwise the number's own.
+    """
+    ends = sets_interval(replicas, confidence) if vary(replicas) else own
+    low, high = stretched(ends, value)
+    return float(low), float(high)
+
+
 def stability(
     judge: Callable[[float, float, float], str],
     given: str,
@@ -168,6 +186,21 @@ def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
 
 #: The end of the interval of an edge that may lie beyond the cutoffs, by the side of the edge.
 OPEN_END = {"small": "high", "large": "low"}
+#: Statements about edges of the band, with the side.
+EDGE_STATEMENT = "(?:edge|critical_wavelength)_(small|large)_"
+
+
+def open_end(side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]) -> str:
+    """Return the end of the interval of an edge beyond which no cutoff was computed, or "".
+
+    Edges are in nm. Bands are as for `with_open_ends`.
+    """
+    end = OPEN_END[side]
+    limit = high if end == "high" else low
+    last = np.array([last_cutoff(band["scale_change"].sel(side=side), side) for band in bands])
+    beyond = value >= last if end == "high" else value <= last
+    at_last = np.isclose(limit, last).any() or (beyond.any() and np.isclose(limit, value))
+    return end if at_last else ""
 
 
 def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
@@ -177,14 +210,7 @@ def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.Data
     own number may lie beyond theirs: an interval that is stretched to it is open there too. The
     intervals come from band.nc and sets.nc: scale_change (..., side, group, cutoff_wavelength).
     """
-    marked = claims.assign(open_end="")
-    for side, end in OPEN_END.items():
-        last = np.array([last_cutoff(band["scale_change"].sel(side=side), side) for band in bands])
-        for group in bands[0]["group"].values:
-            names = [f"{name}_{side}_{group}" for name in ("edge", "critical_wavelength")]
-            for row in marked.index[marked["id"].isin(names)]:
-                number, limit = marked.loc[row, ["computed", end]]
-                beyond = number >= last if end == "high" else number <= last
-                if np.isclose(limit, last).any() or (beyond.any() and np.isclose(limit, number)):
-                    marked.loc[row, "open_end"] = end
-    return marked
+    sides = claims["id"].str.extract(f"^{EDGE_STATEMENT}", expand=False)
+    rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
+    ends = [open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
+    return claims.assign(open_end=ends)

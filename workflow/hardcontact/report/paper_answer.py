@@ -9,11 +9,12 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import POOLED
+from hardcontact.band.critical_band import POOLED, edges_or_last_cutoffs
 from hardcontact.base.number import Number
+from hardcontact.base.statistics import bounds
 from hardcontact.paper.inference import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
-from hardcontact.paper.verdicts import summary, with_open_ends
+from hardcontact.paper.verdicts import interval_with_sets, open_end, summary, with_open_ends
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import OF_PAPER, describe
 from hardcontact.report.quantities import Quantity, number_of, on_scans, quantity
@@ -33,6 +34,8 @@ ANSWERS = {
 }
 #: The findings that matter most, by their claims, in the order of the page.
 MAIN_FINDINGS = (
+    "edge_small_first",
+    "edge_large_first",
     "edge_small_pooled",
     "edge_large_pooled",
     "critical_wavelength_small_pooled",
@@ -111,7 +114,7 @@ def paper_answer(
         claims,
         {number.name: number for number in numbers},
         {
-            name: known[name] | _numbers_of_surface(name, rows, forces)
+            name: known[name] | _numbers_of_surface(name, band, sets, forces)
             for name in map(str, band["surface"].values)
         },
         known[sphere],
@@ -136,14 +139,19 @@ def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
 
 
 def _numbers_of_surface(
-    name: str, rows: Mapping[str, Any], forces: xr.Dataset
+    name: str, band: xr.Dataset, sets: xr.Dataset, forces: xr.Dataset
 ) -> dict[str, Number]:
     """Return both edges of a substrate by itself, and how far forces on scans are too large."""
     numbers = {}
     for edge, (side, _) in EDGES.items():
-        if row := rows.get(f"edge_{side}_{name}"):
-            status = f"interval_open_{row.open_end}" if row.open_end else ""
-            numbers[edge] = Number(edge, row.computed, row.unit, row.low, row.high, status)
+        place = {"side": side, "group": name}
+        value = edges_or_last_cutoffs(band).sel(place).item()
+        replicas = edges_or_last_cutoffs(sets).sel(place).values
+        own = bounds(band.sel(place), "critical_wavelength")
+        low, high = interval_with_sets(value, own, replicas, band.attrs["confidence"])
+        end = open_end(side, value, low, high, [band, sets])
+        status = f"interval_open_{end}" if end else ""
+        numbers[edge] = Number(edge, value, "nm", low, high, status)
     if name in forces["surface"].values:
         force = number_of(forces.sel(surface=name), "force_over_largest")
         numbers["force_on_scans"] = force._replace(name="force_on_scans")
