@@ -30,10 +30,7 @@ def test_every_contact_has_the_edge_of_its_own_forces():
     for model, expected in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(found.sel(contact_model=model), expected, rtol=1e-9)
     ratio = bands["edge_ratio"].sel(group="a", side="small")
-    expected = [
-        edges[0, 0] / edges[1, 0],
-        edges[0, 0] / edges[0, 1],
-    ]  # at 5.6 nm, in plastic contact
+    expected = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
     np.testing.assert_allclose(ratio.sel(without=["plasticity", "long_range"]), expected)
 
 
