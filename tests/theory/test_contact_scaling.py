@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from known_spectra import rough
+from scipy import stats
 from scipy.special import erf
 
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
@@ -16,6 +17,7 @@ from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.edge_scaling import (
     among_regimes,
     edge_scaling,
+    force_exponent,
 )
 
 CONTACTS = [
@@ -120,6 +122,21 @@ def test_open_edges_are_left_out_and_few_give_no_exponent():
     data, _ = curves(1.0, 1.0, 0.0)
     computed = edges(data, 0).sel(side="small", surface="a")
     assert computed["edge"].isnull().all() and computed["exponent"].isnull().all()
+
+
+def test_a_force_that_is_a_power_of_the_radius_has_this_exponent():
+    radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
+    power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
+    factor = xr.DataArray([1.0, 3.0], dims="contact_x")
+    rest = {"side": ["small", "large"], "surface": ["a"], "rho": RANGES, "area": AREAS}
+    forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(rest)
+    # Forces of another side, range or contact area are others.
+    others = (forces["side"] == "small") | (forces["rho"] != 5.6) | (forces["area"] != 400)
+    data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~others, 1.0)})
+    computed = force_exponent(data, contact_of_area(250e3, 5.6, 1.0, 400.0), 0.95)
+    assert computed["force_exponent"].item() == pytest.approx(0.4)
+    half = stats.t.ppf(0.975, 2) * 0.1 / np.sqrt(3)
+    np.testing.assert_allclose(bounds(computed, "force_exponent"), [[0.4 - half], [0.4 + half]])
 
 
 SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}

@@ -1,6 +1,7 @@
 """How the edges of the critical band scale with R, rho and the contact area: scaling.nc."""
 
 import pandas as pd
+import xarray as xr
 
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
@@ -9,7 +10,12 @@ from hardcontact.contact.all_surfaces import single_masters
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.pull_off import WORK_OF_ADHESION
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.theory.edge_scaling import designed_edges, edge_scaling, stacked_scaling
+from hardcontact.theory.edge_scaling import (
+    designed_edges,
+    edge_scaling,
+    force_exponent,
+    stacked_scaling,
+)
 
 with job(snakemake) as job:
     params = job.parameters
@@ -21,16 +27,20 @@ with job(snakemake) as job:
         single_masters(masters, params["realizations"]),
         {"labels": params["labels"], "basis": params["basis"]},
     )
+    contact = contact_of_area(
+        params["sphere_radius"], params["rho"], WORK_OF_ADHESION, params["area"]
+    )
     edges = edge_scaling(
         scaling,
         spectra,
-        contact_of_area(params["sphere_radius"], params["rho"], WORK_OF_ADHESION, params["area"]),
+        contact,
         params["tolerance"],
         Sampling(params["seed"], params["samples"], params["confidence"]),
     )
+    forces = force_exponent(scaling, contact, params["confidence"])
     designed = designed_edges(pd.read_csv(job.input.computed), pd.read_csv(job.input.formulas))
     job.write(
-        edges.merge(designed).assign_attrs(
+        xr.merge([edges, forces, designed]).assign_attrs(
             {name: params[name] for name in ("sphere_radius", "rho", "area")}
         ),
         title="edges of the critical band over radii, ranges of adhesion and contact areas",

@@ -13,8 +13,19 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.band.critical_band import POOLED, critical_band
-from hardcontact.base.statistics import Sampling, jackknife_interval, with_interval
-from hardcontact.contact.all_surfaces import Described, Parts, stacked_forces, with_names
+from hardcontact.base.statistics import (
+    Sampling,
+    jackknife_interval,
+    student_interval,
+    with_interval,
+)
+from hardcontact.contact.all_surfaces import (
+    CONTACT_AXES,
+    Described,
+    Parts,
+    stacked_forces,
+    with_names,
+)
 from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
 from hardcontact.surfaces.synthesis import SIDES
@@ -85,6 +96,36 @@ def edge_scaling(
             scaling[["label", "basis"]],
         ]
     ).assign_attrs(tolerance=tolerance, confidence=sampling.confidence)
+
+
+def force_exponent(scaling: xr.Dataset, contact: Contact, confidence: float) -> xr.Dataset:
+    """Return the exponent of the mean force against the radius of the sphere.
+
+    Parameters
+    ----------
+    scaling : xarray.Dataset
+        As of `stacked_scaling`, of masters with long waves.
+    contact : Contact
+        Its range and its contact area are those of the forces.
+    confidence : float
+        Of the interval over realizations.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``force_exponent`` (surface) by least squares of ln F against ln R, with its interval.
+    """
+    nearest = {"rho": contact.range, "area": contact.area}
+    forces = scaling["unfiltered_pull_off_force"].sel(side="large").sel(nearest, method="nearest")
+    forces = forces.mean([axis for axis in CONTACT_AXES if axis in forces.dims])
+    logarithms = xr.DataArray(np.log(forces)).assign_coords(radius=np.log(forces["radius"]))
+    slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
+    variables = with_interval(
+        "force_exponent", "surface", slopes.mean("realization").values,
+        student_interval(slopes, confidence, "realization").transpose("surface", "bound").values,
+        ONE | {"long_name": "exponent of the pull-off force against the radius"}, confidence,
+    )  # fmt: skip
+    return xr.Dataset(variables, {"surface": slopes["surface"]})
 
 
 def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
