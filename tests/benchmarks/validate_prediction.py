@@ -29,7 +29,7 @@ from hardcontact.theory.prediction import coordinates
 
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
-SURFACES, CONTACTS, CUTOFFS = 96, 8, 12
+CONTACTS, CUTOFFS = 8, 12
 #: Least and largest value of each input, drawn evenly in its logarithm but for the Hurst exponent;
 #: lengths in nm, the area of contact in nm².
 BOUNDS = {
@@ -43,13 +43,29 @@ BOUNDS = {
 }
 #: Kinds of spectra, and the share of the surfaces up to each.
 KINDS = {"self-affine": 0.4, "two slopes": 0.6, "bump": 0.8, "bent": 1.0}
+#: A second design with the spectra that the first one lacks, all of one kind: the Hurst exponent at
+#: the roll-off, and its change a decade below.
+STEEP = "steep"
+STEEP_SEED = 20261125
+STEEP_BOUNDS = {name: ends for name, ends in BOUNDS.items() if name != "kind"} | {
+    "hurst": (1.0, 1.9),
+    "change": (-0.7, 0.7),
+}
+#: Surfaces of the first design and of the second.
+FIRST, SECOND = 96, 64
+SURFACES = FIRST + SECOND
 #: Largest size of a surface in nm, and pixels of a smaller or larger one with realizations of each.
 LARGEST, GRIDS = 25e3, {1024: 4, 2048: 3}
 
 
 def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
-    return [row | grid(row) for row in drawn(BOUNDS, SEED, surfaces)]
+    first = drawn(BOUNDS, SEED, FIRST)
+    second = [
+        row | {"surface": FIRST + row["surface"], "kind": STEEP}
+        for row in drawn(STEEP_BOUNDS, STEEP_SEED, SECOND)
+    ]
+    return [row | grid(row) for row in [*first, *second][:surfaces]]
 
 
 def drawn(
@@ -60,9 +76,10 @@ def drawn(
     for number, point in enumerate(points):
         row: dict[str, Any] = {"surface": number, "held_back": number // 2 % 2}
         for (name, (low, high)), share in zip(bounds.items(), point, strict=True):
-            even = name in ("hurst", "kind")
+            even = name in ("hurst", "change", "kind")
             row[name] = low + share * (high - low) if even else low * (high / low) ** share
-        row["kind"] = next(kind for kind, end in KINDS.items() if row["kind"] <= end)
+        if "kind" in row:
+            row["kind"] = next(kind for kind, end in KINDS.items() if row["kind"] <= end)
         row["rms_height"] = row["rolloff"] * row.pop("steepness")
         yield row
 
@@ -100,8 +117,10 @@ def spectrum_of(row: dict[str, Any]) -> Spectrum:
         density = density * np.maximum(wave / 8, 1) ** (2 * (2 * hurst - 1.35))
     if row["kind"] == "bump":  # grains of a sixth of the roll-off double the density there
         density = density * (1 + 3 * np.exp(-(np.log(wave / 6) ** 2) / (2 * 0.3**2)))
-    if row["kind"] == "bent":  # as measured on NCD and MCD: the slope grows along the spectrum
+    if row["kind"] == "bent":
         density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst - 0.4, 0.4)
+    if row["kind"] == STEEP:
+        density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst, row["change"])
     density = np.where(2 * np.pi / WAVEVECTORS >= row["shortest"], density, 0.0)
     height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
     return Spectrum(WAVEVECTORS, density * (row["rms_height"] / height) ** 2)

@@ -12,6 +12,7 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 import validate_prediction
 
 from hardcontact.contact.contact import contact_of_area
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, varying_hurst
 from hardcontact.theory import prediction
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.closed_form_errors import spectrum_of_grid
@@ -53,3 +54,31 @@ def test_intervals_hold_what_they_should_on_the_other_half(name):
         low, high = prediction.nearest_errors(row, name)
         inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
     assert 0.75 < np.mean(inside) <= 1
+
+
+#: Roll-off (nm), plateau (nm⁴), Hurst exponent at the roll-off and its change a decade of the
+#: default spectra of polished UNCD, UNCD, NCD and MCD (workflow/report/departures.md).
+COATINGS = [
+    (751, 1.075e6, 1.27, 0.0),
+    (1103, 5.471e7, 0.76, 0.0),
+    (2000, 1.032e10, 1.67, -0.504),
+    (2000, 1.319e10, 1.83, -0.569),
+]
+
+
+@pytest.mark.parametrize(("rolloff", "plateau", "hurst", "change"), COATINGS)
+def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst, change):
+    density = varying_hurst(WAVEVECTORS, plateau, rolloff, hurst, change)
+    spectrum = prediction.rough_part(Spectrum(WAVEVECTORS, density))
+    contact = contact_of_area(250e3, 5.6, 0.0463, 400.0)
+    decades = np.log10(rolloff / 20)
+    expected = hurst + change * decades / 2, change
+    assert prediction.hurst_and_bend(spectrum, 20.0) == pytest.approx(expected, abs=0.01)
+    assert prediction.is_tried(spectrum, contact, closed_form(spectrum, contact))
+
+
+def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
+    spectrum = Spectrum(WAVEVECTORS, varying_hurst(WAVEVECTORS, 1e6, 300, 0.8, 0.0))
+    assert np.isnan(prediction.hurst_and_bend(spectrum, 400.0)).all()
+    contact = contact_of_area(250e3, 5.6, 0.0463, 400.0**2)
+    assert not prediction.is_tried(spectrum, contact, closed_form(spectrum, contact))

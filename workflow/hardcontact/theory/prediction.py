@@ -45,8 +45,17 @@ NEAREST = 19
 LEAST_MODULUS = 1e-3
 #: What is predicted and computed: columns of the table.
 VALIDATED = ("force", "short_edge", "long_edge")
-#: What an error depends on, whose range in the table an input must lie in.
-TRIED = {"rho": "nm", "radius": "nm", "modulus": "1", "contact_over_rolloff": "1"}
+#: What an error depends on, whose range in the table an input must lie in, and the unit.
+TRIED = {
+    "rho": "nm",
+    "radius": "nm",
+    "modulus": "1",
+    "contact_over_rolloff": "1",
+    "mean_hurst": "1",
+    "bend": "1",
+}
+#: Points of a spectrum to which a Hurst exponent and its change are fitted.
+FITTED_POINTS = 40
 #: Rms height in nm below which there is no surface: a tenth of an atom.
 LEAST_HEIGHT = 0.01
 #: Change of the force by waves that a spectrum lacks, or by elasticity, beyond which they matter.
@@ -96,11 +105,30 @@ def coordinates(waves: Spectrum, contact: Contact, found: ClosedForm) -> dict[st
 
     The modulus k = rho m/sigma² is the inverse of the freezing, infinite without roughness.
     """
+    mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
     return {
         "modulus": 1 / found.freezing if found.freezing else math.inf,
         "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
+        "mean_hurst": mean_hurst,
+        "bend": bend,
         "regime": found.regime,
     }
+
+
+def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float]:
+    """Return the mean Hurst exponent of a spectrum, and its change a decade of wavevector.
+
+    A parabola is fitted to log C_iso against log q, between the roll-off and the length of the
+    contact (nm) or the shortest wave. Both are NaN if there are no waves between them.
+    """
+    first, last = 2 * np.pi / roll_off(waves), waves.wavevector[-1]
+    decades = math.log10(min(last, 2 * np.pi / contact_length) / first)
+    if decades <= 0:
+        return math.nan, math.nan
+    middle = np.linspace(-decades / 2, decades / 2, FITTED_POINTS)
+    density = waves(np.minimum(first * 10 ** (middle + decades / 2), last))
+    curvature, slope, _ = np.polyfit(middle, np.log10(density), 2)
+    return float(-1 - slope / 2), float(-curvature)
 
 
 def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
