@@ -50,6 +50,23 @@ def test_keys_of_the_quick_study_are_checked_even_where_they_are_not_used():
     assert_says(line, "effort quick", "contact.count", "found 0")
 
 
+def test_a_quick_study_never_takes_the_folders_of_another():
+    own = PAPER | {"study": "own", "store": "results/own-store", "effort": "quick"}
+    other = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
+    quick = {"quick": {"contact": {"count": 6}}}
+    for overlays, study in (({}, "own-quick"), (other, "harder-quick")):
+        configured = start.with_effort(own | quick | overlays)
+        assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
+        assert start.with_effort(configured) == configured
+        assert configured["contact"]["count"] == 6
+
+
+def test_the_names_of_a_quick_study_cannot_be_given():
+    overlay = {"quick": {"study": "mine"}}
+    line = refused(start.checked_configuration, planned_workflow(), PAPER | overlay)
+    assert_says(line, "quick", "no study or store there", "found study")
+
+
 def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):
     path = tmp_path / "a.yaml"
     path.write_text("seed: 1\n'seed': 2")

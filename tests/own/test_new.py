@@ -14,6 +14,7 @@ from hardcontact.config import checks
 from hardcontact.config.configuration import with_keys
 from hardcontact.config.model import configuration
 from hardcontact.config.selection import surface_table
+from hardcontact.config.start import with_effort
 from hardcontact.own import new, request
 from hardcontact.own.new import overlay_text, values
 from hardcontact.own.proposal import Choice
@@ -68,7 +69,9 @@ def accepted(folder, done, effort="full"):
     overlay = yaml.safe_load((folder / f"config/{NAME}.yaml").read_text("utf-8"))
     quick = overlay.pop("quick")
     config = merged(PAPER, overlay)
-    config = configuration(merged(config, quick) if effort == "quick" else config)
+    if effort == "quick":
+        config = with_effort(config | {"effort": "quick", "quick": quick})
+    config = configuration(config)
     table = surface_table(folder / f"config/{NAME}.tsv")
     checks.check(config, table, [])
     return config, table

@@ -139,13 +139,13 @@ def test_a_rough_sphere_sticks_less(own, several):
     flat, ball = (rms_height.sel(surface=name, drop=True) for name in ("twin", "sphere"))
     assert ball.values == pytest.approx(2.0, rel=0.1)
     (own / "smooth.yaml").write_text(yaml.safe_dump(
-        {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "quick": {"study": "smooth"}}
+        {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "study": "smooth"}
     ))  # fmt: skip
     table = (own / "config/several.tsv").read_text().splitlines(keepends=True)
     (own / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
     run = quick(own, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
-    without = xr.load_dataset(own / "results/smooth/adhesion.nc").sel(surface="twin")
+    without = xr.load_dataset(own / "results/smooth-quick/adhesion.nc").sel(surface="twin")
     ratio = mean_over_contacts(adhesion.pull_off_force) / mean_over_contacts(without.pull_off_force)
     # Of independent bodies the squares of the rms heights add up.
     flat = flat.sel(scan=1, drop=True)

@@ -55,6 +55,8 @@ PAPER = "paper"
 NONE = "none"
 #: Value of the key `sphere.surface` of a sphere without roughness.
 SMOOTH = "smooth"
+#: End of the names of study and store at quick effort.
+QUICK_NAME = "-quick"
 
 
 def nm(*lengths: float) -> list[str]:
@@ -409,7 +411,8 @@ class Study(Keys):
     effort: Literal["full", "quick"] = "full"
     """`quick`: the keys under `quick` replace those above, for a first answer."""
     quick: dict[Any, Any] = {}
-    """Keys as at the top, which count with `effort: quick`."""
+    """Keys as at the top, which count with `effort: quick`. The names of `study` and `store` then
+    end with `-quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
     contact: ContactKeys = ContactKeys()
@@ -433,6 +436,9 @@ class Study(Keys):
         quick = "quick (the quick study of the paper: --configfile config/quick.yaml)"
         filled = self.effort != "quick" or bool(self.quick)
         yield Limit(filled, "effort", "full where no keys stand under quick", quick)
+        named = sorted({"study", "store"} & self.quick.keys())
+        expected = f"no study or store there: their names are those above, with {QUICK_NAME}"
+        yield Limit(not named, "quick", expected, " and ".join(named))
         folder = f"results/{self.study}"
         results, store = Path(os.path.realpath(folder)), Path(os.path.realpath(self.store))
         apart = not (results.is_relative_to(store) or store.is_relative_to(results))

@@ -31,7 +31,6 @@ from hardcontact.own.inventory import (
 from hardcontact.own.proposal import Choice, Proposal, propose, refuse_unreliable
 from hardcontact.own.request import (
     QUANTITIES,
-    QUICK_NAME,
     ROOT,
     SPHERE,
     Option,
@@ -87,12 +86,12 @@ def new_study(arguments: Namespace) -> str:
     ]
     if not faults:  # Otherwise problems would be reported that vanish once these are mended.
         checks.append(partial(_plan, arguments, quantities, entries))
-    *_, (proposal, choices, quick) = refuse_all(checks)
+    *_, (proposal, choices) = refuse_all(checks)
     overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
     run = f"snakemake --configfile {overlay}"
     texts = {
         table: table_text(table_rows(entries, proposal.contact, tip_text)),
-        overlay: overlay_text(run, choices, quick),
+        overlay: overlay_text(run, choices, proposal.quick),
     }
     for path, text in texts.items():
         with whole_file(ROOT / path) as temporary:
@@ -120,8 +119,8 @@ def _checks(
 
 def _plan(
     arguments: Namespace, quantities: Mapping[str, Option], entries: Sequence[Entry]
-) -> tuple[Proposal, list[Choice], list[Choice]]:
-    """Return the proposal, all keys of the overlay and those that count at quick effort.
+) -> tuple[Proposal, list[Choice]]:
+    """Return the proposal, and all keys of the overlay but those that count at quick effort.
 
     Raises ValueError if the study would refuse these scans at either effort.
     """
@@ -134,24 +133,17 @@ def _plan(
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, probe, quantities["range"].given)
     choices = [*_named_choices(arguments, quantities), *proposal.choices]
-    quick_name = arguments.name + QUICK_NAME
-    quick = [
-        Choice("study", quick_name, ""),
-        # Masters of other pixels would take the place of those of the full effort.
-        Choice("store", f"results/store-{quick_name}", ""),
-        *proposal.quick,
-    ]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
         for surface, scans in by_surface(proposal.contact).items()
     }
     full = values(choices)
-    for keys in (full, full | values(quick)):
+    for keys in (full, full | values(proposal.quick)):
         # Faults of keys that follow from the name are those of the name.
         others = {key: value for key, value in keys.items() if key not in ("study", "store")}
         check_grids(configuration(with_keys(read_yaml("config/config.yaml"), others)), grids)
     refuse_unreliable(entries)
-    return proposal, choices, quick
+    return proposal, choices
 
 
 def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> Iterator[Choice]:

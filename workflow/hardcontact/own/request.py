@@ -10,7 +10,7 @@ from typing import NamedTuple, get_args
 from hardcontact.base.code import LIBRARY
 from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME
-from hardcontact.config.model import ScanKeys, quantity
+from hardcontact.config.model import QUICK_NAME, ScanKeys, quantity
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 
 #: The top folder, whose paths studies are named relative to.
@@ -19,8 +19,6 @@ ROOT = LIBRARY.parents[1]
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
 TAKEN = ("config", "paper", "quick", "surfaces")
-#: What is added to the name of a study at quick effort.
-QUICK_NAME = "-quick"
 #: Options that are quantities: the key of the configuration, and their meaning.
 QUANTITIES = {
     "radius": ("sphere.radius", "radius of the sphere"),
