@@ -26,6 +26,8 @@ from hardcontact.report.templates import rendered
 ANSWERS = {
     "short_edge": "edge_small_pooled",
     "long_edge": "edge_large_pooled",
+    "first_short_edge": "edge_small_first",
+    "first_long_edge": "edge_large_first",
     "range_of_adhesion": "range_of_adhesion",
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
