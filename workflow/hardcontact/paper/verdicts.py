@@ -128,7 +128,7 @@ def interval_with_sets(
 
     It is the spread of the numbers (set,) of all sets where they vary, otherwise the number's own.
     """
-    ends = sets_interval(replicas, confidence) if vary(replicas) else own
+    ends = sets_interval(replicas, confidence) if vary(replicas) else np.array(own)
     low, high = stretched(ends, value)
     return float(low), float(high)
 
@@ -186,8 +186,6 @@ def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
 
 #: The end of the interval of an edge that may lie beyond the cutoffs, by the side of the edge.
 OPEN_END = {"small": "high", "large": "low"}
-#: Statements about edges of the band, with the side.
-EDGE_STATEMENT = "(?:edge|critical_wavelength)_(small|large)_"
 
 
 def open_end(side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]) -> str:
@@ -210,7 +208,7 @@ def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.Data
     own number may lie beyond theirs: an interval that is stretched to it is open there too. The
     intervals come from band.nc and sets.nc: scale_change (..., side, group, cutoff_wavelength).
     """
-    sides = claims["id"].str.extract(f"^{EDGE_STATEMENT}", expand=False)
+    sides = claims["id"].str.extract("^(?:edge|critical_wavelength)_(small|large)_", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
     ends = [open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
     return claims.assign(open_end=ends)
