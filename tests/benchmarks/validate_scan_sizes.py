@@ -301,7 +301,7 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     curves = xr.Dataset(
         {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
     ).assign_coords(side="large")
-    edges = edges_of_curves(curves, "logarithm", logarithmic_limits(TOLERANCE))
+    edges = edges_of_curves(curves, logarithmic_limits(TOLERANCE))
     of_largest = {"units": "1", "long_name": "force over that on the larger whole surface"}
     return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
         long_ratio=ratio,

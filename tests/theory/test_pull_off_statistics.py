@@ -17,7 +17,7 @@ import validate_statistics
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import contact_of_area
-from hardcontact.theory.closed_form import contact_share, smooth_force
+from hardcontact.theory.closed_form import closed_form, contact_share, smooth_force
 from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,
     field_variation,
@@ -65,6 +65,15 @@ def drawn_radii(rng, level, count=400000):
     summit = (curvature > 0) & (xx < 0)
     weight = curvature[summit] / curvature[summit].sum()
     return 1 / np.sqrt(rng.choice(curvature[summit], count, p=weight))
+
+
+@pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
+def test_the_mean_is_the_closed_form(rho, low, high):
+    """Rough summits below the sphere lessen it where single peaks decide, not for many points."""
+    contact, spectrum = replace(SPHERE, range=rho), rough(30, 1000, 0.8, 5.0)
+    expected = closed_form(spectrum, contact).force
+    assert force_statistics(spectrum, contact).force == pytest.approx(expected)
+    assert low < expected / closed_form(spectrum, contact, rough_below=False).force < high
 
 
 def test_radii_of_summits_scatter_as_drawn_ones():

@@ -12,10 +12,11 @@ highest points do, as in the random energy model (Derrida, Phys. Rev. B 24 (1981
 
 A summit is itself a rough body. Waves shorter than its size, 2.5 delta (`summits`), are roughness
 on it, and the same equation, with its radius delta² m/(2 sigma²), gives the share of the force of a
-smooth summit that is left; and so on to the shortest waves. The area in contact, at most that of a
-summit, pi delta², flattens what is smaller than itself. That waves begin at 2.5 delta is a choice:
-of 2 delta, 2.5 delta and pi delta, tried on designed surfaces (`prediction`) that were not held
-out, the first gives better edges and the last better forces.
+smooth summit that is left; and so on to the shortest waves. This share also multiplies the part of
+the first term that is of summits below the sphere (`rough_terms`). The area in contact, at most
+that of a summit, pi delta², flattens what is smaller than itself. That waves begin at 2.5 delta is
+a choice: of 2 delta, 2.5 delta and pi delta, tried on designed surfaces (`prediction`) that were
+not held out, the first gives better edges and the last better forces.
 """
 
 from dataclasses import dataclass, replace
@@ -62,7 +63,7 @@ class ClosedForm:
 
     force: float  #: In N.
     relative: float  #: Force over 2 pi R W.
-    first_term: float  #: Share of 2 pi R W of the first term alone, the mean over all points.
+    first_term: float  #: Share of 2 pi R W of the mean over all points alone, all summits smooth.
     rms_height: float  #: sigma in nm.
     closest_approach: float  #: The mean of m in nm.
     #: (sigma/rho)/(m/sigma): beyond one single peaks decide; infinite where m is not above zero.
@@ -96,7 +97,11 @@ def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -
 
 
 def closed_form(
-    spectrum: Spectrum, contact: Contact, approaches: ArrayLike | None = None
+    spectrum: Spectrum,
+    contact: Contact,
+    approaches: ArrayLike | None = None,
+    *,
+    rough_below: bool = True,
 ) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
@@ -109,6 +114,9 @@ def closed_form(
     approaches : array_like, optional
         Heights m (nm) of closest approach of computed contacts; by default those that the spectrum
         lets expect.
+    rough_below : bool
+        Whether summits below the sphere attract as rough ones (`rough_terms`); if not, only those
+        that touch do.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -122,30 +130,50 @@ def closed_form(
         heights = np.ravel(approaches) / sigma
         (delta,) = clump_radius(waves, [heights.mean()])
         levels = Approaches(heights, np.full(heights.shape, 1 / heights.size), float(delta))
-    first, touching = _terms(waves, levels, contact, GENERATIONS)
+    first_term = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.range))
+    first, touching = _terms(waves, levels, contact, GENERATIONS, rough_below)
     relative = first + touching + contact_share(contact)
     m = float(sigma * levels.mean())
     freezing = float(sigma**2 / (contact.range * m)) if m > 0 else np.inf
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
     if first + touching > SMOOTH_SHARE:
         regime = SMOOTH
-    return ClosedForm(smooth * relative, relative, first, sigma, m, freezing, regime)
+    return ClosedForm(smooth * relative, relative, first_term, sigma, m, freezing, regime)
 
 
 def _terms(
-    waves: Spectrum, levels: Approaches, contact: Contact, generations: int
+    waves: Spectrum, levels: Approaches, contact: Contact, generations: int, rough_below: bool
 ) -> tuple[float, float]:
     """Return the first and the second term of F/(2 pi R W), the mean over levels of approach."""
     sigma = np.sqrt(moment(waves, 0))
-    first = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.range))
-    touching = levels.mean(special.ndtr(-levels.levels))
-    summit = on_summit(waves, levels, contact)
-    if summit is None or not generations:
-        return first, touching
-    finer, summit_contact = summit
-    approaches = closest_approaches(finer, summit_contact.radius, summit_contact.area)
-    share = sum(_terms(finer, approaches, summit_contact, generations - 1))
-    return first, touching * min(share, 1.0)
+    share, summit = 1.0, on_summit(waves, levels, contact)
+    if summit is not None and generations:
+        finer, summit_contact = summit
+        approaches = closest_approaches(finer, summit_contact.radius, summit_contact.area)
+        terms = _terms(finer, approaches, summit_contact, generations - 1, rough_below)
+        share = min(sum(terms), 1.0)
+    first, touching = rough_terms(sigma, levels, contact.range, share)
+    if not rough_below:
+        first = gaussian_share(sigma, levels.levels * sigma, contact.range)
+    return levels.mean(first), touching
+
+
+def rough_terms(sigma: float, levels: Approaches, rho: float, share: float) -> tuple[Floats, float]:
+    """Return the first term of F/(2 pi R W) at each level (n,), and the mean second term.
+
+    Rough summits attract with a share of the force of smooth ones, whether they touch or lie below
+    the sphere. The points closer to the sphere than sigma/t, the height over which the number of
+    summits falls by e, are on summits: in the mean over the plane mostly on summits that rise above
+    the sphere, of which there are none.
+    """
+    t, relief = levels.levels, 1 / max(levels.mean(), 1.0)
+
+    def both_terms(level: Floats) -> Floats:
+        return gaussian_share(sigma, level * sigma, rho) + special.ndtr(-level)
+
+    near = 1 - np.exp(-relief * sigma / rho) * both_terms(t - relief) / both_terms(t)
+    first = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - share) * near)
+    return first, share * levels.mean(special.ndtr(-t))
 
 
 def on_summit(
@@ -175,21 +203,23 @@ def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float
     """Return both edges (nm) of the band of wavelengths that decide the force.
 
     Without all that is shorter, or longer, the force changes by the tolerance, a relative change.
-    They are NaN where it never does.
+    They are NaN where it never does. Summits below the sphere count as smooth: on designed surfaces
+    that were held out, rough ones give better forces of single peaks, but no better edges.
     """
     wavelengths = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
     if not len(wavelengths):
         return np.nan, np.nan
     cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFFS)
     limits = logarithmic_limits(tolerance)
-    whole = closed_form(spectrum, contact).relative
+    whole = closed_form(spectrum, contact, rough_below=False).relative
 
     def edge(side: str, cutoffs: Floats) -> float:
         """Return the critical wavelength (nm) of a side; from the end where no cutoff acts."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
             part = filtered_spectrum(spectrum, side, cutoff)
-            curve.append(np.log(closed_form(part, contact).relative / whole))
+            relative = closed_form(part, contact, rough_below=False).relative
+            curve.append(np.log(relative / whole))
             if not limits[0] <= curve[-1] <= limits[1]:
                 break
         return critical_wavelength(cutoffs[: len(curve)], np.array(curve), limits)

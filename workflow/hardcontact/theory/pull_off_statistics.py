@@ -32,8 +32,8 @@ from hardcontact.theory.closed_form import (
     GENERATIONS,
     SUMMIT,
     contact_share,
-    gaussian_share,
     on_summit,
+    rough_terms,
 )
 from hardcontact.theory.summits import (
     LEVELS,
@@ -117,8 +117,7 @@ class ForceStatistics:
 def force_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     """Return the distribution of the pull-off force of a sphere over places of a Gaussian surface.
 
-    Only the wavelengths of the spectrum count. The mean is that of `closed_form` in its regime of
-    many points, and less in that of single peaks (`_terms`).
+    Only the wavelengths of the spectrum count. The mean is that of `closed_form`.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -172,7 +171,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
             share, scatter, growth = rough_summit.mean, rough_summit.scatter, rough_summit.growth
-    first, touching = _terms(sigma, levels, rho, share)
+    first, touching = rough_terms(sigma, levels, rho, share)
     number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
     clumps, cover = max(levels.mean(number), 1.0), levels.mean(special.ndtr(-t))
     # The mean of the squared force of a clump, over the square of its mean force. The radius of a
@@ -180,7 +179,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
     crowded = number_variance(cover)
     clump_force = share * special.ndtr(-t) / np.maximum(number, 1e-300)
-    clump_variance = crowded * square * clump_force * _terms(sigma, levels, rho / 2, share)[0]
+    clump_variance = crowded * square * clump_force * rough_terms(sigma, levels, rho / 2, share)[0]
     field_variance = first**2 * field_variation(waves, contact) ** 2
     # n clumps touch, of which all but the last are as many as Poisson lets expect. Where they cover
     # the plane they are one flat contact, whose rim is the force.
@@ -188,26 +187,9 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     variance = np.minimum(field_variance, clump_variance) + (touching / clumps) ** 2 * scattered
     attraction = _Attraction(levels, first, touching, clumps, variance, 1.0)
     wider = closest_approaches(waves, WIDER * radius, contact.area)
-    wider_first, wider_touching = _terms(sigma, wider, rho, share)
+    wider_first, wider_touching = rough_terms(sigma, wider, rho, share)
     ratio = (wider.mean(wider_first) + wider_touching) / attraction.mean
     return attraction._replace(growth=float(np.clip(1 + np.log(ratio) / np.log(WIDER), 0, 1)))
-
-
-def _terms(sigma: float, levels: Approaches, rho: float, share: float) -> tuple[Floats, float]:
-    """Return the force (n,) of the points below the sphere, and that of the clumps that touch.
-
-    Points closer to the sphere than the height sigma/t of a clump belong, in the average over the
-    plane, mostly to clumps that rise above it. There are none: clumps below the sphere attract as
-    those that touch do, a share of what smooth ones do.
-    """
-    t, relief = levels.levels, 1 / max(levels.mean(), 1.0)
-
-    def both_terms(level: Floats) -> Floats:
-        return gaussian_share(sigma, level * sigma, rho) + special.ndtr(-level)
-
-    near = 1 - np.exp(-relief * sigma / rho) * both_terms(t - relief) / both_terms(t)
-    first = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - share) * near)
-    return first, share * levels.mean(special.ndtr(-t))
 
 
 def number_variance(cover: float) -> float:

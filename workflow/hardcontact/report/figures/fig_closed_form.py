@@ -10,18 +10,18 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "The pull-off force in closed form"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-(a) Forces computed on the largest random surfaces (symbols), the closed form (solid) and its
-first term alone (dotted). (b) Closed form over computed force. (c) (σ/ρ)/(m/σ): above one
-single peaks decide, below one many points do.
+(a) Forces computed on the largest random surfaces (symbols), the closed form (solid) and the
+mean over all points alone (dotted). (b) Closed form over computed force. (c) (σ/ρ)/(m/σ): above
+one single peaks decide, below one many points do.
 
 For a random surface whose heights are normally distributed the mean pull-off force follows from
 the power spectrum alone: exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force on a smooth surface for
-all points that do not touch, where σ is the rms height, ρ the range of adhesion and m the
-height of closest approach, and the forces of the summits that touch and of the plastic contact
-area. Bars in (a): {{ inference.confidence | percent }} intervals over the surfaces. In (b) the
-closest approach is that which the spectrum lets expect (solid) or that computed (dashed); grey:
-within a factor of two. Where (σ/ρ)/(m/σ) exceeds one, the attraction comes from heights that
-only single peaks reach. Drawn from closed_form.nc.
+all points that do not touch, less where these lie on rough summits, and the forces of the summits
+that touch and of the plastic contact area; σ is the rms height, ρ the range of adhesion and m the
+height of closest approach. Bars in (a): {{ inference.confidence | percent }} intervals over the
+surfaces. In (b) the closest approach is that which the spectrum lets expect (solid) or that
+computed (dashed); grey: within a factor of two. Where (σ/ρ)/(m/σ) exceeds one, the attraction
+comes from heights that only single peaks reach. Drawn from closed_form.nc.
 """
 
 #: Where closest approach comes from: its line, and as it is printed.
@@ -68,7 +68,7 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         *style.surface_handles(closed_form),
         Line2D([], [], color="0.3", ls="none", marker="o", label="computed"),
         *(Line2D([], [], color="0.3", ls=ls, label=label) for ls, label in SOURCES.values()),
-        Line2D([], [], color="0.3", ls=":", label="its first term alone"),
+        Line2D([], [], color="0.3", ls=":", label="mean over all points"),
     ]
     style.legend_above(figure, handles)
     forces_drawn = (("a", f"{name}_force", "N") for name in ("computed", "predicted", "first_term"))
