@@ -129,6 +129,23 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
     ]
 
 
+@pytest.mark.parametrize(
+    ("bearer", "measured", "surfaces"),
+    [
+        ("polished_uncd", [], ["polished_uncd"]),
+        ("polished_uncd", ["mcd", "ruby"], ["polished_uncd"]),
+        ("ruby", [], SUBSTRATES),
+        # What is measured has the protrusions that it has.
+        ("polished_uncd", ["polished_uncd"], []),
+        ("ruby", ["mcd"], []),
+        ("ruby", ["ruby"], []),
+    ],
+)
+def test_the_surfaces_that_protrusions_change(bearer, measured, surfaces):
+    rows = files(measured=measured, sets__protruded=8).protruded_chunks(bearer)
+    assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 6), (7, 8))]
+
+
 # Values that people sweep
 
 SWEPT = {

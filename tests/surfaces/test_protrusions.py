@@ -1,54 +1,76 @@
-"""Protrusions: their shape, their number and the rms height that they leave."""
+"""Protrusions: their shape, their number and what published roughness permits."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
+import pandas as pd
 import pytest
 from periodic_maps import height_map
 
-from hardcontact.surfaces.height_map import level
+from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.protrusions import (
+    DENSITIES,
     GAUSSIAN_SHARE,
+    HEIGHTS,
+    WIDTHS,
     Protrusions,
+    Roughness,
+    add_protrusions,
     draw_protrusions,
-    with_protrusions,
 )
 
-
-def waves():
-    """Return a levelled map of 2 µm with waves of an rms height of 3 nm."""
-    place = 2 * np.pi * np.arange(200) / 200
-    heights = 3 * np.sqrt(2) * np.tile(np.cos(10 * place), (200, 1))
-    return level(replace(height_map(heights, 10.0), periodic=False))
+POLISHED = Roughness(3.2, 0.04, 0.05, 1.0)
+FLAT = replace(height_map(np.zeros((200, 200)), 10.0), periodic=False)  # 2 µm
 
 
 def test_a_protrusion_is_a_gaussian_of_its_height_and_width():
-    flat = waves()
-    rng = np.random.default_rng(5)
-    one = Protrusions(density=0.25, height=10.0, width=60.0)  # one expected on 4 µm²
-    while True:  # until a single protrusion stands well inside
-        seed = int(rng.integers(1 << 30))
-        draw = np.random.default_rng(seed)
-        count = draw.poisson(1.0)
-        if count == 1 and ((centre := draw.uniform(0, 2000, 2)) % 1500 > 500).all():
-            break
-    protruded = with_protrusions(np.random.default_rng(seed), flat, one)
+    protrusions = Protrusions(density=0.25, height=10.0, width=60.0)  # one expected on 4 µm²
+    seed = 0
+    while np.random.default_rng(seed).poisson(1.0) != 1:  # until there is a single one
+        seed += 1
+    rng = np.random.default_rng(seed)
+    rng.poisson(1.0)
+    centre = rng.uniform(0, 2000, 2)
+    protruded = add_protrusions(np.random.default_rng(seed), FLAT, protrusions, 3.0)
     position = (np.arange(200) + 0.5) * 10.0
     distance = (position[:, None] - centre[0]) ** 2 + (position - centre[1]) ** 2
-    rms_height = flat.heights.std()
-    shape = 10 * rms_height * np.exp(-distance / (2 * 60.0**2))
-    expected = level(replace(flat, heights=flat.heights + shape))
-    scaled = expected.heights * (rms_height / expected.heights.std())
-    np.testing.assert_allclose(protruded.heights, scaled, atol=1e-9)
-    assert protruded.heights.std() == pytest.approx(rms_height)
+    np.testing.assert_allclose(protruded.heights, 30 * np.exp(-distance / (2 * 60.0**2)), atol=1e-9)
 
 
-def test_none_leaves_the_map_as_it_is():
-    without = with_protrusions(np.random.default_rng(1), waves(), Protrusions(0.0, 0.0, 50.0))
-    np.testing.assert_allclose(without.heights, waves().heights, atol=1e-9)
+@pytest.mark.parametrize(("density", "width"), [(3.0, 60.0), (20.0, 120.0)])
+def test_rms_height_and_slope_follow_campbells_theorem(density, width):
+    protrusions = Protrusions(density, 4.0, width)
+    rng = np.random.default_rng(3)
+    heights = [add_protrusions(rng, FLAT, protrusions, 3.2).heights for _ in range(60)]
+    inside = np.array(heights)[:, 40:-40, 40:-40]  # the edges lack protrusions from outside
+    assert inside.std() == pytest.approx(3.2 * protrusions.rms_height, rel=0.05)
+    slopes = [metrics(replace(FLAT, heights=scan))["rms_gradient"] for scan in inside]
+    slope = np.sqrt(np.mean(np.square(slopes)))
+    assert slope == pytest.approx(3.2 * protrusions.rms_slope, rel=0.05)
 
 
-def test_as_many_surfaces_as_assumed_have_no_protrusions():
+@pytest.mark.parametrize("on_sphere", [False, True])
+def test_what_is_drawn_is_as_smooth_as_published(on_sphere):
     rng = np.random.default_rng(2)
-    densities = np.array([draw_protrusions(rng).density for _ in range(4000)])
+    drawn = [draw_protrusions(rng, POLISHED, on_sphere) for _ in range(2000)]
+    densities = np.array([protrusions.density for protrusions in drawn])
     assert (densities == 0).mean() == pytest.approx(GAUSSIAN_SHARE, abs=0.03)
+    rms_heights = np.array([3.2 * protrusions.rms_height for protrusions in drawn])
+    slopes = np.array([3.2 * protrusions.rms_slope for protrusions in drawn])
+    if on_sphere:
+        assert 0.95 < rms_heights.max() <= 1
+    else:
+        scaled = np.sqrt((0.04**2 + slopes**2) / (3.2**2 + rms_heights**2)) * 3.2
+        assert 0.03 < scaled.min() < 0.039 and 0.049 < scaled.max() <= 0.05
+
+
+def test_the_curvature_of_polished_uncd_stays_within_table_1():
+    table = pd.read_csv("resources/paper/table1.csv", index_col=["surface", "quantity"])
+    published = table.loc[("polished_uncd", "afm_rms_curvature")]
+    for density, height, width in product(DENSITIES, HEIGHTS, WIDTHS):
+        protrusions = Protrusions(density, height, width)
+        # Half the Laplacian of a Gaussian, squared and integrated, is pi (height/width)^2/2.
+        added = 3.2 * protrusions.rms_slope / width / np.sqrt(2)
+        curvature = np.hypot(published["value"], added) / np.hypot(1, protrusions.rms_height)
+        assert abs(curvature - published["value"]) < published["uncertainty"]

@@ -191,7 +191,7 @@ NUMBERS = [
      "enhancement", lambda data: data.critical_wavelength.sel(contact_model="rigid")),
     ("fig_leave_one_out", {"quantity": "best_error", "over": "scans"},
      "leave_one_out", lambda data: data.best_error.sel(PLASTIC)),
-    ("fig_protruded", {"quantity": "median_at_published", "origin": "computed"},
+    ("fig_protruded", {"quantity": "median_at_published", "bearer": "coating"},
      "protruded", lambda data: data.median_at_published),
     ("fig_standoff", {"quantity": "required_height", "surface": "ncd"},
      "standoff", lambda data: data.required_height.sel(surface="ncd")),

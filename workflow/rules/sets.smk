@@ -5,21 +5,19 @@ from hardcontact.paper.evaluation import replicated_statements
 
 def pool_parameters(wildcards):
     """Return the parameters of scans of a pool, or of surfaces with protrusions, and of their contacts."""
-    return canonical(
-        {
-            "surface": wildcards.surface,
-            "first": int(wildcards.first),
-            "last": int(wildcards.last),
-            "scans": len(SELECTION.scans(wildcards.surface)),
-            "scan": SCAN_GRID,
-            "table1": FILES.surface_variants[wildcards.variant].table1,
-            "amplitudes": STUDY["sets"]["amplitudes"],
-            "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-            "ranges": RANGES,
-            "radius": STUDY["sphere"]["radius"],
-            "seed": STUDY["seed"],
-        }
-    )
+    return {
+        "surface": wildcards.surface,
+        "first": int(wildcards.first),
+        "last": int(wildcards.last),
+        "scans": len(SELECTION.scans(wildcards.surface)),
+        "scan": SCAN_GRID,
+        "table1": FILES.surface_variants[wildcards.variant].table1,
+        "amplitudes": STUDY["sets"]["amplitudes"],
+        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+        "ranges": RANGES,
+        "radius": STUDY["sphere"]["radius"],
+        "seed": STUDY["seed"],
+    }
 
 
 rule compute_pool:
@@ -36,13 +34,13 @@ rule compute_pool:
     benchmark:
         PATTERNS.benchmark("compute_pool", PATTERNS.pool)
     params:
-        canonical=pool_parameters,
+        canonical=lambda w: canonical(pool_parameters(w)),
     script:
         "../scripts/compute_pool.py"
 
 
 rule compute_protruded:
-    """Compute the forces on some surfaces with rare protrusions."""
+    """Compute the forces on some surfaces with rare protrusions on them or on the sphere."""
     input:
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
         published_table1=PUBLISHED["published_table1"],
@@ -55,7 +53,15 @@ rule compute_protruded:
     benchmark:
         PATTERNS.benchmark("compute_protruded", PATTERNS.protruded)
     params:
-        canonical=pool_parameters,
+        canonical=lambda w: canonical(
+            {
+                **pool_parameters(w),
+                # Of the other coatings the ratio of mean forces on the same scans is enough.
+                **({} if w.surface == FILES.protruded_coating else {"scans": 2}),
+                "bearer": w.bearer,
+                "coating": FILES.protruded_coating,
+            }
+        ),
     script:
         "../scripts/compute_protruded.py"
 
@@ -101,19 +107,24 @@ rule judge_sets:
 
 
 rule judge_fit:
-    """Find what decides range and work of adhesion: leave_one_out.nc, protruded.nc, standoff.nc."""
+    """Find what decides range and work of adhesion: leave_one_out.nc, protruded.nc, standoff.nc.
+
+    Of protrusions on the sphere in place of the coating: protruded_sphere.nc.
+    """
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
         inference=rules.infer.output[0],
         sets=rules.judge_sets.output[0],
-        protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks),
+        protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(FILES.protruded_coating)),
+        protruded_sphere=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(SPHERE)),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("judge_fit.py"),
     output:
         leave_one_out=PATTERNS.dataset("leave_one_out"),
         protruded=PATTERNS.dataset("protruded"),
+        protruded_sphere=PATTERNS.dataset("protruded_sphere"),
         standoff=PATTERNS.dataset("standoff"),
     log:
         PATTERNS.log("judge_fit"),
@@ -122,9 +133,9 @@ rule judge_fit:
     params:
         canonical=canonical(
             {
-                "surface": FILES.protruded_surface,
-                "label": SELECTION.labels[FILES.protruded_surface],
-                "basis": SELECTION.basis[FILES.protruded_surface],
+                "surface": FILES.protruded_coating,
+                "label": SELECTION.labels[FILES.protruded_coating],
+                "basis": SELECTION.basis[FILES.protruded_coating],
             }
         ),
     script:

@@ -1,13 +1,21 @@
-"""Pull-off forces on some surfaces with rare protrusions."""
+"""Pull-off forces on some surfaces with rare protrusions on them or on the sphere."""
 
+from hardcontact.base import published
 from hardcontact.base.job import job
 from hardcontact.paper.pool import read_pool_sources
-from hardcontact.paper.protruded_sets import compute_protruded
+from hardcontact.paper.protruded_sets import compute_protruded, published_roughness
 
 with job(snakemake) as job:
     params = job.parameters
+    roughness = published_roughness(
+        published.table1(job.input.published_table1),
+        published.constants(job.input.published_constants),
+        params["coating"],
+        params["table1"],
+    )
+    sources = read_pool_sources(job.input, params)
     numbers = range(params["first"], params["last"] + 1)
     job.write(
-        compute_protruded(numbers, params["scans"], read_pool_sources(job.input, params)),
-        title=f"pull-off forces on {params['surface']} with protrusions",
+        compute_protruded(numbers, params["scans"], sources, roughness, params["bearer"]),
+        title=f"pull-off forces on {params['surface']} with protrusions of {params['bearer']}",
     )

@@ -26,20 +26,18 @@ with job(snakemake) as job:
     )
 
     plastic_sets = sets.sel(contact_model=PLASTIC)
-    surfaces = [read(path) for path in job.input.protruded]
-    none = none_protruded(plastic_sets["rho"].values)  # without substitutes
     pair = Pair(constants["range_of_adhesion"], constants["work_of_adhesion"])
-    protruded_fits = judge_protruded(
-        xr.concat(surfaces, "variant") if surfaces else none,
-        job.parameters["surface"],
-        plastic_sets,
-        Published(pull_off, pair),
-    )
-    job.write(
-        protruded_fits.assign_attrs(job.parameters),
-        title="range and work of adhesion if one surface had protrusions",
-        output="protruded",
-    )
+    coating = job.parameters["surface"]
+    for output, bearer in (("protruded", "one coating"), ("protruded_sphere", "the sphere")):
+        chunks = [read(path) for path in job.input[output]]
+        # There are none without substitutes.
+        chunks = chunks or [none_protruded(coating, plastic_sets["rho"].values)]
+        protruded_fits = judge_protruded(chunks, coating, plastic_sets, Published(pull_off, pair))
+        job.write(
+            protruded_fits.assign_attrs(job.parameters),
+            title=f"range and work of adhesion if {bearer} had protrusions",
+            output=output,
+        )
 
     rms_height = read(job.input.topography)["rms_height_mean"]
     sphere = rms_height.sel(surface=read(job.input.topography).attrs["sphere_surface"])

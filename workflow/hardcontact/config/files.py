@@ -29,6 +29,7 @@ VARIED = ("sets", "robustness")
 Scan = namedtuple("Scan", "surface scan")
 Pair = namedtuple("Pair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
+ProtrudedChunk = namedtuple("ProtrudedChunk", "surface bearer first last")
 MeanForces = namedtuple("MeanForces", "surface variant probe radii loads ranges")
 FilteredMasters = namedtuple(
     "FilteredMasters", "purpose surface variant probe first last radii loads ranges"
@@ -213,22 +214,25 @@ class Files:
         return [Chunk(surface, *chunk) for surface in self._selection.pooled for chunk in chunks]
 
     @property
-    def protruded_surface(self) -> str:
-        """The surface that has protrusions in some sets: a substitute with a pool, if any."""
+    def protruded_coating(self) -> str:
+        """The coating that has protrusions in some sets: a substitute with a pool, if any."""
         surface: str = self._configuration["robustness"]["heights"]["surface"]
         pooled = self._selection.pooled
         return surface if surface in pooled or not pooled else pooled[0]
 
-    @property
-    def protruded_chunks(self) -> list[Chunk]:
-        """The surfaces with protrusions, from the first to the last of those computed together.
+    def protruded_chunks(self, bearer: str) -> list[ProtrudedChunk]:
+        """Return the variants of each job, first to last, of each surface that they change.
 
-        There are none without substitutes: measured surfaces have the protrusions that they have.
+        All substrates feel protrusions of the sphere. There are none unless bearer and surfaces are
+        substitutes: measured surfaces have the protrusions that they have.
         """
-        if not self._selection.pooled:
+        selection = self._selection
+        surfaces = selection.substrates if bearer == selection.sphere else [bearer]
+        measured = selection.basis[bearer] == "measured"
+        if measured or not set(surfaces) <= set(selection.pooled):
             return []
         chunks = _chunks(self._configuration["sets"]["protruded"], PROTRUDED_CHUNK)
-        return [Chunk(self.protruded_surface, *chunk) for chunk in chunks]
+        return [ProtrudedChunk(name, bearer, *chunk) for name in surfaces for chunk in chunks]
 
     # Masters
 

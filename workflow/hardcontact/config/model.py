@@ -267,8 +267,8 @@ class SetsKeys(Keys):
     """Heights that forces of each scan of the pool are computed at; between them forces are
     interpolated."""
     protruded: Annotated[int, Field(ge=2, le=1000)] = 24
-    """Surfaces with rare protrusions that take the place of `robustness.heights.surface` in the
-    sets, each with other protrusions; a quarter of them have none."""
+    """Rare protrusions, each time others, that every set is fitted with: on
+    `robustness.heights.surface`, or on the sphere. A quarter of the times there are none."""
     count: Count = 10
     """Contacts along an edge of the array."""
     realizations: Realizations = 20

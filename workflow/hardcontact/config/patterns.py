@@ -52,7 +52,7 @@ class Patterns:
 
         at_range = "{radius}/{load}/{range}/{surface}/{variant}"
         self.pool = f"{store}/pool/{at_range}/scans-{{first}}-{{last}}.nc"
-        self.protruded = f"{store}/protruded/{at_range}/{{first}}-{{last}}.nc"
+        self.protruded = f"{store}/protruded/{at_range}/{{bearer}}/{{first}}-{{last}}.nc"
         self.pull_off = f"{store}/pull_off/{sphere}/{at_range}/scan-{{scan}}.nc"
         of_scan = f"{store}/laws/{sphere}/{at_range}/scan-{{scan}}"
         self.law_scan, self.law_small, self.law_large = (
@@ -116,7 +116,7 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
     """Return the regular expression that each wildcard must meet, given all names of two kinds."""
     radius, load, rho = f"R{_NUMBER}um", f"H{_NUMBER}GPa-F{_NUMBER}uN", f"rho{_NUMBER}nm"
     return {
-        "surface": any_of(surfaces),
+        **dict.fromkeys(("surface", "bearer"), any_of(surfaces)),
         "variant": any_of(variants),
         **dict.fromkeys(("group", "scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
