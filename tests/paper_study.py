@@ -52,6 +52,7 @@ def datasets(contacts=20, pixels=512):
         "sets": sets(),
         "leave_one_out": leave_one_out(),
         "protruded": protruded(),
+        "protruded_sphere": protruded(),
         "scan_size": scan_size(),
     }
 

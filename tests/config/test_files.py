@@ -142,8 +142,8 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
     ],
 )
 def test_the_surfaces_that_protrusions_change(bearer, measured, surfaces):
-    rows = files(measured=measured, sets__protruded=8).protruded_chunks(bearer)
-    assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 6), (7, 8))]
+    rows = files(measured=measured, sets__protruded=10).protruded_chunks(bearer)
+    assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))]
 
 
 # Values that people sweep

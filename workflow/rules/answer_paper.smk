@@ -13,6 +13,7 @@ rule answer_paper:
                 "sets",
                 "leave_one_out",
                 "protruded",
+                "protruded_sphere",
                 "scan_size",
             )
         },

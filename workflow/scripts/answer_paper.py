@@ -17,7 +17,10 @@ from hardcontact.report.paper_answer import (
 )
 from hardcontact.report.quantities import answer_json
 
-DATASETS = ("topography", "scales", "band", "sets", "leave_one_out", "protruded", "scan_size")
+DATASETS = (
+    "topography", "scales", "band", "sets", "leave_one_out", "protruded", "protruded_sphere",
+    "scan_size",
+)  # fmt: skip
 
 with job(snakemake) as job:
     answer = paper_answer(

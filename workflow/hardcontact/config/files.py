@@ -16,7 +16,7 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
 #: protrusions in one job: more of them leave the jobs there are as they are.
-CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 6
+CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 8
 #: Hardness (Pa) at which a single pixel carries any load: the contact is rigid.
 RIGID = 1e15
 #: A range of adhesion (nm) that is short beside the published one.

@@ -90,8 +90,8 @@ def paper_answer(
     """Gather what the page shows, in the units of the claims.
 
     Claims are as from `verdicts.read_verdicts`, constants and Table 1 as from `published`; datasets
-    are `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded` and `scan_size`, as in
-    the final netCDF files.
+    are `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`, `protruded_sphere` and
+    `scan_size`, as in the final netCDF files.
     """
     topography, band, sets = (datasets[name] for name in ("topography", "band", "sets"))
     claims = with_open_ends(claims, [band, sets])
@@ -101,7 +101,8 @@ def paper_answer(
         if claim in rows:
             numbers += _numbers_of_claim(name, rows[claim], band)
     numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
-    fits, protruded = datasets["leave_one_out"], datasets["protruded"]
+    fits = datasets["leave_one_out"]
+    protruded = {name: datasets[name] for name in ("protruded", "protruded_sphere")}
     decisive = _decisive_surface(fits)
     numbers += _decisive_numbers(fits, protruded, decisive, sets.attrs["confidence"])
     numbers += _settings(datasets, constants)
@@ -121,7 +122,7 @@ def paper_answer(
         },
         known[sphere],
         str(known[decisive]["label"]),
-        protruded.attrs["label"],
+        datasets["protruded"].attrs["label"],
         table1_rows(topography, published_table1),
     )
 
@@ -185,7 +186,7 @@ def _decisive_surface(fits: xr.Dataset) -> str:
 
 
 def _decisive_numbers(
-    fits: xr.Dataset, protruded: xr.Dataset, decisive: str, confidence: float
+    fits: xr.Dataset, protruded: Mapping[str, xr.Dataset], decisive: str, confidence: float
 ) -> Iterator[Number]:
     """Yield range and work of adhesion without the decisive surface, and with protrusions.
 
@@ -193,20 +194,25 @@ def _decisive_numbers(
     interval of the claims.
     """
     tail = (1 - confidence) / 2
-    plastic = fits.sel(contact_model=PLASTIC)
-    agrees = protruded["agrees"].values == 1
-    if agrees.size:
-        yield Number("protruded_sets_that_agree", agrees.mean())
-    for name, unit in FITTED.items():
-        values = {
-            "all_surfaces": plastic[f"set_{name}"].sel(left_out=NONE_LEFT_OUT).values,
-            "without_decisive": plastic[f"set_{name}"].sel(left_out=decisive).values,
-        }
+    set_fits = {name: fits[f"set_{name}"].sel(contact_model=PLASTIC) for name in FITTED}
+    samples = {
+        "all_surfaces": {
+            name: fit.sel(left_out=NONE_LEFT_OUT).values for name, fit in set_fits.items()
+        },
+        "without_decisive": {
+            name: fit.sel(left_out=decisive).values for name, fit in set_fits.items()
+        },
+    }
+    for prefix, dataset in protruded.items():
+        agrees = dataset["agrees"].values == 1
+        if agrees.size:
+            yield Number(f"{prefix}_sets_that_agree", agrees.mean())
         if agrees.any():
-            values["protruded"] = protruded[name].values[agrees]
-        for prefix, sample in values.items():
+            samples[prefix] = {name: dataset[name].values[agrees] for name in FITTED}
+    for prefix, values in samples.items():
+        for name, sample in values.items():
             low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
-            yield Number(f"{prefix}_{name}", median, unit, low, high)
+            yield Number(f"{prefix}_{name}", median, FITTED[name], low, high)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
