@@ -1,7 +1,7 @@
 """Heights of the sphere's apex above the mean planes, inferred from pull-off forces.
 
 The apex is at the height m above the mean plane of Gaussian roughness of the rms height sigma. The
-points below the sphere attract by Eq. 1, together with the force
+points below the sphere attract by Eq. 2, together with the force
 
     F = 2 pi R W exp(sigma²/2 rho² - m/rho) Phi(m/sigma - sigma/rho).
 

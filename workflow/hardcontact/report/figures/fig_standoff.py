@@ -20,7 +20,7 @@ The height is that above the mean planes, the rms height that of sphere and subs
 best W fits the four mean forces at each range ρ. At zero a substitute lets the sphere as close as
 the measured surface did; above, the measured surface holds it off, as by protrusions that are
 higher than those of a Gaussian surface. Both heights follow from the attraction of all points of a
-Gaussian surface below a sphere at this height (Eq. 1), so that the formula's error for few points
+Gaussian surface below a sphere at this height (Eq. 2), so that the formula's error for few points
 cancels in part. Contact is plastic. Vertical line: the published range. Drawn from standoff.nc and
 resources/paper/parameters.csv.
 """
