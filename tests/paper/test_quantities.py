@@ -107,6 +107,8 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
     three = elastic.assign(contact_area=areas, hard_share=shares)
     near(contact.typical_hard_share(three), 0.45)
     near(contact.typical_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
+    exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
+    near(contact.typical_force_exponent(exponents), 0.1)
 
 
 def test_deformation_energy_of_one_wave():

@@ -100,6 +100,11 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     return mean_over_scans(ratio, elastic.attrs["confidence"])
 
 
+def typical_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return the exponent of the force against the radius, the median over the surfaces ()."""
+    return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
+
+
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return how far a surface is from sticking, with the roughness of all scales (surface).
 
