@@ -3,23 +3,6 @@
 from hardcontact.paper.evaluation import replicated_statements
 
 
-def pool_parameters(wildcards):
-    """Return the parameters of scans of a pool, or of surfaces with protrusions, and of their contacts."""
-    return {
-        "surface": wildcards.surface,
-        "first": int(wildcards.first),
-        "last": int(wildcards.last),
-        "scans": len(SELECTION.scans(wildcards.surface)),
-        "scan": SCAN_GRID,
-        "table1": FILES.surface_variants[wildcards.variant].table1,
-        "amplitudes": STUDY["sets"]["amplitudes"],
-        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-        "ranges": RANGES,
-        "radius": STUDY["sphere"]["radius"],
-        "seed": STUDY["seed"],
-    }
-
-
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
@@ -107,10 +90,7 @@ rule judge_sets:
 
 
 rule judge_fit:
-    """Find what decides range and work of adhesion: leave_one_out.nc, protruded.nc, standoff.nc.
-
-    Of protrusions on the sphere in place of the coating: protruded_sphere.nc.
-    """
+    """Find what decides range and work: leave_one_out.nc, protruded(_sphere).nc, standoff.nc."""
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],

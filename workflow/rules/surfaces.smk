@@ -13,3 +13,20 @@ FILES = Files(STUDY, SELECTION, PATTERNS)
 
 wildcard_constraints:
     **constraints(SELECTION.surfaces, FILES.surface_variants),
+
+
+def pool_parameters(wildcards):
+    """Return the parameters of scans of a pool, or of surfaces with protrusions, and of their contacts."""
+    return {
+        "surface": wildcards.surface,
+        "first": int(wildcards.first),
+        "last": int(wildcards.last),
+        "scans": len(SELECTION.scans(wildcards.surface)),
+        "scan": SCAN_GRID,
+        "table1": FILES.surface_variants[wildcards.variant].table1,
+        "amplitudes": STUDY["sets"]["amplitudes"],
+        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+        "ranges": RANGES,
+        "radius": STUDY["sphere"]["radius"],
+        "seed": STUDY["seed"],
+    }

@@ -18,24 +18,20 @@ DATASETS_OF_TARGETS = {
     "fit": ["fit"],
 }
 PAGES_OF_STUDY = [PATTERNS.page(page) for page in PAGES] if COMPARED else []
-
-
-def drawn(figures):
-    """Return all files of figures."""
-    kinds = ("pdf", "png", "svg", "csv")
-    return [PATTERNS.figure(figure, kind) for figure in figures for kind in kinds]
-
-
+FIGURE_FILES = {
+    figure: [PATTERNS.figure(figure, kind) for kind in ("pdf", "png", "svg", "csv")]
+    for figure in FIGURES
+}
 FILES_OF_TARGETS = {
     **{
         target: [PATTERNS.dataset(name) for name in names]
         for target, names in DATASETS_OF_TARGETS.items()
     },
     "claims": [PATTERNS.result("claims.csv")],
-    "figures": drawn(OF_PAPER),
+    "figures": [FIGURE_FILES[figure] for figure in OF_PAPER],
     "pages": PAGES_OF_STUDY,
     "answer": [PATTERNS.result("answer.html"), PATTERNS.result("answer.json"), *PAGES_OF_STUDY],
-    "insight": [PATTERNS.result("insight.html"), *drawn(OF_INSIGHT)],
+    "insight": [PATTERNS.result("insight.html"), *(FIGURE_FILES[name] for name in OF_INSIGHT)],
 }
 
 
@@ -56,7 +52,7 @@ for figure in FIGURES if COMPARED else []:
         name:
             figure
         input:
-            drawn([figure]),
+            FIGURE_FILES[figure],
 
 
 for target, reason in left_out(STUDY).items():
