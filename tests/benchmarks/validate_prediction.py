@@ -1,6 +1,6 @@
 """The closed form beside computed forces and edges, on designed surfaces: prediction.csv.
 
-    python tests/benchmarks/validate_prediction.py [--surfaces 96] [--table FILE]
+    python tests/benchmarks/validate_prediction.py [--surfaces 160] [--table FILE]
 
 Forces and edges are computed as the study computes them: on random surfaces, in plastic contact,
 filtered at cutoffs. Rows that the table has are kept and only predicted again, so that a run goes
@@ -194,7 +194,7 @@ def predicted(row: dict[str, Any]) -> dict[str, Any]:
 def main() -> None:
     """Compute the rows that the table lacks, predict all, and write it after each."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--surfaces", type=int, default=0, help="of the design (96: all)")
+    parser.add_argument("--surfaces", type=int, default=0, help="of the design (160: all)")
     parser.add_argument("--table", type=Path, default=TABLE)
     arguments = parser.parse_args()
     rows = pd.read_csv(arguments.table).to_dict("records") if arguments.table.exists() else []

@@ -12,7 +12,7 @@ DATASETS_OF_TARGETS = {
     "asperities": ["asperities"],
     "scales": ["scales", "band" if COMPARED else "edges"],
     "classical": ["classical"],
-    "sets": ["sets", "leave_one_out", "protruded", "standoff"],
+    "sets": ["sets", "leave_one_out", "protruded", "protruded_sphere", "standoff"],
     "robustness": ["robustness"],
     "force": ["force"],
     "fit": ["fit"],

@@ -361,9 +361,12 @@ def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
 
 
 def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
-    """Return ranges of adhesion (nm) about that of the masters, which is one of them."""
+    """Return ranges of adhesion (nm) about that of the masters, which is one of them.
+
+    Limits of the study refuse a range of the masters below the shortest that scans permit.
+    """
     accepted = model.quantity("scales.range")
-    shortest = max(shortest_range, rho / RANGE_SPAN, accepted.low)
+    shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)
     below = np.geomspace(shortest, rho, count // 2 + 1)[:-1]
     above = np.geomspace(rho, longest, count - count // 2)[1:]

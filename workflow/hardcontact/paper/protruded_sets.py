@@ -86,14 +86,14 @@ def compute_protruded(
         variant.
     """
     variants = [
-        _variant(number, scans, sources, roughness, bearer)
+        _protruded_forces(number, scans, sources, roughness, bearer)
         for number in progress(numbers, len(numbers), "protruded surfaces")
     ]
     axis = pd.Index(list(numbers), name="variant")
     return xr.concat(variants, axis).assign_attrs(surface=sources.settings["surface"])
 
 
-def _variant(
+def _protruded_forces(
     number: int, scans: int, sources: PoolSources, roughness: Roughness, bearer: str
 ) -> xr.Dataset:
     """Return forces and protrusions of one variant."""
