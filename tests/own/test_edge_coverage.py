@@ -37,8 +37,8 @@ def forces(masters, contact):
 
 
 def assert_held(low, high, edge, finite):
-    """Expect nine of ten intervals to hold an edge, and so many ends to be no infinity."""
-    assert (~(low > edge) & ~(high < edge)).sum() >= 0.9 * len(low)
+    """Expect 18 of 20 intervals to hold an edge, and so many ends to be no infinity."""
+    assert (~(low > edge) & ~(high < edge)).sum() >= 18
     # An interval that is open on both sides would hold anything.
     assert np.isfinite(low).sum() + np.isfinite(high).sum() >= finite
 
@@ -145,5 +145,5 @@ def test_the_interval_of_one_scan_and_its_spectrum_holds_the_long_edge(rolloff):
 
     edge = true_edge(density)
     assert np.isfinite(edge)
-    low, high = np.array([interval_of_one_scan(density, number) for number in range(12)]).T
-    assert_held(low, high, edge, finite=12)
+    low, high = np.array([interval_of_one_scan(density, number) for number in range(20)]).T
+    assert_held(low, high, edge, finite=20)

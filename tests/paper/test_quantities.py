@@ -109,6 +109,11 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
     near(contact.typical_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
     near(contact.typical_force_exponent(exponents), 0.1)
+    edges = xr.DataArray([[[0.9, 0.2], [0.3, 0.0]]] * 3, dims=("surface", "side", "length"))
+    edges = edges * xr.DataArray([1.0, 2.0, 5.0], dims="surface")
+    axes = {"side": ["small", "large"], "length": ["radius", "rho"]}
+    scaling = xr.Dataset({"exponent": edges}, axes)
+    near(contact.typical_long_edge_exponent(scaling), 0.6)
 
 
 def test_deformation_energy_of_one_wave():

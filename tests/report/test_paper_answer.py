@@ -143,6 +143,9 @@ def test_the_fits_with_protrusions_are_of_the_sets_that_agree():
     number = numbers["protruded_range_of_adhesion"]
     assert (number.value, number.low) == (np.median(agreeing), np.quantile(agreeing, 0.05))
     assert numbers["protruded_sets_that_agree"].value == 0.5
+    rare = data["protruded"].assign(agrees=data["protruded"]["agrees"].where([[True], [False]], 0))
+    assert "protruded_sphere_work_of_adhesion" in numbers
+    assert "protruded_sphere_work_of_adhesion" not in answer(protruded_sphere=rare).numbers
     without = data["leave_one_out"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
     expected = without["set_work_of_adhesion"].quantile(0.95).item()
     assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(expected)

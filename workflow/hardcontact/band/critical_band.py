@@ -1,5 +1,6 @@
 """The critical band: the wavelengths whose removal changes the pull-off force, and its edges."""
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,8 +49,25 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     ``critical_wavelength`` (side, group) in nm. A surface leaves the tolerance where ln(ratio)
     does. A sampled change that never does gets the last cutoff of its side.
     """
+    return with_intervals(sampled_band(scales, tolerance, sampling), scales, sampling)
+
+
+class Sampled(NamedTuple):
+    """A variable of all data, and of samples of them."""
+
+    dimensions: tuple[str, ...]
+    value: np.ndarray  #: Over the dimensions.
+    samples: np.ndarray  #: The sample is the first axis.
+    units: str
+    long_name: str
+
+
+def with_intervals(
+    variables: Mapping[str, Sampled], scales: xr.Dataset, sampling: Sampling
+) -> xr.Dataset:
+    """Return the variables of `sampled_band`, with their intervals and the axes of the scales."""
     bands: dict[str, Any] = {}
-    for name, variable in sampled_band(scales, tolerance, sampling).items():
+    for name, variable in variables.items():
         attributes = {"units": variable.units, "long_name": variable.long_name}
         bands |= sampling.with_interval(
             name, variable.dimensions, variable.value, variable.samples, attributes
@@ -61,16 +79,6 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
         "cutoff_wavelength": scales.cutoff_wavelength,
     }
     return xr.Dataset(bands, coordinates)
-
-
-class Sampled(NamedTuple):
-    """A variable of all data, and of samples of them."""
-
-    dimensions: tuple[str, ...]
-    value: np.ndarray  #: Over the dimensions.
-    samples: np.ndarray  #: The sample is the first axis.
-    units: str
-    long_name: str
 
 
 def sampled_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> dict[str, Sampled]:

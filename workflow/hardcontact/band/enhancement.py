@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import Sampled, critical_band, sampled_band
+from hardcontact.band.critical_band import Sampled, sampled_band, with_intervals
 from hardcontact.base.statistics import Sampling
 
 #: Contacts in the order of their areas, the smallest first.
@@ -43,8 +43,9 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
         ranges = []
         for column, rho in enumerate(by_area["rho"].values):
             contact = by_area.isel(load=load, rho=column, drop=True)
-            ranges.append(critical_band(contact, tolerance, sampling))
-            edges[model, rho] = sampled_band(contact, tolerance, sampling)["critical_wavelength"]
+            variables = sampled_band(contact, tolerance, sampling)
+            ranges.append(with_intervals(variables, contact, sampling))
+            edges[model, rho] = variables["critical_wavelength"]
         models.append(xr.concat(ranges, by_area["rho"]))
     bands = xr.concat(models, pd.Index(CONTACTS, name="contact_model"))
     return bands.merge(_edge_ratios(edges, sampling))
@@ -53,12 +54,12 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
 def _edge_ratios(edges: Mapping[tuple[str, float], Sampled], sampling: Sampling) -> xr.Dataset:
     """Return the variables of ``edge_ratio``, of edges by contact model and range of adhesion."""
     short, *_, long = sorted({rho for _, rho in edges})
-    both = edges["plastic", long]
+    complete = edges["plastic", long]
     without = {"plasticity": edges["rigid", long], "long_range": edges["plastic", short]}
-    values = np.stack([both.value / other.value for other in without.values()])
-    samples = np.stack([both.samples / other.samples for other in without.values()], axis=1)
+    values = np.stack([complete.value / edge.value for edge in without.values()])
+    samples = np.stack([complete.samples / edge.samples for edge in without.values()], axis=1)
     attributes = {"units": "1", "long_name": "edge of the band over that without a cause"}
     variables = sampling.with_interval(
-        "edge_ratio", ("without", *both.dimensions), values, samples, attributes
+        "edge_ratio", ("without", *complete.dimensions), values, samples, attributes
     )
     return xr.Dataset(variables, {"without": list(without)})

@@ -105,6 +105,17 @@ def typical_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
     return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
 
 
+def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return the exponent of the long edge against the root of the radius ().
+
+    It is the median over the surfaces.
+    """
+    exponents = variable_as_number(scaling, "exponent").sel(
+        side="large", length="radius", drop=True
+    )
+    return exponents.median("surface", skipna=False)
+
+
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return how far a surface is from sticking, with the roughness of all scales (surface).
 

@@ -198,7 +198,7 @@ def _named(claim: Any) -> Iterator[None]:
     """
     try:
         yield
-    except (KeyError, ValueError) as error:
+    except (KeyError, TypeError, ValueError) as error:
         message = str(error.args[0]).partition(". ")[0].splitlines()[0]
         reason = message if " " in message else f"expected {message}, found none"
         raise ValueError(f"claim {claim.id}: {reason}") from error

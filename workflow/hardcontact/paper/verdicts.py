@@ -122,13 +122,14 @@ def vary(replicas: np.ndarray) -> bool:
 
 
 def interval_with_sets(
-    value: float, own: tuple[ArrayLike, ArrayLike], replicas: np.ndarray, confidence: float
+    value: float, interval: tuple[ArrayLike, ArrayLike], replicas: np.ndarray, confidence: float
 ) -> tuple[float, float]:
     """Return the ends of the interval of a number, stretched to hold it; NaN if there is none.
 
-    It is the spread of the numbers (set,) of all sets where they vary, otherwise the number's own.
+    It is the spread of the numbers (set,) of all sets where they vary, otherwise the interval that
+    the number has without them.
     """
-    ends = sets_interval(replicas, confidence) if vary(replicas) else np.array(own)
+    ends = sets_interval(replicas, confidence) if vary(replicas) else np.array(interval)
     low, high = stretched(ends, value)
     return float(low), float(high)
 

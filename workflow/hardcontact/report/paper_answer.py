@@ -147,11 +147,11 @@ def _numbers_of_surface(
     """Return both edges of a substrate by itself, and how far forces on scans are too large."""
     numbers = {}
     for edge, (side, _) in EDGES.items():
-        place = {"side": side, "group": name}
-        value = edges_or_last_cutoffs(band).sel(place).item()
-        replicas = edges_or_last_cutoffs(sets).sel(place).values
-        own = bounds(band.sel(place), "critical_wavelength")
-        low, high = interval_with_sets(value, own, replicas, band.attrs["confidence"])
+        labels = {"side": side, "group": name}
+        value = edges_or_last_cutoffs(band).sel(labels).item()
+        replicas = edges_or_last_cutoffs(sets).sel(labels).values
+        interval = bounds(band.sel(labels), "critical_wavelength")
+        low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
         numbers[edge] = Number(edge, value, "nm", low, high, status)
