@@ -158,5 +158,5 @@ def test_the_three_laws_that_the_paper_names_are_judged_where_they_replace_its_o
     similar = ROWS[ROWS.index.str.startswith("similar_with_")]
     named = similar.index.str.removeprefix("similar_with_")
     assert len(named) == 3 and set(named) <= {law.name for law in LAWS if law != EXPONENTIAL}
-    assert list(similar["select"]) == [f"law={name};case=equivalent" for name in named]
-    assert (similar["published"] == PARAMETERS["error_threshold"]).all()
+    assert list(similar["select"]) == [f"law={name}" for name in named]
+    assert (similar["published_high"] == 1.25).all() and (similar["basis"] == "assumed").all()

@@ -112,6 +112,9 @@ def test_fit_finds_the_law_that_made_the_forces(number):
     assert fitted.work_of_adhesion.item() == pytest.approx(0.03, rel=1e-3)
     assert fitted.fit_error.item() < 1e-3
     np.testing.assert_allclose(fitted.ratio, compared.published_ratio, rtol=1e-3)
+    errors = compared.fit_error.sel(case="fitted")
+    ratio = errors / errors.sel(law="exponential")
+    np.testing.assert_allclose(compared.error_over_exponential, ratio, rtol=1e-9)
 
 
 def test_equivalent_lengths_are_those_of_the_closed_form():

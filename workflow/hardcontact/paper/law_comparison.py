@@ -86,7 +86,8 @@ def compare_laws(
         Over law ``error`` (target, length) at the best work of adhesion. Over law and case, with
         intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²), ``fit_error``, ``ratio``
         (surface) and ``critical_wavelength`` (side, group; nm); ``implied_over_known`` as of the
-        function of this name.
+        function of this name. Over law ``error_over_exponential``, that of the best fit to the
+        published forces over that of Eq. 1, with an interval of both from the same samples.
     """
     target = published.mean_force.reindex(forces.surface.values.tolist())
     ratio = target / target[reference_surface]
@@ -146,6 +147,11 @@ def _fit_law(
     # The forces of Eq. 1 are those of the same sample.
     paper = [law_forces(EXPONENTIAL, [rho], ranges, mean) * work for mean in means]
     measured = [target.to_numpy()[:, None]] * 2
+    exponential = [law_forces(EXPONENTIAL, lengths, ranges, mean) for mean in means]
+    error_ratio, drawn_ratios = (
+        _best_fit(forces / aim, lengths).error / _best_fit(eq_1 / aim, lengths).error
+        for forces, eq_1, aim in zip(curves, exponential, measured, strict=True)
+    )
     fits = xr.concat(
         [
             _fit_case(lengths, curves, paper, base, sampling),
@@ -157,8 +163,11 @@ def _fit_law(
     errors = [fit_work(curves[0] / aim, np.ones(len(target)))[1] for aim in (paper[0], measured[0])]
     implied = implied_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
     return fits.assign(
-        error=(("target", "length"), errors, ONE),
-        implied_over_known=("case", implied, ONE),
+        sampling.with_interval("error_over_exponential", (), error_ratio, drawn_ratios, ONE)
+        | {
+            "error": (("target", "length"), errors, ONE),
+            "implied_over_known": ("case", implied, ONE),
+        }
     ).assign_coords(
         surface=target.index.to_list(),
         length=("length", lengths, NM),
