@@ -15,7 +15,7 @@ from hardcontact.base.random import generator
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.own.predict import predict, predict_arguments
-from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
+from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum, fitted_hurst
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
@@ -171,7 +171,8 @@ def test_short_waves_that_the_table_lacks_are_continued(table):
     rows = rows_of(rough(17, 4000, 0.8, 1500))
     numbers, spectrum = numbers_of(table(*rows)), table_spectrum(table(*rows))
     variance = np.full(spectrum.density.shape, CALIBRATION**2)
-    density, _ = continued_spectrum(spectrum.wavevector, spectrum.density, variance)
+    fit = fitted_hurst(spectrum.wavevector, spectrum.density, variance)
+    density, _ = continued_spectrum(spectrum.wavevector, spectrum.density, fit)
     expected = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
     assert numbers["continued_force"]["value"] == pytest.approx(expected, rel=1e-6)
     assert numbers["continued_change"]["status"] == "matters"

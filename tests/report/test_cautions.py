@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import (
     SURFACES,
+    continued,
     datasets,
     force,
     spectra,
@@ -12,6 +13,7 @@ from answer_inputs import (
 from hardcontact.contact.finite_scan import LEAST_TRIED
 from hardcontact.report.artificial import measurement_name
 from hardcontact.report.cautions import cautions
+from hardcontact.report.surface_facts import answer_rows
 
 
 def of_first(**others):
@@ -107,3 +109,25 @@ def test_roughness_beyond_the_scans_is_named():
     assert tail["hurst"].value == pytest.approx(0.8) and tail["ends_at"].value < 0.33
     (long,) = named("long_waves")
     assert (long["above"].value, long["rolloff"].value) == (25e3, 37.5e3)
+
+
+def test_more_power_than_scans_show_is_named():
+    data = spectra()
+    wavelength = 2 * np.pi / data["bin_wavevector"]
+    added = data["spectrum"].interp(wavevector=data["bin_wavevector"])
+    smooth = data["psd"].where(wavelength >= data["shortest_measured"], added / 10)
+    (found,) = named("more_than_measured", spectra=data.assign(psd=smooth))
+    assert found["factor"].value == pytest.approx(10)
+    assert 20 <= found["band"].low < found["band"].high < 55  # two pixels; the shortest reliable
+    assert not named("more_than_measured")
+
+
+@pytest.mark.parametrize(("hurst", "bins"), [(1.0, 11), (0.0, 11), (0.8, 3)])
+def test_no_answer_rests_on_an_exponent_that_the_scans_do_not_tell(hurst, bins):
+    data = spectra()
+    data["tail_hurst"] = data["tail_hurst"] * 0 + hurst
+    data["tail_fit_longest"] = data["tail_fit_shortest"] * 10 ** ((bins - 1) / 10)
+    of = of_first(spectra=data, force=continued(force(), small=0.5))
+    assert [one["known"] for one in cautions(of) if one["code"] == "tail"] == [False]
+    (answer,) = [row.fact for row in answer_rows(of) if row.fact.name == "force_continued"]
+    assert np.isnan(answer.value) and answer.status == "no_exponent"

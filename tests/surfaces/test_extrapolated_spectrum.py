@@ -2,15 +2,18 @@
 
 import numpy as np
 import pytest
-from measurements import measurement
+from measurements import map_of, measurement
 from random_scans import uncd
+from scipy import stats
 
 from hardcontact.base.random import generator
+from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.extrapolated_spectrum import (
     ATOMIC,
     GRADIENT,
     HALF_LAPLACIAN,
     continued_spectrum,
+    fitted_hurst,
     levelled_share,
     with_rolloff,
 )
@@ -20,8 +23,12 @@ from hardcontact.surfaces.spectrum import (
     Spectrum,
     all_scales_moments,
     self_affine,
+    smooth_rolloff,
+    spectrum_from,
 )
 from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.theory.closed_form import closed_form
+from hardcontact.theory.prediction import rough_part
 
 SIZE, PIXELS = 5000.0, 128
 KNOWN_TIP = [1e-3]
@@ -97,7 +104,8 @@ BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm
 
 def continued(density, wavevector=BINS):
     values = density(wavevector) if callable(density) else density
-    return continued_spectrum(wavevector, values, np.full(wavevector.shape, 0.05))
+    fit = fitted_hurst(wavevector, values, np.full(wavevector.shape, 1e-4))
+    return continued_spectrum(wavevector, values, fit)
 
 
 def test_a_power_law_goes_on_to_the_atoms_and_is_constant_above():
@@ -108,22 +116,59 @@ def test_a_power_law_goes_on_to_the_atoms_and_is_constant_above():
     wavelength = 2 * np.pi / WAVEVECTORS
     measured = (wavelength > 45) & (wavelength < 2500)
     np.testing.assert_allclose(spectrum[measured] / gentle(WAVEVECTORS[measured]), 1, atol=0.02)
-    # The last decade still bends from the roll-off: a tenth too little of H, twice C at the atoms.
     beyond = (wavelength > ATOMIC * 1.1) & (wavelength < 45)
-    np.testing.assert_allclose(np.log(spectrum[beyond] / gentle(WAVEVECTORS[beyond])), 0, atol=0.75)
+    np.testing.assert_allclose(np.log(spectrum[beyond] / gentle(WAVEVECTORS[beyond])), 0, atol=0.05)
     assert (spectrum[wavelength < ATOMIC * 0.9] == 0).all()
     assert np.ptp(spectrum[wavelength > 2900]) == 0
-    assert 0.7 <= tail.tail_hurst < 0.8 and tail.tail_ended_by == "atoms"
+    assert tail.tail_hurst == pytest.approx(0.84, abs=0.005) and tail.tail_ended_by == "atoms"
     assert tail.tail_fit_shortest == pytest.approx(2 * np.pi / BINS[-1])
     assert tail.tail_fit_longest == pytest.approx(10 * tail.tail_fit_shortest)
 
 
-def test_the_rolloff_is_not_taken_for_the_exponent():
-    def late(q):
-        return 1e4 * (1 + (q * 200 / 2 / np.pi) ** 4) ** -0.9
+@pytest.mark.parametrize("sharpness", [1, 2, 4, 20])
+@pytest.mark.parametrize("rolloff", [200.0, 400.0, 1000.0])
+def test_the_rolloff_is_not_taken_for_the_exponent(rolloff, sharpness):
+    def bent(q):
+        return (1 + (q * rolloff / 2 / np.pi) ** (2 * sharpness)) ** (-1.7 / sharpness)
 
-    _, tail = continued(late)
-    assert 0.6 < tail.tail_hurst < 0.8
+    _, tail = continued(bent)
+    assert tail.tail_hurst == pytest.approx(0.7, abs=0.1)
+
+
+def coarse_surface(rng, model, size):
+    """A surface of at most 60 nm and known slopes, H of 0.3 to 1, roll-off to half of the size."""
+    hurst, part = rng.uniform(0.3, 1), np.exp(rng.uniform(*np.log([0.05, 0.5])))
+    density = model(WAVEVECTORS, 1.0, part * size, hurst)
+    density[2 * np.pi / WAVEVECTORS < ATOMIC] = 0
+    largest = np.array([60.0, 0.7 * GRADIENT, 0.7 * HALF_LAPLACIAN])
+    factor = (largest / all_scales_moments(Spectrum(WAVEVECTORS, density))).min()
+    return hurst, Spectrum(WAVEVECTORS, factor**2 * density)
+
+
+@pytest.mark.study
+def test_coarse_maps_tell_exponent_and_force_within_their_intervals():
+    pixels, pixel, draws = 256, 400.0, 8
+    contact = contact_of_area(250e3, 5.6, 0.05, 400.0)
+
+    def log_force(spectrum):
+        return np.log(closed_form(rough_part(spectrum), contact).force)
+
+    errors, held_exponents, held_forces = [], 0, 0
+    for number in range(40):
+        rng, model = generator(51, number), (smooth_rolloff, self_affine)[number % 2]
+        hurst, surface = coarse_surface(rng, model, pixels * pixel)
+        scans = [map_of(rng, pixels, pixel, surface)]
+        joined = joined_spectrum(scans, KNOWN_TIP)
+        error = abs(joined.attrs["tail_hurst"] - hurst)
+        errors.append(error)
+        held_exponents += error < 1.96 * joined.attrs["tail_hurst_error"]
+        force = log_force(spectrum_from(joined))
+        rngs = (generator(52, number, draw) for draw in range(draws))
+        shifts = [log_force(drawn) - force for drawn, _ in drawn_spectra(rngs, scans, KNOWN_TIP)]
+        half = stats.t.ppf(0.975, draws) * np.sqrt(np.mean(np.square(shifts)))
+        held_forces += abs(log_force(surface) - force) < half
+    assert np.median(errors) < 0.05
+    assert held_exponents >= 36 and held_forces >= 36
 
 
 @pytest.mark.parametrize(("slope", "hurst"), [(-1.2, 0.0), (-2.6, 0.3), (-4.7, 1.0)])

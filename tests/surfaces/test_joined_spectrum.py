@@ -10,9 +10,8 @@ from refusals import assert_says, refusal
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
 from hardcontact.report.artificial import artificial_bands
-from hardcontact.surfaces.extrapolated_spectrum import Tail
+from hardcontact.surfaces.extrapolated_spectrum import HURST_SCATTER, Tail
 from hardcontact.surfaces.joined_spectrum import (
-    HURST_SCATTER,
     described_spectrum,
     drawn_spectra,
     joined_spectrum,
@@ -83,6 +82,35 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
     assert np.abs(np.mean(errors, axis=0)).max() < 0.25
     assert np.std(errors, axis=0).max() < 0.8
     assert np.mean(variances) == pytest.approx(true, rel=0.25)
+
+
+def pattern(kind, seed, pixels=192, pixel=50.0):
+    """A height map (nm) of a grating, a step or waves without a roll-off, with some roughness."""
+    rng = generator(61, seed)
+    place = np.arange(pixels) * pixel
+    period, edge = pixels * pixel / rng.uniform(4, 12), pixels * pixel * rng.uniform(0.2, 0.8)
+    heights = {
+        "grating": 20 * np.cos(2 * np.pi * place / period),
+        "square grating": 10 * np.sign(np.cos(2 * np.pi * place / period)),
+        "step": 25.0 * (place > edge),
+        "waves": 0.0 * place,
+    }[kind]
+    rough = map_of(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
+    return measurement(heights + rough.heights, pixel)
+
+
+@pytest.mark.parametrize("kind", ["grating", "square grating", "step", "waves"])
+def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
+    for seed in range(5):
+        scan = pattern(kind, seed)
+        joined = joined_spectrum([scan], [1e-3])
+        known = joined["reliable"].values[0] == 1
+        power = BIN_CENTRES[known] ** 2 * joined["psd"].values[0, known]
+        kept = BIN_CENTRES[known] ** 2 * joined["joined"].values[known]
+        assert kept.sum() == pytest.approx(power.sum(), rel=0.01)
+        if "grating" in kind:  # The line stands where it was measured.
+            peak = power.argmax()
+            assert kept[peak] == pytest.approx(power[peak], rel=0.05)
 
 
 def test_a_noise_floor_is_not_continued():

@@ -12,7 +12,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import LEAST_TRIED
-from hardcontact.report.artificial import measurement_name, measurements
+from hardcontact.report.artificial import has_exponent, measurement_name, measurements
 from hardcontact.report.datasets import Datasets, at_range
 from hardcontact.report.quantities import between, number_of
 from hardcontact.surfaces.contradictions import contradictions
@@ -23,6 +23,12 @@ Caution = Mapping[str, Any]
 WHOLE = 0.99
 #: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
 FEW_PIXELS = 10
+#: Pixels in the shortest wavelength that a scan shows at all.
+RESOLVED = 2
+#: Added power over that of the scans beyond which it is named.
+MUCH_MORE = 2.0
+#: Standard errors of an interval of 95 %.
+Z_95 = 1.96
 
 
 def cautions(of: Datasets) -> list[Caution]:
@@ -43,6 +49,7 @@ def cautions(of: Datasets) -> list[Caution]:
         (_pixels(of.force), one_pixel),
         (_intervals(of.force), False),
         (_contradictions(of.spectra), False),
+        (_more_than_measured(of.spectra), False),
         (_beyond_scans(of), False),
     ]
     return [one | {"grave": bool(grave)} for some, grave in judged for one in some]
@@ -142,14 +149,40 @@ def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
     ]
 
 
+def _more_than_measured(spectra: xr.Dataset) -> list[dict[str, Any]]:
+    """Return where more roughness is added than the scans show, which is taken for smoothing."""
+    q, shortest = spectra["bin_wavevector"].values, spectra["shortest_measured"].item()
+    wavelength = 2 * np.pi / q
+    scans = measurements(spectra)
+    resolved = wavelength >= RESOLVED * scans["pixel_size"].values[:, None]
+    measured = np.where(resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
+    measured = measured.max(axis=0, initial=0.0)
+    added = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)
+    more = (wavelength < shortest) & (measured > 0) & (added > MUCH_MORE * measured)
+    if not more.any():
+        return []
+    factor = float((added[more] / measured[more]).max())
+    shortest_more, longest_more = float(wavelength[more].min()), float(wavelength[more].max())
+    return [
+        {
+            "code": "more_than_measured",
+            "band": between("band", shortest_more, longest_more, "nm"),
+            "factor": Number("factor", factor),
+        }
+    ]
+
+
 def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
     """Return how the spectrum continues below the wavelengths measured, and above them."""
     spectra, topography = of.spectra, of.topography
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
     shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
+    hurst, error = spectra["tail_hurst"].item(), Z_95 * spectra["tail_hurst_error"].item()
+    low, high = max(hurst - error, 0.0), min(hurst + error, 1.0)
     tail = {
         "code": "tail",
-        "hurst": Number("hurst", spectra["tail_hurst"].item(), source="extrapolated"),
+        "hurst": Number("hurst", hurst, "1", low, high, source="extrapolated"),
+        "known": has_exponent(spectra),
         "fitted": between("fitted", shortest, longest, "nm"),
         "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
         "ended_by": str(spectra["tail_ended_by"].item()),

@@ -7,7 +7,12 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
+from hardcontact.report.artificial import (
+    NEARLY_ALL,
+    has_exponent,
+    parts_of_change,
+    reliable_share,
+)
 from hardcontact.report.datasets import Datasets, at_range, model_of
 from hardcontact.report.quantities import between, number_of
 from hardcontact.surfaces.synthesis import SIDES
@@ -75,10 +80,12 @@ def force_rows(of: Datasets) -> list[Row]:
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     smooth = 2 * np.pi * 1e-9 * radius * work
     sources = force["continued_source"]
-    continued = [
-        Row(with_reason(continued_fact(force, side), sources.sel(side=side)), about)
-        for side, about in ((side, continuation(force, side)) for side in differing_sides(force))
-    ]
+    continued = []
+    for side in differing_sides(force):
+        fact = with_reason(continued_fact(force, side), sources.sel(side=side))
+        if side == "small" and not has_exponent(of.spectra):
+            fact = Number(fact.name, np.nan, fact.unit, status="no_exponent", source=fact.source)
+        continued.append(Row(fact, continuation(force, side)))
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
     mean = number_of(here, "force", name="force_mean", strict=False)
     bounded = np.nanmax([mean.value, mean.high]) >= here["smooth_bound"].item()

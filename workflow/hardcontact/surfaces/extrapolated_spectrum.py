@@ -1,8 +1,9 @@
 """Extrapolation of a joined spectrum beyond the wavelengths that its measurements show.
 
-The spectrum is self-affine from the shortest wavelength down to atoms, within bounds on slope and
-curvature. It rises from the longest wavelength up to a roll-off, and is constant beyond. The
-roll-off follows from the variance of the levelled heights by Bayes' rule.
+The spectrum is self-affine from the shortest wavelength down to atoms, with the Hurst exponent of
+its last decade, within bounds on slope and curvature. It rises from the longest wavelength up to a
+roll-off, and is constant beyond. The roll-off follows from the variance of the levelled heights by
+Bayes' rule.
 """
 
 from collections.abc import Sequence
@@ -10,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.surfaces.measured_spectrum import levelled_topography, local_slopes, size_of
+from hardcontact.surfaces.measured_spectrum import levelled_topography, size_of
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
@@ -30,12 +31,17 @@ ATOMIC = 0.3
 #: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
 #: 1.20). A sphere of such a curvature has the radius of an atom.
 GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
-#: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
-FLATTEST = -2.0
+#: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): gradual to sharp roll-offs at q_r.
+SHARPNESS = (1.0, 2.0, 4.0)
+#: Bounds of the roll-offs that are fitted with H: factors on the first and the last wavevector.
+BEFORE, WITHIN = 0.1, 0.7
 #: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
 #: slopes to it, which levelling removes.
 MAX_ROLLOFF = 10.0
-#: Roll-off wavelengths that are considered, and directions that waves are averaged over.
+#: Standard deviation of the Hurst exponent beyond what is measured: surfaces are self-affine over
+#: some decades at best.
+HURST_SCATTER = 0.1
+#: Roll-off wavelengths that are compared, and directions that waves are averaged over.
 CANDIDATES, DIRECTIONS = 61, 64
 #: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
 STEEPEST = -4.0
@@ -48,54 +54,86 @@ class Tail(NamedTuple):
     """How a spectrum goes on below the shortest wavelength measured; NaN where it does not."""
 
     tail_hurst: float = np.nan
+    tail_hurst_error: float = np.nan  #: Its standard error.
     tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
     tail_fit_longest: float = np.nan
     tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
 
 
+class HurstFit(NamedTuple):
+    """The Hurst exponent of the shortest waves of a spectrum, as fitted: it may exceed 0 to 1."""
+
+    exponent: float
+    error: float  #: The standard error, of the fit and by HURST_SCATTER.
+    shortest: float  #: Wavelengths in nm of the bins fitted.
+    longest: float
+
+
+def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
+    """Return the Hurst exponent past the roll-off, fitted together with it.
+
+    The bins of the last decade, with the variance of their ln C, follow ln C = ln C0 - (1 + H)
+    ln(1 + (q/q_r)^2s)/s. Given the roll-off q_r and s, this is a weighted regression. All q_r in
+    their logarithm, and all SHARPNESS, are equally likely beforehand; exponent and error are mean
+    and standard deviation by Bayes' rule.
+
+    Parameters
+    ----------
+    wavevector, density, variance : numpy.ndarray
+        Bins, in rad/nm and nm⁴, at least three.
+
+    Returns
+    -------
+    HurstFit
+        The exponent, not held within 0 to 1.
+    """
+    fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
+    fitted[-FEWEST:] = True
+    q, log_density, weight = wavevector[fitted], np.log(density[fitted]), 1 / variance[fitted]
+    rolloffs = np.geomspace(BEFORE * q[0], WITHIN * q[-1], CANDIDATES)
+    sharpness = np.array(SHARPNESS)[:, None, None]
+    falls = -np.log1p((q / rolloffs[:, None]) ** (2 * sharpness)) / sharpness
+    falls = falls.reshape(-1, len(q))
+    total = weight.sum()
+    centred = falls - (falls @ weight)[:, None] / total
+    spread = centred**2 @ weight
+    slopes = centred @ (weight * log_density) / spread
+    residuals = log_density - log_density @ weight / total - slopes[:, None] * centred
+    log_evidence = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
+    probability = np.exp(log_evidence - log_evidence.max())
+    probability /= probability.sum()
+    mean = probability @ slopes
+    variance_of_slope = probability @ (1 / spread + (slopes - mean) ** 2)
+    error = np.sqrt(variance_of_slope + HURST_SCATTER**2)
+    return HurstFit(float(mean - 1), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
+
+
 def continued_spectrum(
-    wavevector: Floats, density: Floats, variance: Floats, hurst_change: float = 0.0
+    wavevector: Floats, density: Floats, hurst: HurstFit, change: float = 0.0
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
 
-    The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
-    of ln C. C_iso is constant above them. It is self-affine below, with the Hurst exponent of the
-    last decade past the roll-off, changed by a number and held within 0 to 1. The tail ends at the
-    distance of atoms, or where the rms gradient or half-Laplacian of all scales would exceed that
-    of the roughest hard surface known.
+    The points, at least three without gaps, are wavevectors (rad/nm) and C_iso (nm⁴). C_iso is
+    constant above them. It is self-affine below, with the fitted Hurst exponent, changed by a
+    number and held within 0 to 1. The tail ends at the distance of atoms, or where the rms gradient
+    or half-Laplacian of all scales would exceed that of the roughest hard surface known.
     """
     # A point of the table at the last wavevector may lie beyond it by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
-    hurst, count = _hurst(wavevector, density, variance, hurst_change)
+    exponent = float(np.clip(hurst.exponent + change, 0, 1))
     # The tail begins with the log-mean of the last points along it.
     relative = wavevector[-FEWEST:] / wavevector[-1]
-    level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * hurst)))))
+    level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * exponent)))))
     last = measured.nonzero()[0][-1]
     start = measured.copy()
-    start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * hurst)
-    spectrum = measured + power_law_tail(start, hurst, ATOMIC)
+    start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * exponent)
+    spectrum = measured + power_law_tail(start, exponent, ATOMIC)
     end, ended_by = _bounded(spectrum)
     spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end, last), spectrum, 0.0)
     if end <= last:
         return spectrum, Tail(tail_ended_by=ended_by)
-    shortest, longest = 2 * np.pi / wavevector[[-1, -count]]
-    return spectrum, Tail(hurst, float(shortest), float(longest), ended_by)
-
-
-def _hurst(
-    wavevector: Floats, density: Floats, variance: Floats, change: float
-) -> tuple[float, int]:
-    """Return the Hurst exponent of the last decade past the roll-off, and its number of points."""
-    slopes, error = local_slopes(wavevector, density, variance)
-    fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
-    flat = np.flatnonzero(slopes - error > FLATTEST)
-    if flat.size:
-        fitted[: flat[-1] + 1] = False
-    fitted[-FEWEST:] = True
-    weight = 1 / np.sqrt(variance[fitted])
-    slope = np.polyfit(np.log(wavevector[fitted]), np.log(density[fitted]), 1, w=weight)[0]
-    return float(np.clip(-slope / 2 - 1 + change, 0, 1)), int(fitted.sum())
+    return spectrum, Tail(exponent, hurst.error, hurst.shortest, hurst.longest, ended_by)
 
 
 def _bounded(density: Floats) -> tuple[int, str]:

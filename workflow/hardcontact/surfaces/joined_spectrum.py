@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from hardcontact.surfaces.extrapolated_spectrum import (
     BIN,
     FEWEST,
+    HurstFit,
     LongWaves,
     Tail,
     continued_spectrum,
+    fitted_hurst,
     with_rolloff,
 )
 from hardcontact.surfaces.measured_spectrum import (
@@ -40,13 +42,16 @@ from hardcontact.surfaces.spectrum import (
 
 #: Radii in nm of tips that are not known: from new ones to blunt ones.
 TIPS = (5.0, 50.0)
-#: Standard deviations of the Hurst exponent beyond what is measured, for surfaces are self-affine
-#: over some decades at best, and of the change of the slope d ln C/d ln q along a root of a decade:
-#: at a roll-off it is 2 + 2H, some 3.6, once in the three decades that surfaces are measured on.
-HURST_SCATTER, KINK = 0.1, 2.0
+#: Standard deviation of the change of the slope d ln C/d ln q along a root of a decade: at a
+#: roll-off it is 2 + 2H, some 3.6, once in the three decades that surfaces are measured on.
+KINK = 2.0
+#: Probability of more power in a bin by chance, below which it is that of a line, as of a grating.
+LINE = 1e-4
+#: The largest change of ln C that is tried to keep the variance of the bins.
+MAX_LOG_CHANGE = 20.0
 #: What a spectrum says of its ends, with units; it stands in its attributes.
 ENDS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
-    zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True)
+    zip(Tail._fields, ("1", "1", "nm", "nm", "1"), strict=True)
 )
 
 
@@ -116,9 +121,11 @@ def joined_spectrum(
     """
     data = _data(measurements, tip_radii)
     reliable = data.reliable(data.bands)
-    points = smoothed(*_log_mean(reliable, data.densities, data.waves))
+    bins = _mean_bins(reliable, data.densities, data.waves)
+    lines = _lines(bins)
+    points = _with_power_of_bins(_points(bins, lines), bins.power)
     joined = np.where(reliable.any(axis=0), Spectrum(*points[:2])(BIN_CENTRES), np.nan)
-    spectrum, tail, rolloff = _continued(points, data.long_waves, probability=0.5)
+    spectrum, tail, rolloff = _continued(points, _hurst_of_bins(bins, lines), data.long_waves)
     used_bands = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
     descriptions = [
         {
@@ -173,20 +180,90 @@ def drawn_spectra(
         calibration = CALIBRATION * rng.standard_normal(len(bands))
         common = calibration.mean()
         densities = data.densities * np.exp(calibration - common)[:, None]
-        points = smoothed(*_log_mean(reliable, densities, data.waves), rng)
-        change = HURST_SCATTER * rng.standard_normal()
-        spectrum, *_ = _continued(points, data.long_waves, rng.uniform(), change)
+        bins = _mean_bins(reliable, densities, data.waves)
+        lines = _lines(bins)
+        points, hurst = _points(bins, lines, rng), _hurst_of_bins(bins, lines)
+        change = hurst.error * rng.standard_normal()
+        spectrum, *_ = _continued(points, hurst, data.long_waves, rng.uniform(), change)
         yield Spectrum(WAVEVECTORS, spectrum * np.exp(common)), np.exp(calibration / 2)
 
 
-def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
-    """Return C in nm⁴ of the mean of ln C over measurements, and its variance by waves alone."""
+class _Bins(NamedTuple):
+    """The mean of all measurements in each bin, NaN where there is none."""
+
+    density: (
+        Floats  #: (bins,) C_iso in nm⁴ of the mean of ln C, freed of the bias of the logarithm.
+    )
+    variance: Floats  #: (bins,) of ln C, by the number of waves alone.
+    power: Floats  #: (bins,) mean C_iso in nm⁴.
+
+
+def _mean_bins(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> _Bins:
+    """Return the means over measurements of C_iso (measurement, bins) in nm⁴ where reliable."""
     wave_variance = variance_of_log(waves)
     weight = np.where(reliable, 1 / (wave_variance + CALIBRATION**2), 0.0)
     logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = weight / weight.sum(axis=0)
-    return np.exp((weight * logs).sum(axis=0)), (weight**2 * wave_variance).sum(axis=0)
+    variance = (weight**2 * wave_variance).sum(axis=0)
+    power = (weight * np.where(reliable, density, 0.0)).sum(axis=0)
+    return _Bins(np.exp((weight * logs).sum(axis=0)), variance, power)
+
+
+def _hurst_of_bins(bins: _Bins, lines: NDArray[np.bool_]) -> HurstFit:
+    """Return the Hurst exponent of the bins without lines."""
+    fitted = np.isfinite(bins.density) & ~lines
+    return fitted_hurst(BIN_CENTRES[fitted], bins.density[fitted], bins.variance[fitted])
+
+
+def _lines(bins: _Bins) -> NDArray[np.bool_]:
+    """Return which bins hold a line: more power than chance adds to a smooth spectrum."""
+    from scipy.special import gammaincc
+
+    inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
+    waves = 1 / bins.variance[inner] + 0.5  # The variance of ln C is the trigamma of their number.
+    lines = np.zeros(len(bins.power), bool)
+    while True:
+        curve = Spectrum(*smoothed(np.where(lines, np.nan, bins.density), bins.variance)[:2])
+        chance = gammaincc(waves, waves * bins.power[inner] / curve(BIN_CENTRES[inner]))
+        found = inner[(chance < LINE) & ~lines[inner]]
+        if not len(found):
+            return lines
+        lines[found] = True
+
+
+def _points(
+    bins: _Bins, lines: NDArray[np.bool_], rng: np.random.Generator | None = None
+) -> tuple[Floats, Floats, Floats]:
+    """Return the bins smoothed as by `smoothed`, but lines as they are."""
+    points = smoothed(np.where(lines, np.nan, bins.density), bins.variance, rng)
+    wavevector, density, variance = points
+    place = np.isin(BIN_CENTRES, wavevector)
+    return wavevector, np.where(lines[place], bins.power[place], density), variance
+
+
+def _with_power_of_bins(
+    points: tuple[Floats, Floats, Floats], power: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Return points with the variance of heights that C_iso (bins,) in nm⁴ has in known bins.
+
+    Of all curves with this variance theirs is the most likely one, to first order: ln C changes in
+    proportion to its variance and to the share of a bin in the variance of heights.
+    """
+    from scipy.optimize import brentq
+
+    wavevector, density, variance = points
+    power = power[np.isin(BIN_CENTRES, wavevector)]
+    total = np.nansum(power * wavevector**2)
+    share = np.where(np.isfinite(power), density * wavevector**2 / total, 0.0)
+    doubt = (variance - CALIBRATION**2) * share
+
+    def excess(strength: float) -> float:
+        return float((share * np.exp(strength * doubt)).sum() - 1)
+
+    bound = MAX_LOG_CHANGE / doubt.max()
+    strength = brentq(excess, -bound, bound)
+    return wavevector, density * np.exp(strength * doubt), variance
 
 
 def smoothed(
@@ -218,12 +295,13 @@ def smoothed(
 
 def _continued(
     points: tuple[Floats, Floats, Floats],
+    hurst: HurstFit,
     long_waves: LongWaves,
-    probability: float,
+    probability: float = 0.5,
     hurst_change: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
     """Return a joined C_iso (nm⁴) extrapolated to WAVEVECTORS, with its tail and roll-off in nm."""
-    density, tail = continued_spectrum(*points, hurst_change)
+    density, tail = continued_spectrum(*points[:2], hurst, hurst_change)
     slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
     return with_rolloff(density, longest, slope, rolloff), tail, rolloff

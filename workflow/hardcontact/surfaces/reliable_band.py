@@ -4,7 +4,7 @@ Toward short wavelengths it ends at four pixels, at the cutoff of the tip (Sanne
 Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever comes first: C_iso is
 flatter than q^-2 (H = 0) or steeper than a rough surface has. Surfaces with facets have down to
 q^-5; between q^-4 (H = 1) and q^-5 C_1D must be alike along both axes, because a lagging feedback
-smooths along the scanned lines alone.
+smooths along the scanned lines alone. Beside a peak, as of a grating, slopes tell neither.
 """
 
 from typing import NamedTuple
@@ -38,6 +38,8 @@ ERRORS = 2
 ALIKE = 2.0
 #: Bins above a noise floor that still hold much of it: C ~ q^-3 is four times as high two bins on.
 MARGIN = 2
+#: Factor, and standard errors, by which C_iso rises toward short wavelengths to a peak.
+PEAK, PEAK_ERRORS = 2.0, 4
 #: Relative error of the tip's cutoff, far below the safety factor of the criterion.
 TOLERANCE = 1e-3
 #: What ends a band toward short wavelengths, in words for messages.
@@ -104,6 +106,8 @@ def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[floa
     differs = axis_ratio(measurement)[mask] > ALIKE
     smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, FACETS)
     flat = slope - ERRORS * error > FLATTEST
+    beside_peak = _beside_peaks(np.log(density[mask]), variance)
+    smoothed, flat = smoothed & ~beside_peak, flat & ~beside_peak
 
     unsmoothed = _without_smoothed(smoothed, len(q))
     risen = _without_floor(flat, unsmoothed)
@@ -114,6 +118,17 @@ def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[floa
     if end < risen or unsmoothed < len(q) and risen == unsmoothed:
         ends.append((_end(q, end), "smoothing"))
     return ends
+
+
+def _beside_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
+    """Return which bins lie within half a decade of a peak of the spectrum."""
+    place = np.arange(len(log_density))
+    distance = place - place[:, None]
+    rise = log_density - log_density[:, None]
+    error = np.sqrt(variance + variance[:, None])
+    risen = (rise > np.log(PEAK)) & (rise > PEAK_ERRORS * error)
+    peaks = (risen & (0 < distance) & (distance <= HALF_DECADE)).any(axis=0)
+    return np.asarray((peaks & (np.abs(distance) <= HALF_DECADE)).any(axis=1))
 
 
 def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:

@@ -24,7 +24,11 @@ from hardcontact.contact.smooth_sphere import (
     tabor_parameter,
     transition_coefficient,
 )
-from hardcontact.surfaces.extrapolated_spectrum import FEWEST, continued_spectrum
+from hardcontact.surfaces.extrapolated_spectrum import (
+    FEWEST,
+    continued_spectrum,
+    fitted_hurst,
+)
 from hardcontact.surfaces.measured_spectrum import CALIBRATION
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 from hardcontact.theory.closed_form import (
@@ -302,7 +306,8 @@ def _continued(
         )
     elif status == UNKNOWN and len(waves.density) >= FEWEST and waves.density.all():
         variance = np.full(waves.density.shape, CALIBRATION**2)
-        density, tail = continued_spectrum(waves.wavevector, waves.density, variance)
+        fit = fitted_hurst(waves.wavevector, waves.density, variance)
+        density, tail = continued_spectrum(waves.wavevector, waves.density, fit)
         hurst, ended_by = tail.tail_hurst, tail.tail_ended_by
     # Without an exponent nothing is added: slope or curvature are at their bounds already.
     if density is not None and math.isnan(hurst) and rolloff <= longest:
