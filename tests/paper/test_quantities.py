@@ -109,11 +109,17 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
     near(contact.typical_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
     near(contact.typical_force_exponent(exponents), 0.1)
-    edges = xr.DataArray([[[0.9, 0.2], [0.3, 0.0]]] * 3, dims=("surface", "side", "length"))
-    edges = edges * xr.DataArray([1.0, 2.0, 5.0], dims="surface")
-    axes = {"side": ["small", "large"], "length": ["radius", "rho"]}
-    scaling = xr.Dataset({"exponent": edges}, axes)
-    near(contact.typical_long_edge_exponent(scaling), 0.6)
+    radii = xr.DataArray([5e3, 62.5e3, 1e6], dims="radius", coords={"radius": [5e3, 62.5e3, 1e6]})
+    edge = radii ** (0.5 * xr.DataArray([0.1, 0.6, 2.0], dims="surface"))
+    edge = edge.where(radii > 5e3, 1.0).expand_dims(side=["large"], rho=[5.6], area=[400.0])
+    ends = xr.concat(
+        [edge / 1.1, edge * 1.1], xr.DataArray(["low", "high"], dims="bound", name="bound")
+    )
+    scaling = xr.Dataset({"edge": edge, "edge_interval": ends}, attrs={"rho": 5.6, "area": 400.0})
+    exponent = contact.typical_long_edge_exponent(scaling)
+    near(exponent, 0.6)
+    half = 2 * np.log(1.1) / np.log(4)
+    np.testing.assert_allclose(exponent.value_interval, [0.6 - half, 0.6 + half])
 
 
 def test_deformation_energy_of_one_wave():

@@ -9,6 +9,7 @@ import json
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.statistics import bounds
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.paper.numbers import (
     absolute_value,
@@ -22,11 +23,27 @@ from hardcontact.paper.numbers import (
 )
 
 NM2 = 1e-18  # in m²
+#: nm; the wavelengths that decide are some 2 µm.
+LARGE_RADIUS = 50e3
 
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
     """Return the decades between effective works of adhesion of the surfaces (against)."""
     return decades(variable_as_number(classical, "effective_work_of_adhesion"), "surface")
+
+
+def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
+    """Return effective works of adhesion of printed forces, without their rounding (surface)."""
+    return number(classical["effective_work_of_adhesion"].sel(against="published", drop=True))
+
+
+def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
+    """Return the Tabor parameter, up to that by another convention of the same symbols ().
+
+    It is (4 R W²/(K² z0³))^(1/3) with K = 4 E*/3, in place of (R W²/(E*² z0³))^(1/3).
+    """
+    tabor = classical["tabor_parameter"]
+    return number(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
 
 
 def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
@@ -108,12 +125,19 @@ def typical_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
 def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
     """Return the exponent of the long edge against the root of the radius ().
 
-    It is the median over the surfaces.
+    It is the median over the surfaces, for spheres much larger than scales of the roughness, of
+    R >= LARGE_RADIUS. The interval takes the edges of the smallest and the largest at their worst.
     """
-    exponents = variable_as_number(scaling, "exponent").sel(
-        side="large", length="radius", drop=True
-    )
-    return exponents.median("surface", skipna=False)
+    case = {name: scaling.attrs[name] for name in ("rho", "area")}
+    large = scaling.sel(side="large").sel(case, method="nearest")
+    large = large.sel(radius=large["radius"] >= LARGE_RADIUS)
+    smallest, largest = large.isel(radius=0), large.isel(radius=-1)
+    low, high = bounds(smallest, "edge")
+    largest_low, largest_high = bounds(largest, "edge")
+    ratios = [largest["edge"] / smallest["edge"], largest_low / high, largest_high / low]
+    root = (largest["radius"] / smallest["radius"]) ** 0.5
+    exponents = [xr.DataArray(np.log(ratio) / np.log(root)) for ratio in ratios]
+    return number(*(values.median("surface", skipna=False) for values in exponents))
 
 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:

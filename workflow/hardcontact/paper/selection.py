@@ -125,7 +125,7 @@ def fixed_verdict(
         return EXPERIMENT, "The paper says this of measured forces, not of computed ones."
     substitutes = _is_substitute(surfaces, topography)
     if claim.needs == "measured" and any(substitutes):
-        return UNTESTABLE, "The substitute scans assume this."
+        return UNTESTABLE, "The substitute scans decide this."
     met = topography["calibrated_to_table1"].sel(surface=surfaces).values
     by_construction = [
         substitute and claim.quantity in rows_met(str(rows))
