@@ -146,7 +146,8 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
             bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
             faults.append(
                 f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
-                f"wavelengths (ten a decade), found {count}: {bands}; add one of another size"
+                f"wavelengths (ten a decade from 0.1 nm to 100 µm), found {count}: {bands}; "
+                "add one of another size"
             )
     refuse_lines(faults)
 

@@ -89,7 +89,7 @@ def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
         )
         raise ValueError(
             f"expected measurements that are reliable in at least {FEWEST} bins of wavelengths "
-            f"(ten a decade), found {count}: {listing}"
+            f"(ten a decade from 0.1 nm to 100 µm), found {count}: {listing}"
         )
     return data
 

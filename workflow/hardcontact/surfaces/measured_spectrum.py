@@ -138,9 +138,11 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -
 
     The ratio C_iso/C_1D is taken from the smoothed, falling spectrum, so that the scatter of C_1D
     is neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Both
-    densities are NaN in empty bins.
+    densities are NaN in empty bins; where C_1D has fewer than two others, C_iso is NaN in all.
     """
     finite = np.isfinite(profile)
+    if finite.sum() < 2:
+        return np.full(profile.shape, np.nan)
     log_q = np.log(wavevector[finite])
     smooth, last_slope = _falling(log_q, np.log(profile[finite]), waves[finite])
     density = np.full(profile.shape, np.nan)
