@@ -29,6 +29,8 @@ from hardcontact.base.printing import (
         (3.0, "nm", (0.0, 5.0), "3 [0, 5] nm"),
         (3.0, "nm", (0.0, inf), "3 nm [not bounded]"),
         (1.5e-4, "N", (1.2e-7, 7.8e17), "150 µN [not bounded]"),
+        (3e-5, "N", (0.5e-6, 72.7e-6), "30 µN [not bounded]"),
+        (3e-5, "N", (1e-6, 99e-6), "30 [1, 99] µN"),
     ],
 )
 def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, ends, printed):

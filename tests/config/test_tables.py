@@ -51,6 +51,8 @@ def test_every_fault_of_a_table_has_a_line(table):
         ("coating,0.5,um", ["found '0.5 um'"]),
         ("other,1,uN", ["coating or bare, found other"]),
         ("bare,-1,uN", ["1e-15 to 1000 N, found '-1 uN'"]),
+        ("bare,0,uN", ["value: expected a force above zero, found 0", "below the noise write"]),
+        ("bare,<5,nN", ["value: expected a force above zero, found <5", "an upper bound"]),
         ("bare,nan,uN", ["found 'nan uN'"]),
         ("bare,0.5", ["expected 3 cells, found 2"]),
         ("bare,11,749,uN", ["expected 3 cells, found 4", "semicolons"]),

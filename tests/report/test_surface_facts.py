@@ -18,6 +18,7 @@ from answer_inputs import (
     without_interval,
 )  # fmt: skip
 
+from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.number import Number, plain
 from hardcontact.report import force_facts
 from hardcontact.report import surface_facts as facts
@@ -94,6 +95,16 @@ def test_an_open_edge_says_on_which_side_to_measure(at_least, expected):
     measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
     long = [(one["code"], one["limit"].value) for one in measurements if one["edge"] == "long_edge"]
     assert long == [expected]
+
+
+def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
+    # The scans are reliable from 55 nm.
+    row = rows(edges=with_edge(31.6, 20.0, 50.0))["short_edge"]
+    computed = computed_cutoffs(with_edge(31.6, 20.0, 50.0)["scale_ratio"].sel(side="small"))
+    low, high = row.about["cutoffs"].low, row.about["cutoffs"].high
+    assert row.fact.status == "no_interval" and low < 31.6 <= high
+    assert not ((low < computed) & (computed < high)).any()
+    assert "cutoffs" not in rows(edges=with_edge(120.0, 90.0, 150.0))["short_edge"].about
 
 
 def test_what_has_no_interval_says_why():

@@ -20,8 +20,8 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
-#: Intervals whose ends differ by more than this factor bound nothing.
-ENDLESS = 1e6
+#: Intervals of lengths, forces and works whose ends differ by more than this factor bound nothing.
+ENDLESS = 100
 #: An interval that reaches so many times beyond its value says only that there are too few scans.
 BOUNDLESS = 100
 

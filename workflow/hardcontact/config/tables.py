@@ -163,6 +163,12 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
     """Return surface, mean and median in N, and count of tests; refuse the first fault of a row."""
     surface, count = row["surface"], row.get("count", "1")
     names = ("mean", "median") if "mean" in row else ("value", "value")
+    for name in names:
+        if number(row[name]) == 0 or row[name].startswith("<"):
+            raise ValueError(
+                f"{name}: expected a force above zero, found {found(row[name])}: of a test below "
+                "the noise write the noise, which makes the mean an upper bound"
+            )
     mean, median = (FORCE.number(f"{row[name]} {row['unit']}") for name in names)
     if surface not in surfaces:
         raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {found(surface)}")

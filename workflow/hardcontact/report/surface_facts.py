@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.number import Number
 from hardcontact.report.artificial import (
     artificial_bands,
@@ -22,7 +23,7 @@ from hardcontact.report.force_facts import (
     pair_rows,
     with_reason,
 )
-from hardcontact.report.quantities import bare, ends
+from hardcontact.report.quantities import bare, between, ends
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
@@ -74,10 +75,15 @@ def edge_rows(of: Datasets) -> list[Row]:
         if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
             edge = edge._replace(status=edge.status or "no_interval")
         edge = with_reason(edge._replace(low=low, high=high), of.edges["interval_source"])
-        change = Number("measured_share", share_at_edge(of, side))
-        rows.append(
-            Row(edge, {"reason": str(of_side["edge_status"].item()), "measured_share": change})
-        )
+        about = {
+            "reason": str(of_side["edge_status"].item()),
+            "measured_share": Number("measured_share", share_at_edge(of, side)),
+        }
+        if edge.status == "no_interval":
+            cutoffs = computed_cutoffs(of_side["scale_ratio"])
+            place = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
+            about["cutoffs"] = between("cutoffs", cutoffs[place - 1], cutoffs[place], "nm")
+        rows.append(Row(edge, about))
     return rows
 
 
