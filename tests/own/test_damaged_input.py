@@ -72,6 +72,18 @@ def read_scans(path):
         read_measurement(path, dataset, "harmonic")
 
 
+def texts(folder):
+    """Matrices and points as people have them, with commas and gaps, by file name."""
+    heights = np.random.default_rng(1).standard_normal((20, 20))
+    y, x = np.indices(heights.shape) / 100
+    points = np.column_stack([x.ravel(), y.ravel(), heights.ravel()])[9:]
+    np.savetxt(folder / "a.csv", heights, "%.4f", ",")
+    np.savetxt(folder / "b.csv", heights, "%.4f", ";")
+    np.savetxt(folder / "a.xyz", points, "%.4f", header="Höhe", encoding="latin-1")
+    files = {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+    return files | {"b.csv": files["b.csv"].replace(b".", b",")}
+
+
 POWER = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
     f"{10 ** (1 + k / 9):.4g},nm,{100 * 10 ** (k / 3):.4g},nm4\n" for k in range(19)
 )
@@ -101,6 +113,7 @@ def read_overlay(path):
 #: Kinds of input: whole files by name, of a folder, and what reads one.
 KINDS = {
     "scan": (scans, read_scans),
+    "text": (texts, lambda path: read_measurement(path, "", "harmonic", "um,nm", 200.0)),
     "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},

@@ -92,9 +92,29 @@ def test_one_scan_is_enough_at_both_efforts(folder, run):
 def test_what_files_do_not_state_is_given_and_kept(folder, run):
     nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
     scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
-    done = run(NAME, "bare.nc", "a.001", "--unit", "um", "--channel", "Sensor")
-    config, table = accepted(folder, done)
-    assert config["scan"]["unit"] == "um" and set(table.dataset) == {"", "Sensor"}
+    (error,) = run(NAME, "bare.nc", "a.001", "--unit", "um", "--channel", "Sensor").errors
+    assert_says(error, "bare.nc: expected one of the channels", "found 'Sensor'")
+    _, table = accepted(folder, run(NAME, "a.001", "--channel", "Sensor"))
+    assert set(table.dataset) == {"Sensor"}
+    config, _ = accepted(folder, run(NAME, "bare.nc", "--unit", "um", "--overwrite"))
+    assert config["scan"]["unit"] == "um"
+
+
+def test_a_bare_matrix_is_read_with_what_is_given(folder, run):
+    np.savetxt(folder / "bare.csv", rough(), "%.6f", ",")
+    done = run(NAME, "bare.csv", "--size", "2.5 um", "--unit", "mm,nm", "--work", "46.3J/m2")
+    config, _ = accepted(folder, done)
+    assert config["scan"]["edge"] == 2500.0 and config["scan"]["unit"] == "mm,nm"
+    assert "2.5 µm" in done.out and "--work 46.3J/m2: did you mean 46.3 mJ/m2?" in done.out
+
+
+def test_a_surface_may_be_called_smooth(folder, run):
+    own_scan(folder / "one.nc")
+    (folder / "my.csv").write_text("surface,value,unit\nsurface_smooth,3,nN\n")
+    done = run(NAME, "--surface", "smooth", "one.nc", "--forces", "my.csv")
+    _, table = accepted(folder, done)
+    assert set(table.surface) == {"surface_smooth"} and set(table.label) == {"smooth"}
+    assert "surface_smooth is smooth" in done.out
 
 
 def test_scans_that_make_no_contacts_enter_the_spectrum(folder, run):
@@ -177,12 +197,12 @@ REFUSED = [
     ([NAME, "--surface", "A"], ["--surface A", "expected files"]),
     ([NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"], ["of its own", "also a"]),
     ([NAME, "--surface", "sphere", "one.nc", "--sphere", "two.nc"], ["label of its own"]),
-    ([NAME, "--surface", "smooth", "one.nc"], ["neither pooled nor smooth", "found 'smooth'"]),
     ([NAME, "--surface", "$x$", "one.nc", "two.nc"], ["--surface", "label", "without $"]),
     ([NAME, "a\n\033[31m.nc"], ["'a\\n\\x1b[31m.nc'", "printable"]),
     ([NAME, "a\udcff.nc"], ["'a\\udcff.nc'", "printable"]),
     ([NAME, "."], [".: expected a scan", "found a folder"]),
     ([NAME, "bare.nc"], ["bare.nc", "--unit"]),
+    ([NAME, "bare.nc", "--unit", "mm,s"], ["--unit: expected none, m, mm", "found 'mm,s'"]),
     ([NAME, "one.nc", "--forces", "none.csv"], ["--forces", "none.csv"]),
     ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
     ([NAME, "one.nc", "--range", "0.01 nm"], ["scales.range: expected at least", "0.01 nm"]),

@@ -112,10 +112,12 @@ def test_faults_of_options_are_told_with_those_of_the_table(tmp_path):
         # A contact wider than the attraction of a smooth sphere.
         (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
         (["--json", "-", "--csv", "-"], ["--csv: expected a file"]),
+        (["--json", str(tmp_path / "new/x.json")], ["--json: expected a file in a folder"]),
     ):
         message = refusal(printed, missing, *options)
         assert_says(message, "none.csv", "found no file", *parts)
         assert len(message.splitlines()) == 1 + len(parts)
+    assert not any(tmp_path.iterdir())
 
 
 # Numbers
@@ -123,7 +125,7 @@ def test_faults_of_options_are_told_with_those_of_the_table(tmp_path):
 
 def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_path):
     spectrum = rough(17, 1000, 0.8, 20)
-    rows = tmp_path / "new/numbers.csv"
+    rows = tmp_path / "numbers.csv"
     options = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
     numbers = numbers_of(table(*rows_of(spectrum)), *options)
     contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
@@ -205,8 +207,10 @@ SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
     ],
 )
 def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options, cause):
-    report = printed(table(*rows_of(spectrum)), *options)
+    report = printed(table(*rows_of(spectrum)), *options, "--work", "2.5 N/m")
     assert_says(report, "error not known", cause)
+    # The work scales the force alone; clean bodies in vacuum may have as much.
+    assert_says(report, "take care: --work 2.5 N/m: did you mean 2.5 mJ/m2? Only clean bodies")
 
 
 def test_a_compliant_sphere_is_no_hard_contact(table):
@@ -245,6 +249,15 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path):
     assert numbers["continued_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
 
 
+def test_a_csv_of_heights_is_a_scan(tmp_path):
+    heights = map_of(generator(3), 64, 10.0).heights
+    scan_files.scan(tmp_path / "scan.nc", heights.T, (640.0, 640.0))
+    np.savetxt(tmp_path / "scan.csv", heights, delimiter=",")
+    spectra = [own_spectrum([tmp_path / "scan.nc"])]
+    spectra.append(own_spectrum([tmp_path / "scan.csv"], unit="nm", edge=640.0))
+    assert spectra[1].spectrum.density == pytest.approx(spectra[0].spectrum.density)
+
+
 def test_members_of_a_container_are_joined_or_chosen(tmp_path):
     files = {}
     for number in (1, 2):
@@ -268,6 +281,15 @@ def test_files_that_are_no_spectrum_are_refused_in_a_line(tmp_path):
     ):
         message = refusal(printed, str(tmp_path / name))
         assert_says(message, name, expected)
+        assert len(message.splitlines()) == 1, message
+    # Pixels of 50 µm: no wavelength of the spectrum is known, in a line scan or a map.
+    rng = np.random.default_rng(3)
+    positions = 50.0 * np.arange(64)
+    np.savetxt(tmp_path / "line.txt", np.column_stack([positions, rng.normal(0, 0.05, 64)]))
+    scan_files.scan(tmp_path / "map.nc", rng.normal(0, 50, (64, 64)), (3.2e6, 3.2e6))
+    for name in ("line.txt", "map.nc"):
+        message = refusal(printed, str(tmp_path / name), "--unit", "um")
+        assert_says(message, "from 0.1 nm to 100 µm", "found 0", f"{name} from 200 µm (4 pixels)")
         assert len(message.splitlines()) == 1, message
     message = refusal(own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
     assert_says(message, "none.csv: expected one table, or scans alone")

@@ -1,5 +1,6 @@
 """Reading of scans of every kind, in formats that can be written here: heights, spacing, notes."""
 
+import zipfile
 from dataclasses import replace
 
 import numpy as np
@@ -195,9 +196,17 @@ def test_a_nanoscope_file_is_read_with_y_upwards_from_its_channel_of_heights(tmp
     nanoscope(path, counts, (400.0, 240.0), ["Height", "Height Sensor", "Phase"])
     channels = [read_measurement(path, name).channel for name in ("", "Height Sensor", "2")]
     assert channels == ["Height", "Height Sensor", "Height Sensor"]
-    assert_says(refusal(read_measurement, path, "Phase"), "a channel of heights, found only")
+    assert_says(
+        refusal(read_measurement, path, "Phase"), "a channel of heights, found only Phase (deg)"
+    )
     message = refusal(read_measurement, path, "Error")
-    assert_says(message, "one of the channels Height, Height Sensor, Phase", "'Error'")
+    assert_says(message, "one of the channels of heights (Height, Height Sensor)", "'Error'")
+    assert read_measurement(path).notes[0] == "other channels of heights: Height Sensor"
+    nanoscope(path, counts, (400.0, 240.0), ["Height"])
+    assert read_measurement(path, "Height").channel == "Height"
+    assert_says(refusal(read_measurement, path, "Sensor"), "(Height)", "found 'Sensor'")
+    nanoscope(path, counts, (400.0, 240.0), ["Phase"])
+    assert_says(refusal(read_measurement, path), "a channel of heights, found only Phase (deg)")
 
 
 def test_the_channel_that_a_container_names_is_read(tmp_path):
@@ -279,6 +288,29 @@ def test_radius_in_a_stylus_file(tmp_path):
     assert (measured.kind, measured.tip_radius) == ("profile", pytest.approx(2500.0))
     assert measured.pixel_size == pytest.approx(100.0)
     np.testing.assert_allclose(measured.heights, 10 * heights(40), atol=1e-3)
+
+
+def refolded(path):
+    """Write an X3P whose files are in a folder."""
+    map_of(heights(20, 20)).to_x3p(str(path.with_suffix(".whole")))
+    with zipfile.ZipFile(path.with_suffix(".whole")) as whole, zipfile.ZipFile(path, "w") as moved:
+        for name in whole.namelist():
+            moved.writestr(f"scan/{name}", whole.read(name))
+
+
+@pytest.mark.parametrize(
+    ("write", "parts"),
+    [
+        (refolded, ["an X3P whose files are in a folder", "X3PReader: ", "main.xml"]),
+        (lambda path: path.write_bytes(b"DSCOMPRESSED" + bytes(600)), ["without compression"]),
+        (lambda path: path.write_bytes(b"DIGITAL SURF" + bytes(600)), ["SURReader: "]),
+    ],
+)
+def test_a_file_that_no_reader_takes_is_refused_with_the_reason_of_its_own(tmp_path, write, parts):
+    write(tmp_path / "a.dat")
+    message = refusal(read_measurement, tmp_path / "a.dat")
+    assert_says(message, "a.dat: expected a whole file in a format", *parts)
+    assert "none of its readers" not in message
 
 
 def test_scan_without_physical_size(tmp_path):

@@ -97,7 +97,10 @@ def _checks_of_own_surfaces(
         yield partial(refuse_of_paper, path, surface, of_paper)
     others, scan = table[table.use != CONTACT], config["scan"]
     for path, dataset in zip(others.path, others.dataset, strict=True):
-        yield partial(read_measurement, path, dataset, scan["undefined_pixels"], unit=scan["unit"])
+        yield partial(
+            read_measurement,
+            path, dataset, scan["undefined_pixels"], unit=scan["unit"], edge=scan["edge"],
+        )  # fmt: skip
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
         yield partial(measured_forces, config["forces"], list(substrates.unique()))
@@ -130,9 +133,10 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
 
 def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
     grids: list[Grid] = []
+    keys = config["scan"]
     for path, dataset in zip(rows.path, rows.dataset, strict=True):
         scan = read_scan(
-            path, dataset, config["scan"]["undefined_pixels"], unit=config["scan"]["unit"]
+            path, dataset, keys["undefined_pixels"], unit=keys["unit"], edge=keys["edge"]
         )
         relief = float(np.ptp(scan.heights))
         if relief == 0:

@@ -29,7 +29,11 @@ COLUMNS = ("key", "meaning", "values", "default", "paper")
 #: Lists of more entries are given in tables by their number, first and last entry.
 LIST_LIMIT = 4
 #: Values of keys whose types have no bounds.
-VALUES = {"scans": "`all` or a list: 1 to 9999", "quick": "a mapping"}
+VALUES = {
+    "scans": "`all` or a list: 1 to 9999",
+    "quick": "a mapping",
+    "scan.edge": "`none` or 0.01 to 1e+09 nm",
+}
 
 
 def configuration() -> str:

@@ -91,9 +91,15 @@ def _or_all(value: Any, validate: Callable[[Any], list[int]]) -> list[int] | str
     return validate(value)
 
 
+def _or_none(value: Any, validate: Callable[[Any], float]) -> float | str:
+    """Accept the word none in place of a value."""
+    return value if value == "none" else validate(value)
+
+
 ASCENDING, ONCE = WrapValidator(_ascending), WrapValidator(_once)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
+LengthOrNone = Annotated[Length, WrapValidator(_or_none)]
 #: A range of adhesion: an atom is ten times larger than the least.
 Range = Annotated[float, Quantity("nm", 0.01, 1000)]
 Radius = Annotated[float, Quantity("nm", 10, 1e9)]
@@ -135,6 +141,10 @@ ScanNumber = Annotated[int, Field(ge=1, le=9999)]
 ScanNumbers = Annotated[
     list[ScanNumber], Field(min_length=1, max_length=9999), ONCE, WrapValidator(_or_all)
 ]
+UNIT = Matching(
+    "none|(?:m|mm|[uµ]m|nm|pm)(?:,(?:m|mm|[uµ]m|nm|pm))?",
+    "none, m, mm, um, nm or pm, or two of these, such as mm,nm",
+)
 STUDY_NAME = Matching(
     "[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
     "a name of up to 100 letters, digits, dots, dashes and underscores",

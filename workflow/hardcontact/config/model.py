@@ -20,6 +20,7 @@ from pydantic import (
 
 from hardcontact.config.faults import Limit, refuse_lines, section, unmet, validated
 from hardcontact.config.key_types import (
+    UNIT,
     Contacts,
     Count,
     Folder,
@@ -27,6 +28,7 @@ from hardcontact.config.key_types import (
     Forces,
     Fraction,
     Length,
+    LengthOrNone,
     Lengths,
     MasterPixels,
     Pixels,
@@ -106,8 +108,12 @@ class ScanKeys(Keys):
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """Measured scans with undefined pixels: `refuse` them, or fill the pixels with a `harmonic`
     function."""
-    unit: Literal["none", "m", "mm", "um", "nm", "pm"] = "none"
-    """Unit of length of all measured scans whose files state none; `none`: these are refused."""
+    unit: Annotated[str, UNIT] = "none"
+    """Unit of length of all measured scans whose files state none; two, such as `mm,nm`, are of
+    positions and of heights; `none`: these are refused."""
+    edge: LengthOrNone = key("none")
+    """The longer edge of all measured scans whose files state no size; `none`: these are
+    refused."""
     levelling: Literal["plane", "lines"] = "plane"
     """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first."""
 

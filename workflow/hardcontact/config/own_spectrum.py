@@ -19,6 +19,7 @@ from hardcontact.config.tables import Row, UserTable, found, number, user_table
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
+from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_heights import LENGTHS
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
@@ -40,6 +41,8 @@ UNITS = {
     "c_iso": (r"(\D+?)(?:\^|\*\*)?[4⁴]", "a length to the power of 4, such as nm4"),
     "c_1d": (r"(\D+?)(?:\^|\*\*)?[3³]", "a length to the power of 3, such as nm3"),
 }
+#: Characters of the first line of a file that tell a table from heights.
+MAX_LINE = 1000
 #: The fewest wavelengths with roughness that a table must have.
 FEWEST = 5
 #: Independent waves that each bin of a profile's density is taken to have when it is converted.
@@ -61,19 +64,21 @@ def own_spectrum(
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = "none",
+    edge: float | str = "none",
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> OwnSpectrum:
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
 
-    The files are one table, as of `table_spectrum`, or scans, which are read by `read_measurement`,
-    levelled by `flattened` and joined by `joined_spectrum`. A dataset is the only member of a
+    The files are one table, as of `table_spectrum`, or scans, of which a CSV begins with numbers.
+    Scans are read by `read_measurement`, levelled by `flattened` and joined by `joined_spectrum`;
+    the edge (nm) and the unit are of files that state none. A dataset is the only member of a
     container that counts; the radius of the tip (nm) is of files that state none. The spectrum of
     scans ends where they are reliable. Raises ValueError with a line for each fault.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
-    tables = [path for path in files if Path(path).suffix.lower() == ".csv"]
+    tables = [path for path in files if _is_table(path)]
     if tables and len(files) > 1:
         raise ValueError(f"{tables[0]}: expected one table, or scans alone, found other files, too")
     if tables:
@@ -82,7 +87,9 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else (), None)
     scans = [
-        flattened(read_measurement(path, member, undefined_pixels, unit), sphere_radius, levelling)
+        flattened(
+            read_measurement(path, member, undefined_pixels, unit, edge), sphere_radius, levelling
+        )
         for path in files
         for member in ([dataset] if dataset else list_measurements(path))
     ]
@@ -105,6 +112,17 @@ def own_spectrum(
     differing = told_contradictions(contradictions(*columns), names)
     notes += [f"take care: {line}" for line in differing]
     return OwnSpectrum(reliable, tuple(notes), joined)
+
+
+def _is_table(path: str | Path) -> bool:
+    """Return whether a file is a table of a spectrum: a CSV that does not begin with numbers."""
+    if Path(path).suffix.lower() != ".csv":
+        return False
+    if not Path(path).is_file():
+        return True
+    with open(path, "rb") as file:
+        first_line = file.readline(MAX_LINE).decode("latin-1")
+    return not ROW.fullmatch(first_line.strip())
 
 
 def table_spectrum(path: str | Path) -> Spectrum:
@@ -140,7 +158,8 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(
-            f"{table.path}: expected {COLUMNS}, found {found(', '.join(table.header))}"
+            f"{table.path}: expected {COLUMNS}, or a scan that begins with numbers, found "
+            f"{found(', '.join(table.header))}"
         )
     table.require([present[0], f"{present[0]}_unit"], COLUMNS)
     return present[0]

@@ -14,7 +14,12 @@ from hardcontact.own.request import Source
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
-from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
+from hardcontact.surfaces.scans import (
+    Measurement,
+    flattened,
+    list_measurements,
+    read_measurement,
+)
 from hardcontact.surfaces.spectrum import Floats
 
 #: The use of scans that only enter the spectrum of their surface.
@@ -77,13 +82,17 @@ class Entry:
 
 
 def inventory(
-    sources: Sequence[Source], tip_radius: float | None, channel: str = "", unit: str = "none"
+    sources: Sequence[Source],
+    tip_radius: float | None,
+    channel: str = "",
+    unit: str = "none",
+    edge: float | str = "none",
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Read all topographies of files, of containers all members.
 
     Returns the entries, a line for each member of a container that cannot be used beside others
-    that can, and a line for each problem. Tip radius (nm) and unit are of files that do not state
-    them; the channel is of files that are no containers.
+    that can, and a line for each problem. Tip radius (nm), unit and edge (nm) are of files that do
+    not state them; the channel is of files that are no containers.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []
@@ -94,7 +103,10 @@ def inventory(
         try:
             for dataset in list_measurements(source.file):
                 try:
-                    file_entries.append(_entry(source, dataset or channel, tip_radius, unit))
+                    measurement = read_measurement(
+                        source.file, dataset or channel, FILLING, unit, edge
+                    )
+                    file_entries.append(_entry(source, measurement, tip_radius))
                 except ValueError as error:
                     file = f"{source.file}: "
                     faults += [
@@ -144,9 +156,8 @@ def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
         yield from told_contradictions(differences, [scan.name for scan in scans])
 
 
-def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) -> Entry:
+def _entry(source: Source, measurement: Measurement, tip_radius: float | None) -> Entry:
     """Return the entry of one topography; raise ValueError if it cannot be used."""
-    measurement = read_measurement(source.file, dataset, FILLING, unit)
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")

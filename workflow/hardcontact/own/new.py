@@ -38,6 +38,7 @@ from hardcontact.own.request import (
     options,
     parsed,
     path_from_root,
+    questioned_work,
     sources,
 )
 
@@ -77,7 +78,11 @@ def new_study(arguments: Namespace) -> str:
     tip = quantities.get("tip")
     tip_text = tip.text if tip else ""
     entries, unreadable, problems = inventory(
-        files, tip.number if tip else None, arguments.channel, arguments.unit
+        files,
+        tip.number if tip else None,
+        arguments.channel,
+        arguments.unit,
+        quantities["size"].number if "size" in quantities else NONE,
     )
     faults += [*file_faults, *problems]
     checks: list[Callable[[], Any]] = [
@@ -132,6 +137,7 @@ def _plan(
     )
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, probe, quantities["range"].given)
+    proposal.cautions.extend(questioned_work(quantities["work"]))
     choices = [*_named_choices(arguments, quantities), *proposal.choices]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
@@ -155,6 +161,8 @@ def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> It
     yield Choice("surfaces", f"config/{name}.tsv", "one row a scan")
     if arguments.unit != NONE:
         yield Choice("scan.unit", arguments.unit, "as given, of files that state none")
+    if "size" in quantities:
+        yield Choice("scan.edge", quantities["size"].text, "as given, of files that state none")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
     surface, reason = (SPHERE, "its scans") if arguments.sphere else (SMOOTH, "no scans of it")

@@ -14,11 +14,11 @@ from hardcontact.base.number import Number, plain
 from hardcontact.base.printing import print_length, print_quantity
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
-from hardcontact.config.model import Study
+from hardcontact.config.model import NONE, Study
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS
-from hardcontact.own.request import QUANTITIES, add_shared, options
+from hardcontact.own.request import QUANTITIES, add_shared, options, questioned_work
 from hardcontact.theory.prediction import CHANGE, prediction, tabor, too_wide
 
 DESCRIPTION = """\
@@ -74,12 +74,17 @@ def predict(arguments: Namespace) -> str:
         faults.append(f"--{wide}")
     if arguments.json == arguments.csv == "-":
         faults.append("--csv: expected a file, as --json goes to stdout, found -")
+    for name in WRITERS:
+        path = getattr(arguments, name)
+        if path is not None and not Path(path).parent.is_dir():
+            faults.append(f"--{name}: expected a file in a folder that exists, found {path}")
     reader = partial(
         own_spectrum,
         [arguments.file],
         dataset=arguments.dataset,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,
+        edge=quantities["size"].number if "size" in quantities else NONE,
     )
     _, (spectrum, notes, joined) = refuse_all([partial(refuse_lines, faults), reader])
     numbers = {
@@ -93,7 +98,8 @@ def predict(arguments: Namespace) -> str:
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITIES}
-    report = "\n".join([*notes, _report(numbers, texts)])
+    cautions = [f"take care: {line}" for line in questioned_work(quantities["work"])]
+    report = "\n".join([*notes, _report(numbers, texts), *cautions])
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":

@@ -5,12 +5,12 @@ import re
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
 from hardcontact.config.configuration import get_key, read_yaml
-from hardcontact.config.key_types import STUDY_NAME
-from hardcontact.config.model import QUICK_NAME, ScanKeys, quantity
+from hardcontact.config.key_types import STUDY_NAME, UNIT
+from hardcontact.config.model import QUICK_NAME, quantity
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 
 #: The top folder, whose paths studies are named relative to.
@@ -27,6 +27,10 @@ QUANTITIES = {
     "range": ("scales.range", "range of adhesion"),
     "work": ("adhesion.work", "work of adhesion of the predicted force"),
 }
+#: Work of adhesion in J/m² above which the unit is questioned.
+QUESTIONED_WORK = 1.0
+#: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
+TAKEN_IDS = ("pooled", "smooth")
 DESCRIPTION = """\
 Read scans of your own surfaces, tell what is in them, choose what can be computed,
 and write config/NAME.yaml and config/NAME.tsv:
@@ -103,20 +107,28 @@ def add_shared(parser: ArgumentParser) -> None:
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {get_key(paper, key)})")
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument(
-        "--unit", choices=get_args(ScanKeys.model_fields["unit"].annotation), default="none",
-        help="unit of length, for the files that do not state it",
+        "--unit", default="none",
+        help="unit of length, for the files that do not state it; of points x, y, height two are "
+        "of positions and of heights, such as mm,nm",
     )  # fmt: skip
+    parser.add_argument(
+        "--size", help="longer edge of the scan, for the files that do not state it"
+    )
 
 
 def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
     """Return the quantities of the command line by name, and a line for each that is wrong.
 
-    Tip and modulus are there only if they are given; a faulty quantity has the paper's value.
+    Tip, size and modulus are there only if they are given; a faulty quantity has the paper's value.
     """
     paper = read_yaml("config/config.yaml")
     accepted = {name: quantity(key) for name, (key, _) in QUANTITIES.items()}
-    accepted |= {"tip": TIP_RADIUS, "modulus": accepted["hardness"]}
+    accepted |= {"tip": TIP_RADIUS, "size": quantity("scan.size"), "modulus": accepted["hardness"]}
     quantities, faults = {}, []
+    try:
+        UNIT.check(arguments.unit)
+    except ValueError as error:
+        faults.append(f"--unit: {error}")
     for name, bounds in accepted.items():
         text = getattr(arguments, name, None)
         try:
@@ -128,6 +140,15 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
             usual = get_key(paper, QUANTITIES[name][0])
             quantities[name] = Option(usual, bounds.number(usual), bounds.unit, False)
     return quantities, faults
+
+
+def questioned_work(work: Option) -> Iterator[str]:
+    """Yield a line if the work of adhesion is so large that another unit may be meant."""
+    if work.given and work.number > QUESTIONED_WORK:
+        yield (
+            f"--work {work.text}: did you mean {work.number:g} mJ/m2? Only clean bodies that bond "
+            f"in vacuum have more than {QUESTIONED_WORK:g} J/m2"
+        )
 
 
 def name_faults(arguments: Namespace) -> Iterator[str]:
@@ -200,7 +221,8 @@ def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str
 def surface_id(label: str) -> str:
     """Return the id of a surface: its label in lower case, other characters as underscores."""
     name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
-    name = name if re.match("[a-z]", name) else f"surface_{name}".rstrip("_")
+    if name in TAKEN_IDS or not re.match("[a-z]", name):
+        name = f"surface_{name}".rstrip("_")
     return name[:40].rstrip("_")
 
 

@@ -37,7 +37,7 @@ class RefusedFile(Exception):
 
 
 def read_in_child(
-    read: Callable[..., dict[str, Any]], path: Path, *arguments: str
+    read: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
 ) -> dict[str, Any]:
     """Return the dictionary that `read` makes of the bytes of a file, in a child process.
 
@@ -90,7 +90,7 @@ def _run_child(
     memory: int,
     read: Callable[..., dict[str, Any]],
     path: Path,
-    *arguments: str,
+    *arguments: str | float,
 ) -> None:
     """Send the dictionary or the refusal of a file; silently, for readers log and print."""
     faulthandler.disable()

@@ -7,6 +7,7 @@ here. `SurfaceTopography.Container.IO.Schema` describes containers.
 import io
 import json
 import math
+import re
 import zipfile
 from contextlib import suppress
 from importlib import import_module
@@ -16,9 +17,11 @@ import numpy as np
 import yaml
 from SurfaceTopography import open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
-from SurfaceTopography.IO import AscReader, XYZReader
+from SurfaceTopography.IO import AscReader, MagicMatch, XYZReader, readers
+from SurfaceTopography.Support.UnitConversion import is_length_unit
 
 from hardcontact.surfaces.limited_process import RefusedFile
+from hardcontact.surfaces.plain_text import POINT_COLUMNS, ROW, readable_text
 from hardcontact.surfaces.scan_heights import (
     OBLONG,
     check_points,
@@ -45,13 +48,22 @@ MAX_SCANS = 1000
 #: its channel chosen and its heights scaled.
 DATA_FILES = ("original", "squeezed-netcdf")
 OF_ORIGINAL = ("data_source", "height_scale")
-#: Stands for no unit, for files that state none.
-NO_UNIT = "none"
+#: Stands for a unit or an edge that is not given, for files that state none.
+NONE = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
 #: Spacings, in the unit of a text, below which its reader takes any line scan for uniform: it takes
 #: spacings that differ by less than 1e-6 of the unit for equal, 1 µm in a file in metres.
 COARSE_SPACING = 1e-4
+#: What SurfaceTopography says of a file that no reader takes: a reader and its reason, in turn.
+TRIED = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
+#: The unit of values that a header of a text states.
+VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
+#: Kinds of files that no reader knows, by how they begin, with the remedy.
+UNKNOWN_KINDS = {
+    b"DSCOMPRESSED": "a compressed file of MountainsMap: save it without compression",
+    b"PK\3\4": "an archive: unpack it, and give the scans in it",
+}
 
 
 def datasets_of(content: bytes) -> dict[str, Any]:
@@ -61,7 +73,7 @@ def datasets_of(content: bytes) -> dict[str, Any]:
 
 
 def measurement_of(
-    content: bytes, dataset: str, undefined_pixels: str, unit: str
+    content: bytes, dataset: str, undefined_pixels: str, unit: str, edge: float | str
 ) -> dict[str, Any]:
     """Return the fields of a `Measurement` but its path, as `scans.read_measurement` does."""
     entries = _container_entries(content)
@@ -70,20 +82,22 @@ def measurement_of(
         entry = _entry_named(entries, dataset)
         with zipfile.ZipFile(io.BytesIO(content)) as container:
             content = container.read(entry["file"])
+    content, text_notes = readable_text(content)
     try:
         reader = open_topography(io.BytesIO(content))
-    except CannotDetectFileFormat:
+    except CannotDetectFileFormat as error:
         raise RefusedFile(
             "expected a whole file in a format that SurfaceTopography reads, "
-            "found one that none of its readers takes"
+            f"found {_unread(content, str(error))}"
         ) from None
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
-    stated = {} if unit == NO_UNIT else {"unit": unit}
-    topography, used = _topography(channel, entry or stated)
+    notes = text_notes + notes
+    topography, used = _topography(channel, entry or _given(channel, unit, edge))
     if topography.unit is None:
         raise RefusedFile(
             "expected a unit of length, found none in the file: --unit, or the key scan.unit, "
-            "gives one to all files without"
+            "gives one to all files without, as nm, or one of positions and one of heights, as "
+            "mm,nm"
         )
     if topography.physical_sizes is None or not isinstance(topography.unit, str):
         raise RefusedFile(
@@ -102,9 +116,13 @@ def measurement_of(
                 "expected square pixels of a text, which has lost lines else, "
                 f"found {along_x:.6g} {topography.unit} x {along_y:.6g} {topography.unit}"
             )
-    values = (map_values if is_map else profile_values)(
-        topography, unit_in_nm(topography.unit), undefined_pixels
-    )
+    try:
+        values = (map_values if is_map else profile_values)(
+            topography, unit_in_nm(topography.unit), undefined_pixels
+        )
+    except RefusedFile as error:
+        two_units = "; --unit mm,nm gives positions and heights a unit each"
+        raise RefusedFile(f"{error}{two_units * (unit == topography.unit)}") from None
     tip_radius, tip_notes = stated_tip_radius(topography.info, entry)
     return {
         "dataset": dataset if entry or len(reader.channels) > 1 else "",
@@ -115,6 +133,28 @@ def measurement_of(
         **values,
         "notes": [*notes, *values["notes"], *tip_notes],
     }
+
+
+def _unread(content: bytes, tried: str) -> str:
+    """Return what a file is that no reader takes, with the reasons of those that know its kind."""
+    reasons = {name: " ".join(reason.split())[:200] for name, reason in TRIED.findall(tried)}
+    lines = content[: 2**16].decode("utf-8", "replace").splitlines()
+    start = content[:512]
+    known = [reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES]
+    kind = next((kind for begin, kind in UNKNOWN_KINDS.items() if content.startswith(begin)), "")
+    if zipfile.is_zipfile(io.BytesIO(content)):
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            if any(name.endswith("/main.xml") for name in archive.namelist()):
+                known = ["X3PReader"]
+                kind = "an X3P whose files are in a folder: zip them without it"
+    elif sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
+        known = ["AscReader"]
+        unit = VALUE_UNIT.search("\n".join(lines))
+        kind = "a text that is neither a matrix of equal rows nor columns of points"
+        if unit and not is_length_unit(unit[1]):
+            kind = f"a text of values in {unit[1]}, which is no unit of length"
+    told = [f"{name}: {reasons[name]}" for name in known if name in reasons]
+    return "; ".join([*([kind] if kind else []), *told]) or "one that none of its readers takes"
 
 
 def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
@@ -176,25 +216,69 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
             f"expected a data_source from 0 to {len(channels) - 1} in the container, found {number}"
         )
     wanted = reader.default_channel if number is None else channels[number]
-    names = ", ".join(channel.name for channel in channels)
-    if name and len(channels) > 1:  # Else there is nothing to choose.
-        numbered = enumerate(channels, 1)
-        channels = [channel for index, channel in numbered if name in (channel.name, str(index))]
-        if not channels:
+    # Phases and voltages of Nanoscope files are channels of heights, with two units.
+    of_heights = [
+        channel
+        for channel in channels
+        if channel.is_height_channel and not isinstance(channel.unit, tuple)
+    ]
+    names = ", ".join(channel.name for channel in of_heights) or "none"
+    if name:
+        named = [channel for channel in channels if name in (channel.name, str(channel.index + 1))]
+        if not named:
             raise RefusedFile(
-                f"expected one of the channels {names}, or its number from 1; found {name!r}"
+                f"expected one of the channels of heights ({names}), or its number among all "
+                f"channels from 1; found {name!r}"
             )
-        wanted = channels[0]
-    for channel in (wanted, *channels):
-        # Phases and voltages of Nanoscope files are channels of heights, with two units.
-        if channel.is_height_channel and not isinstance(channel.unit, tuple):
-            note = f"channel {channel.name} read: {wanted.name} holds no heights"
-            return channel, [] if channel.index == wanted.index else [note]
-    raise RefusedFile(f"expected a channel of heights, found only {names}")
+        if named[0].index not in [channel.index for channel in of_heights]:
+            raise RefusedFile(
+                f"expected a channel of heights, found only {named[0].name} "
+                f"({_unit_in_words(named[0])}); of heights: {names}"
+            )
+        return named[0], []
+    if not of_heights:
+        listed = ", ".join(f"{channel.name} ({_unit_in_words(channel)})" for channel in channels)
+        raise RefusedFile(f"expected a channel of heights, found only {listed}")
+    chosen = next((heights for heights in of_heights if heights.index == wanted.index), None)
+    if chosen is None:
+        return of_heights[0], [f"channel {of_heights[0].name} read: {wanted.name} holds no heights"]
+    others = [channel.name for channel in of_heights if channel.name != chosen.name]
+    is_listed = bool(others) and number is None
+    return chosen, [f"other channels of heights: {', '.join(others)}"] if is_listed else []
+
+
+def _unit_in_words(channel: Any) -> str:
+    """Return the unit of the values of a channel; of two units the second is that of values."""
+    unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
+    return str(unit or "of no stated unit")
+
+
+def _given(channel: Any, unit: str, edge: float | str) -> dict[str, Any]:
+    """Return what the user gives for what a file lacks, as a container states it.
+
+    The unit may be two, of positions and of heights; the edge is the longer one, in nm.
+    """
+    given: dict[str, Any] = {}
+    lateral, _, vertical = unit.partition(",")
+    if channel.unit is None and unit != NONE:
+        given["unit"] = lateral
+        if vertical:
+            given["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
+    known_unit = given.get("unit", channel.unit)
+    if edge != NONE and channel.physical_sizes is None and known_unit:
+        pixel = float(edge) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
+        given["size"] = [pixel * count for count in channel.nb_grid_pts]
+    return given
 
 
 def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
     """Return the topography of a channel, and the stated metadata that its file lacks, in words."""
+    is_text = isinstance(channel.reader, AscReader)
+    if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
+        raise RefusedFile(
+            "expected points x, y, height on a regular grid of which at least half are there, or a "
+            f"matrix of more columns, found {channel.nb_grid_pts[0]} columns on no such grid"
+        )
     check_points(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(stated.get("size") or ()) or None
@@ -204,9 +288,11 @@ def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
     if scale is not None and not 0 < scale < math.inf:
         raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
+        both = channel.unit is None and "unit" not in stated
         raise RefusedFile(
-            "expected a file that states the physical size of the scan, found none: "
-            "the file is damaged, or its format has none"
+            f"expected a file that states the physical size{' and unit' * both} of the scan, found "
+            "none: the file is damaged, or its format has none; --size 5um, or the key scan.edge, "
+            f"gives the longer edge{', and --unit nm the unit of the heights' * both}"
         )
     # A height scale that the file has already would calibrate it twice.
     arguments: dict[str, Any] = {}

@@ -55,7 +55,11 @@ def read_stored(path: str) -> Measurement:
 
 
 def read_measurement(
-    path: str | Path, dataset: str = "", undefined_pixels: str = "refuse", unit: str = "none"
+    path: str | Path,
+    dataset: str = "",
+    undefined_pixels: str = "refuse",
+    unit: str = "none",
+    edge: float | str = "none",
 ) -> Measurement:
     """Read a topography: a map cropped to its central square, or a line scan on uniform spacing.
 
@@ -69,7 +73,11 @@ def read_measurement(
     undefined_pixels : str
         ``"refuse"``, or the interpolation of SurfaceTopography (``"harmonic"``) that fills them.
     unit : str
-        The unit of length of a file that states none, or ``"none"``.
+        The unit of length of a file that states none, or ``"none"``; two, as ``"mm,nm"``, are of
+        positions and of heights.
+    edge : float or str
+        The longer edge in nm of a map, or the length of a line scan, whose file states none, or
+        ``"none"``.
 
     Returns
     -------
@@ -84,7 +92,7 @@ def read_measurement(
     """
     from hardcontact.surfaces.scan_formats import measurement_of
 
-    fields = read_in_child(measurement_of, Path(path), dataset, undefined_pixels, unit)
+    fields = read_in_child(measurement_of, Path(path), dataset, undefined_pixels, unit, edge)
     fields["notes"] = tuple(fields["notes"])
     return Measurement(path=str(path), **fields)
 
@@ -95,9 +103,10 @@ def read_scan(
     undefined_pixels: str = "refuse",
     basis: str = "measured",
     unit: str = "none",
+    edge: float | str = "none",
 ) -> HeightMap:
     """Read a height map as `read_measurement` does; raises ValueError for a line scan."""
-    return height_map(read_measurement(path, dataset, undefined_pixels, unit), basis)
+    return height_map(read_measurement(path, dataset, undefined_pixels, unit, edge), basis)
 
 
 def list_measurements(path: str | Path) -> list[str]:

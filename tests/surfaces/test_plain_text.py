@@ -1,0 +1,153 @@
+"""Plain text of scans as people have it: commas, encodings, gaps, two units, no size."""
+
+import numpy as np
+import pytest
+from refusals import assert_says, refusal
+from scan_files import heights
+
+from hardcontact.surfaces.plain_text import readable_text
+from hardcontact.surfaces.scans import read_measurement
+
+PIXELS = 24
+MAP = heights(PIXELS, PIXELS)  # in nm
+HEAD = ["# Channel: Height", "# Width: 0,240 µm", "# Height: 0,240 µm", "# Value units: m"]
+
+
+def matrix(separator, form="{:.4f}", scale=1.0):
+    return [separator.join(form.format(scale * height) for height in row) for row in MAP]
+
+
+def written(path, lines, encoding="utf-8", end="\n"):
+    path.write_bytes((end.join(lines) + end).encode(encoding))
+    return path
+
+
+def commas(lines):
+    return [line.replace(".", ",") for line in lines]
+
+
+METRES = matrix("\t", "{:.6e}", 1e-9)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])
+@pytest.mark.parametrize("comma", [False, True])
+def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, comma):
+    head = [line if comma else line.replace(",", ".") for line in HEAD]
+    lines = [*head, *(commas(METRES) if comma else METRES)]
+    measured = read_measurement(written(tmp_path / "a.txt", lines, encoding, "\r\n"))
+    assert measured.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measured.heights, MAP, atol=1e-4)
+    assert measured.notes == (("decimal commas read",) if comma else ())
+
+
+MATRICES = {
+    "blanks": matrix(" "),
+    "commas": matrix(","),
+    "commas and blanks": matrix(", "),
+    "semicolons": matrix(";"),
+    "decimal commas, semicolons": commas(matrix(";")),
+    "decimal commas, tabs": commas(matrix("\t")),
+    "a comma at the end": [f"{row}," for row in matrix(",")],
+}
+
+
+@pytest.mark.parametrize("name", MATRICES)
+def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
+    path = written(tmp_path / "a.csv", MATRICES[name])
+    message = refusal(read_measurement, path)
+    assert_says(message, "physical size and unit", "found none", "--size 5um", "--unit nm")
+    assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "--size 5um", "scan.edge")
+    measured = read_measurement(path, unit="nm", edge=240.0)
+    assert measured.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measured.heights, MAP, atol=1e-4)
+    coarse = read_measurement(path, unit="mm,nm", edge=480.0)  # the unit of positions is not used
+    assert coarse.pixel_size == pytest.approx(20.0)
+    np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
+
+
+def test_the_size_is_the_longer_edge_and_of_files_that_state_none(tmp_path):
+    path = written(tmp_path / "a.txt", matrix(" ")[:20])
+    assert read_measurement(path, unit="nm", edge=240.0).pixel_size == pytest.approx(10.0)
+    path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
+    stated = read_measurement(path, unit="nm", edge=999.0)
+    assert stated.pixel_size == pytest.approx(10.0) and stated.notes == ()
+
+
+@pytest.mark.parametrize("word", ["", "nan", "***", "undefined"])
+def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
+    rows = matrix(";")
+    rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
+    path = written(tmp_path / "a.csv", rows)
+    measured = read_measurement(path, "", "harmonic", "nm", 240.0)
+    assert measured.undefined == 1
+    defined = np.ones((PIXELS, PIXELS), bool)
+    defined[3, 5] = False
+    np.testing.assert_allclose(measured.heights[defined], MAP[defined], atol=1e-4)
+
+
+Y, X = (10.0 * axis.ravel() for axis in np.indices((PIXELS, PIXELS)))
+POINTS = np.column_stack([X, Y, MAP.ravel()])
+GAPS = np.random.default_rng(2).choice(len(POINTS), 30, replace=False)
+
+
+def coordinates(path, points, separator=" "):
+    np.savetxt(path, points, "%.6f", separator)
+    return path
+
+
+@pytest.mark.parametrize("separator", [" ", ",", ";"])
+@pytest.mark.parametrize("order", [1, -1])
+def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
+    points = np.delete(POINTS, GAPS, axis=0)[::order]
+    path = coordinates(tmp_path / "a.xyz", points, separator)
+    assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "undefined", "found 30")
+    measured = read_measurement(path, "", "harmonic", "nm")
+    assert measured.pixel_size == pytest.approx(10.0) and measured.undefined == 30
+    defined = np.delete(np.arange(len(POINTS)), GAPS)
+    np.testing.assert_allclose(measured.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
+    assert measured.notes == ("30 undefined pixels of 576 filled", "unit nm as given")[::-1]
+
+
+@pytest.mark.parametrize("missing", [[], GAPS])
+def test_points_may_have_two_units(tmp_path, missing):
+    scaled = np.delete(POINTS, missing, axis=0) * [1e-3, 1e-3, 1]
+    path = coordinates(tmp_path / "a.xyz", scaled)
+    measured = read_measurement(path, "", "harmonic", "um,nm")
+    assert measured.pixel_size == pytest.approx(10.0)
+    assert measured.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
+    assert_says(refusal(read_measurement, path, "", "harmonic", "um"), "--unit mm,nm gives")
+    line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
+    np.testing.assert_allclose(read_measurement(line, unit="um,nm").heights, MAP[0], atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        np.random.default_rng(1).uniform(0, 100, (400, 3)),  # on no grid
+        np.random.default_rng(1).permutation(POINTS)[:200],  # mostly gaps
+        np.vstack([POINTS[:-1], POINTS[:1]]),  # one twice
+    ],
+)
+def test_points_that_make_no_map_are_refused(tmp_path, points):
+    path = coordinates(tmp_path / "a.xyz", points)
+    message = refusal(read_measurement, path, "", "harmonic", "nm")
+    assert_says(message, "a.xyz: expected points x, y, height on a regular grid")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"\0\1\2", b"PK\3\4" + bytes(9), b"", b"words, and; others\n", b"1,2\n3,4\n", b"x\n1.5 2\n"],
+)
+def test_what_is_no_text_of_numbers_between_commas_keeps_its_words(content):
+    assert readable_text(content)[0].replace(b" ", b",") == content.replace(b" ", b",")
+
+
+def test_values_that_are_no_lengths_are_refused_with_their_unit(tmp_path):
+    lines = [*HEAD[:3], "# Value units: mV", *matrix(" ")]
+    path = written(tmp_path / "a.txt", [line.replace(",", ".") for line in lines])
+    assert_says(refusal(read_measurement, path), "found a text of values in mV")
+
+
+def test_ragged_rows_say_so(tmp_path):
+    path = written(tmp_path / "a.txt", [*matrix(" "), "1 2 3 4 5 6"])
+    assert_says(refusal(read_measurement, path), "found a text that is neither a matrix")
