@@ -5,6 +5,7 @@ import xarray as xr
 from intervals import between_multiples
 
 from hardcontact.report.datasets import Datasets, Setting
+from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 
 CONFIDENCE = 0.95
@@ -124,6 +125,7 @@ def _spectra_of(bins, measured):
             "joined": ("bin_wavevector", joined),
             **{name: ("measurement", np.array(values, float)) for name, values in columns.items()},
             **{name: ("measurement", values) for name, values in texts.items()},
+            **{name: ("measurement", np.full(len(measured), np.nan)) for name in DEFECT_UNITS},
             "path": ("measurement", [f"scans/{name}" for name in measured]),
             "dataset": ("measurement", [""] * len(measured)),
             "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(measured) - 1)),

@@ -180,7 +180,7 @@ def test_what_cannot_be_computed_is_refused_in_a_line(files):
         (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
         (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
         (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
-        (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane or lines"]),
+        (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
     ]
     for function, arguments, parts in cases:
         message = refusal(lambda: function(**arguments))  # noqa: B023

@@ -14,6 +14,7 @@ from refusals import assert_says, refusal
 from hardcontact.base.random import generator
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.contact.contact import contact_of_area
+from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum, fitted_hurst
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
@@ -221,6 +222,12 @@ def test_a_compliant_sphere_is_no_hard_contact(table):
     assert soft["tabor_parameter"]["value"] == pytest.approx(number, rel=1e-3)
     assert soft["tabor_parameter"]["status"] == "soft"
     assert hard["tabor_parameter"].get("status", "") != "soft"
+
+
+def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
+    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
+    assert_says(printed(path, "--hardness", "1GPa"), "Tabor parameter: not known; give --modulus")
+    assert assumed_modulus(5e9) == PAPER_MODULUS and np.isnan(assumed_modulus(1e9))
 
 
 # Scans

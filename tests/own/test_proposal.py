@@ -41,7 +41,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
         "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
-        "density": density(size, size / pixels, rms), "undefined": 0, "notes": (),
+        "density": density(size, size / pixels, rms), "undefined": 0, "notes": (), "defects": {},
     }  # fmt: skip
     return Entry(
         source=Source(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
@@ -214,6 +214,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
         # 20 nm² are less than a pixel of 19.5 nm.
         (entry(10000), probe(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
         (entry(10000, 512, 14, undefined=512**2 * 3 // 10), probe(), ["30% of its pixels"]),
+        (entry(defects={"highest": {"highest_share": 0.1}}), probe(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
 def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, asked, parts):

@@ -131,3 +131,25 @@ def test_no_answer_rests_on_an_exponent_that_the_scans_do_not_tell(hurst, bins):
     assert [one["known"] for one in cautions(of) if one["code"] == "tail"] == [False]
     (answer,) = [row.fact for row in answer_rows(of) if row.fact.name == "force_continued"]
     assert np.isnan(answer.value) and answer.status == "no_exponent"
+
+
+@pytest.mark.parametrize(
+    ("code", "numbers"),
+    [
+        ("spikes", {"spike_share": 0.001, "rms_height_without_spikes": 19.0}),
+        ("equal_lines", {"equal_line_share": 0.4}),
+        ("highest", {"highest_share": 0.1}),
+        ("lowest", {"lowest_share": 0.1}),
+        ("curvature", {"curvature_radius": 5e4, "uncurved_share": 0.1}),
+        ("lay", {"lay_ratio": 30.0}),
+    ],
+)
+def test_defects_of_a_scan_are_named(code, numbers):
+    data = spectra()
+    for name, number in numbers.items():
+        data[name][:, 0] = number
+    (found,) = named(code, spectra=data)
+    assert found["measurement"] == "scans/fine.spm"
+    assert {name: found[name].value for name in numbers} == numbers
+    assert (code in grave(spectra=data)) == (code in ("spikes", "equal_lines", "highest"))
+    assert not named(code)

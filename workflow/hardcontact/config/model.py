@@ -114,8 +114,9 @@ class ScanKeys(Keys):
     edge: LengthOrNone = key("none")
     """The longer edge of all measured scans whose files state no size; `none`: these are
     refused."""
-    levelling: Literal["plane", "lines"] = "plane"
-    """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first."""
+    levelling: Literal["plane", "lines", "quadratic"] = "plane"
+    """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first, or
+    subtract a `quadratic` polynomial, such as the bow of a scanner."""
 
 
 class ContactKeys(Keys):

@@ -21,6 +21,7 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.scan_defects import told_defects
 from hardcontact.surfaces.scan_heights import LENGTHS
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum
@@ -111,6 +112,11 @@ def own_spectrum(
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
     differing = told_contradictions(contradictions(*columns), names)
     notes += [f"take care: {line}" for line in differing]
+    notes += [
+        f"take care: {name}: {line}"
+        for name, scan in zip(names, scans, strict=True)
+        for line in told_defects(scan.defects)
+    ]
     return OwnSpectrum(reliable, tuple(notes), joined)
 
 

@@ -40,6 +40,16 @@ PAPER_MODULUS = effective_modulus(
     {"modulus": 365e9, "poisson_ratio": 0.29}, {"modulus": 1010e9, "poisson_ratio": 0.22}
 )
 
+#: Hardness in Pa below which PAPER_MODULUS says nothing: a tenth of that of the paper's diamond.
+#: Moduli are ten to some hundred times the hardness (ceramics, metals), so bodies of this one may
+#: be ten times as compliant as the paper's.
+SOFT = 2.5e9
+
+
+def assumed_modulus(hardness: float) -> float:
+    """Return the effective modulus (Pa) to assume of bodies of a hardness (Pa), NaN if SOFT."""
+    return PAPER_MODULUS if hardness >= SOFT else np.nan
+
 
 def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
     """Return the contact of a sphere under a load: a³ = 3FR/4E*, p0 = 3F/2πa², approach a²/R.

@@ -1,6 +1,6 @@
 """What the files of own surfaces hold: one entry a topography, and what cannot be read."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import PurePath
@@ -53,6 +53,7 @@ class Entry:
     density: Floats  #: C_iso (bins,) in nm⁴
     undefined: int  #: pixels, which were filled
     notes: tuple[str, ...]  #: what was done in reading
+    defects: Mapping[str, Mapping[str, float]]  #: of `scan_defects`
 
     @property
     def undefined_share(self) -> float:
@@ -87,12 +88,14 @@ def inventory(
     channel: str = "",
     unit: str = "none",
     edge: float | str = "none",
+    levelling: str = "plane",
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Read all topographies of files, of containers all members.
 
     Returns the entries, a line for each member of a container that cannot be used beside others
     that can, and a line for each problem. Tip radius (nm), unit and edge (nm) are of files that do
-    not state them; the channel is of files that are no containers.
+    not state them; the channel is of files that are no containers; the levelling is one of
+    LEVELLING.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []
@@ -106,7 +109,7 @@ def inventory(
                     measurement = read_measurement(
                         source.file, dataset or channel, FILLING, unit, edge
                     )
-                    file_entries.append(_entry(source, measurement, tip_radius))
+                    file_entries.append(_entry(source, measurement, tip_radius, levelling))
                 except ValueError as error:
                     file = f"{source.file}: "
                     faults += [
@@ -156,12 +159,14 @@ def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
         yield from told_contradictions(differences, [scan.name for scan in scans])
 
 
-def _entry(source: Source, measurement: Measurement, tip_radius: float | None) -> Entry:
+def _entry(
+    source: Source, measurement: Measurement, tip_radius: float | None, levelling: str
+) -> Entry:
     """Return the entry of one topography; raise ValueError if it cannot be used."""
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = flattened(measurement, source.sphere_radius)
+    flat = flattened(measurement, source.sphere_radius, levelling)
     levelled = flat.heights
     if flat.kind != "map":  # A line scan is levelled by its mean line.
         place = np.arange(len(levelled))
@@ -186,6 +191,7 @@ def _entry(source: Source, measurement: Measurement, tip_radius: float | None) -
         density=density,
         undefined=measurement.undefined,
         notes=measurement.notes,
+        defects=flat.defects,
     )
 
 

@@ -83,6 +83,7 @@ def new_study(arguments: Namespace) -> str:
         arguments.channel,
         arguments.unit,
         quantities["size"].number if "size" in quantities else NONE,
+        arguments.levelling,
     )
     faults += [*file_faults, *problems]
     checks: list[Callable[[], Any]] = [
@@ -163,6 +164,8 @@ def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> It
         yield Choice("scan.unit", arguments.unit, "as given, of files that state none")
     if "size" in quantities:
         yield Choice("scan.edge", quantities["size"].text, "as given, of files that state none")
+    if arguments.levelling != "plane":
+        yield Choice("scan.levelling", arguments.levelling, "as given, of all height maps")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
     surface, reason = (SPHERE, "its scans") if arguments.sphere else (SMOOTH, "no scans of it")

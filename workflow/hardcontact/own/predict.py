@@ -17,7 +17,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import NONE, Study
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import PAPER_MODULUS
+from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.request import QUANTITIES, add_shared, options, questioned_work
 from hardcontact.theory.prediction import CHANGE, prediction, tabor, too_wide
 
@@ -85,6 +85,7 @@ def predict(arguments: Namespace) -> str:
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,
         edge=quantities["size"].number if "size" in quantities else NONE,
+        levelling=arguments.levelling,
     )
     _, (spectrum, notes, joined) = refuse_all([partial(refuse_lines, faults), reader])
     numbers = {
@@ -93,8 +94,9 @@ def predict(arguments: Namespace) -> str:
         if name in QUANTITIES
     }
     numbers |= prediction(spectrum, contact, Study().scales.tolerance, arguments.file, joined)
-    modulus = quantities["modulus"].number if "modulus" in quantities else PAPER_MODULUS
-    status = "given" if "modulus" in quantities else "paper"
+    modulus, status = assumed_modulus(hardness), "paper"
+    if "modulus" in quantities:
+        modulus, status = quantities["modulus"].number, "given"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITIES}

@@ -25,6 +25,7 @@ from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import FILLING, Entry, by_surface, contradicting
 from hardcontact.surfaces.extrapolated_spectrum import FEWEST
 from hardcontact.surfaces.reliable_band import LIMITS
+from hardcontact.surfaces.scan_defects import told_defects
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
@@ -118,7 +119,10 @@ def propose(
     if gaps := sum(entry.undefined > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
-    cautions = [*_contact_cautions(substrates, probe.range, contact, why, summits)]
+    cautions = [
+        f"{entry.name}: {line}" for entry in entries for line in told_defects(entry.defects)
+    ]
+    cautions += _contact_cautions(substrates, probe.range, contact, why, summits)
     cautions += [
         f"{scan.name}: no wavelength is reliable, {scan.band}"
         for scan in substrates

@@ -12,6 +12,7 @@ from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import QUICK_NAME, quantity
 from hardcontact.config.selection import LABEL, TIP_RADIUS
+from hardcontact.surfaces.height_map import LEVELLING
 
 #: The top folder, whose paths studies are named relative to.
 ROOT = LIBRARY.parents[1]
@@ -114,6 +115,11 @@ def add_shared(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--size", help="longer edge of the scan, for the files that do not state it"
     )
+    )
+    parser.add_argument(
+        "--levelling", choices=LEVELLING, default="plane",
+        help="what is subtracted of maps: a plane, offsets of lines, or a quadratic polynomial",
+    )  # fmt: skip
 
 
 def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:

@@ -4,7 +4,7 @@ Each caution is a mapping with its `code`; the words for it stand in the templat
 an edge or a force rests on, and what a measurement cannot see, stands in their own rows.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -12,10 +12,11 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import LEAST_TRIED
-from hardcontact.report.artificial import has_exponent, measurement_name, measurements
+from hardcontact.report.artificial import has_exponent, measurement_name, measurements, single
 from hardcontact.report.datasets import Datasets, at_range
 from hardcontact.report.quantities import between, number_of
 from hardcontact.surfaces.contradictions import contradictions
+from hardcontact.surfaces.scan_defects import DEFECTS
 
 Caution = Mapping[str, Any]
 
@@ -29,6 +30,8 @@ RESOLVED = 2
 MUCH_MORE = 2.0
 #: Standard errors of an interval of 95 %.
 Z_95 = 1.96
+#: Defects of scans that change the highest points, and the force with them.
+MISLEADING = frozenset({"spikes", "equal_lines", "highest"})
 
 
 def cautions(of: Datasets) -> list[Caution]:
@@ -43,11 +46,13 @@ def cautions(of: Datasets) -> list[Caution]:
     both = [{"code": "window_and_small_scan"}] if cut and too_small else []
     judged = [
         (_blind_scans(of), True),
+        (_defects(of.spectra, MISLEADING), True),
         (_window(of.force), cut),
         (_scan_size(of), too_small),
         (both, True),
         (_pixels(of.force), one_pixel),
         (_intervals(of.force), False),
+        (_defects(of.spectra, set(DEFECTS) - MISLEADING), False),
         (_contradictions(of.spectra), False),
         (_more_than_measured(of.spectra), False),
         (_beyond_scans(of), False),
@@ -64,6 +69,17 @@ def _blind_scans(of: Datasets) -> list[dict[str, Any]]:
     reliable = (all_scans["reliable"].values == 1).any(axis=1)
     blind = of_contact.any() and not reliable[of_contact].any()
     return [{"code": "blind_scans"}] if blind else []
+
+
+def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]]:
+    """Return the defects of these codes of the measurements of a surface."""
+    return [
+        {"code": code, "measurement": measurement_name(measurement)}
+        | {name: number_of(measurement, name, unit, source="file") for name, unit in units.items()}
+        for measurement in single(measurements(spectra))
+        for code, units in DEFECTS.items()
+        if code in codes and all(np.isfinite(measurement[name]) for name in units)
+    ]
 
 
 def _window(force: xr.Dataset) -> list[dict[str, Any]]:

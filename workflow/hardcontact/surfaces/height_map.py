@@ -97,8 +97,17 @@ def level_lines(scan: HeightMap) -> HeightMap:
     return level(replace(scan, heights=aligned.heights().T))
 
 
+def level_quadratic(scan: HeightMap) -> HeightMap:
+    """Return a scan minus its least-squares polynomial of second order, such as a scanner's bow."""
+    return replace(scan, heights=library_map(scan).detrend("curvature").heights().T)
+
+
 #: Ways to level a scan, by their names in the configuration.
-LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {"plane": level, "lines": level_lines}
+LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
+    "plane": level,
+    "lines": level_lines,
+    "quadratic": level_quadratic,
+}
 
 
 def flat_map(

@@ -29,6 +29,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band, with_tip
+from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -139,6 +140,12 @@ def joined_spectrum(
             "dataset": measurement.dataset,
             "tip_radius": np.nan if radius is None else radius,
             "notes": "; ".join(measurement.notes),
+            **dict.fromkeys(DEFECT_UNITS, np.nan),
+            **{
+                name: number
+                for numbers in measurement.defects.values()
+                for name, number in numbers.items()
+            },
         }
         for measurement, radius, band in zip(measurements, data.radii, data.bands, strict=True)
     ]
@@ -314,13 +321,13 @@ def _with_measurements(
     reliable: NDArray[np.bool_],
     measurements: Sequence[Mapping[Any, Any]],
 ) -> xr.Dataset:
-    """Return a spectrum with its measurements, as lists of their words and lengths in nm."""
+    """Return a spectrum with its measurements, as lists of their words, lengths and defects."""
     axes, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
     columns = {
         name: (
             "measurement",
             [measurement[name] for measurement in measurements],
-            {} if isinstance(value, str) else {"units": "nm"},
+            {} if isinstance(value, str) else {"units": DEFECT_UNITS.get(name, "nm")},
         )
         for name, value in measurements[0].items()
     }
@@ -353,7 +360,7 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     longest = runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
     descriptions = runs.assign(
         longest_reliable=longest, kind="description", path=path, dataset="", limited_by="source"
-    ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius"), np.nan))
+    ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan))
     wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
     ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()
     shortest, longest = ends.T[..., None]

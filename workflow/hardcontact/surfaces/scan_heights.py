@@ -118,8 +118,17 @@ def _square_pixels(
         lines = [np.interp(squares, positions, line) for line in np.moveaxis(values, axis, -1)]
         values = np.moveaxis(np.array(lines), -1, axis)
     check_points(values.shape)
-    note = f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"
-    return _masked(values), longer, [note]
+    notes = [f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"]
+    width, height = edges * heights.shape
+    if abs(width / height - 1) <= OBLONG:
+        # Files of Bruker state the size of the full scan, also of one with fewer lines.
+        square = " x ".join(print_length(count * edges.min()) for count in heights.shape)
+        notes.append(
+            f"the file states {print_length(width)} x {print_length(height)} for "
+            f"{heights.shape[0]} x {heights.shape[1]} pixels: if they are square, {square} were "
+            "scanned, and heights are stretched along one axis"
+        )
+    return _masked(values), longer, notes
 
 
 def _masked(heights: Floats) -> np.ma.MaskedArray:

@@ -1,7 +1,7 @@
 """Reading scans of any microscope, and preparing them."""
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +10,7 @@ import xarray as xr
 from hardcontact.base import dataset as labelled
 from hardcontact.surfaces.height_map import LEVELLING, HeightMap, flat_map, mirror_stitch
 from hardcontact.surfaces.limited_process import read_in_child
+from hardcontact.surfaces.scan_defects import scan_defects
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,8 @@ class Measurement:
     tip_radius: float | None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...]  #: What was changed or chosen in reading, in words for the user.
     undefined: int  #: Undefined pixels among those kept, before they were filled.
+    #: Of `scan_defects`, once the heights are `flattened`.
+    defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def stored(self) -> xr.Dataset:
         """Return the dataset that `read_stored` reads: heights in float64, else attributes."""
@@ -34,6 +37,7 @@ class Measurement:
             "notes": "; ".join(self.notes),
         }
         heights = attributes.pop("heights")
+        del attributes["defects"]
         dimensions = ("y", "x") if self.kind == "map" else ("x",)
         labels = {"units": "nm", "long_name": "height as read"}
         return xr.Dataset({"heights": (dimensions, heights, labels)}, attrs=attributes)
@@ -130,16 +134,21 @@ def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
 def flattened(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measured map without its sphere and levelled; a line scan stays as it is.
+    """Return a measurement with its defects: a map without its sphere and levelled.
 
-    The radius of the sphere is in nm, None for a flat surface.
+    The radius of the sphere is in nm, None for a flat surface. A line scan keeps its heights.
     """
     if levelling not in LEVELLING:
-        raise ValueError(f"levelling: expected {' or '.join(LEVELLING)}, found {levelling}")
+        raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
+    as_read = measurement.heights
     if measurement.kind != "map":
-        return measurement
-    flat = flat_map(height_map(measurement), sphere_radius, levelling)
-    return replace(measurement, heights=flat.heights)
+        from scipy.signal import detrend  # A slow import.
+
+        defects = scan_defects(as_read, detrend(as_read), measurement.pixel_size)
+        return replace(measurement, defects=defects)
+    flat = flat_map(height_map(measurement), sphere_radius, levelling).heights
+    defects = scan_defects(as_read, flat, measurement.pixel_size)
+    return replace(measurement, heights=flat, defects=defects)
 
 
 def flat_measurements(

@@ -249,9 +249,11 @@ def rough_part(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
 def tabor(contact: Contact, modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing, and what it says.
 
-    The effective modulus is in Pa. The bodies are SOFT where their elasticity takes more than
-    CHANGE of the force from a smooth sphere.
+    The effective modulus is in Pa, NaN if it is not known. The bodies are SOFT where their
+    elasticity takes more than CHANGE of the force from a smooth sphere.
     """
+    if math.isnan(modulus):
+        return Number("tabor_parameter", modulus, status=UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.range))
     softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
     return Number("tabor_parameter", value, status=SOFT if softening > CHANGE else HARD)

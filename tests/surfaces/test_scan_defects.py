@@ -1,0 +1,153 @@
+"""Defects of scans: each kind is named with its numbers, and none is named on sound scans."""
+
+import numpy as np
+import pytest
+from measurements import map_of, measurement
+from scipy.ndimage import gaussian_filter
+
+from hardcontact.base.random import generator
+from hardcontact.surfaces.height_map import level_quadratic
+from hardcontact.surfaces.protrusions import Protrusions, add_protrusions
+from hardcontact.surfaces.scan_defects import DEFECTS, told_defects
+from hardcontact.surfaces.scans import flattened, height_map
+from hardcontact.surfaces.spectrum import smooth_rolloff
+
+PIXEL, PIXELS = 20.0, 128
+SIZE = PIXELS * PIXEL
+Y, X = np.indices((PIXELS, PIXELS)) * PIXEL - SIZE / 2
+
+
+def density(hurst, rolloff):
+    """C_iso of a self-affine surface with a roll-off (nm)."""
+    return lambda q: smooth_rolloff(q, 1e6, rolloff, hurst)
+
+
+def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
+    """Heights of a self-affine map with an rms height."""
+    heights = map_of(generator(seed), PIXELS, PIXEL, density(hurst, rolloff)).heights
+    return (heights - heights.mean()) * (rms_height / heights.std())
+
+
+def defects_of(heights, pixel_size=PIXEL, **options):
+    return flattened(measurement(heights, pixel_size), **options).defects
+
+
+def with_spikes(seed, share):
+    heights = rough(seed, 12.0)
+    rng = generator(seed + 1)
+    places = rng.choice(heights.size, round(share * heights.size), replace=False)
+    heights.flat[places] += rng.choice([-1, 1], len(places)) * rng.uniform(300, 2000, len(places))
+    return heights
+
+
+def stopped(seed, lines, filling, axis=0):
+    heights = rough(seed, 5.0) + 40
+    last = heights[lines - 1] if filling == "repeated" else 0.0
+    heights[lines:] = last
+    return heights if axis == 0 else heights.T
+
+
+def grating(period, degrees):
+    angle = np.radians(degrees)
+    wave = np.cos(2 * np.pi * (X * np.cos(angle) + Y * np.sin(angle)) / period)
+    return 15 * wave + rough(9, 0.7)
+
+
+def curved(seed, rms_height, radius_x, radius_y):
+    return rough(seed, rms_height) - X**2 / (2 * radius_x) - Y**2 / (2 * radius_y)
+
+
+ROUGH = rough(3, 6.0)
+#: Heights, and the defects that they have with the numbers that they were made with.
+CASES = {
+    "few spikes": (with_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
+    "spikes": (with_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
+    "many spikes": (with_spikes(13, 0.03), {"spikes": (0.03, 12.0)}),
+    "stopped, zero": (stopped(21, 96, "zero"), {"equal_lines": [0.25]}),
+    "stopped, repeated": (stopped(22, 64, "repeated"), {"equal_lines": [0.5]}),
+    "stopped, along y": (stopped(23, 100, "repeated", 1), {"equal_lines": [28 / PIXELS]}),
+    "clipped at the top": (np.minimum(ROUGH, np.quantile(ROUGH, 0.96)), {"highest": [0.04]}),
+    "clipped at both ends": (
+        np.clip(ROUGH, *np.quantile(ROUGH, [0.05, 0.99])),
+        {"highest": [0.01], "lowest": [0.05]},
+    ),
+    "clipped, quantised": (
+        np.round(np.minimum(ROUGH, 9.0), 1), {"highest": [(ROUGH >= 8.95).mean()]},
+    ),
+    "ball": (curved(31, 1.0, 30e3, 30e3), {"curvature": (30e3, None)}),
+    "bow": (curved(32, 0.5, -60e3, -120e3), {"curvature": (60e3, None)}),
+    "cylinder": (curved(33, 0.5, 1e5, np.inf), {"curvature": (1e5, None)}),
+    "grating": (grating(300, 0), {"lay": [None]}),
+    "oblique grating": (grating(700, 45), {"lay": [None]}),
+    "step": (np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": [None]}),
+    "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": [None]}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_each_kind_is_named_with_its_numbers(case):
+    heights, expected = CASES[case]
+    defects = defects_of(heights)
+    assert set(defects) == set(expected)
+    for code, numbers in expected.items():
+        assert list(defects[code]) == list(DEFECTS[code])
+        for number, wanted in zip(defects[code].values(), numbers, strict=True):
+            assert wanted is None or number == pytest.approx(wanted, rel=0.05)
+    assert len(list(told_defects(defects))) == len(expected)
+
+
+def test_the_share_of_the_rms_height_without_a_curvature():
+    defects = defects_of(curved(31, 1.0, 30e3, 30e3))
+    bow = (X**2 + Y**2).std() / 60e3
+    expected = 1 / np.hypot(1, bow)
+    assert defects["curvature"]["uncurved_share"] == pytest.approx(expected, rel=0.05)
+
+
+def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
+    scan = measurement(curved(34, 1.0, 30e3, 90e3), PIXEL)
+    flat = flattened(scan, levelling="quadratic")
+    plain = level_quadratic(height_map(measurement(rough(34, 1.0), PIXEL)))
+    np.testing.assert_allclose(flat.heights, plain.heights, atol=1e-6)
+    assert not flat.defects
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_no_self_affine_surface_is_alarmed(part):
+    """Forty: H from 0.3 to 1, roll-offs from a twentieth to twice the size of the scan."""
+    rng = generator(100 + part)
+    for _ in range(10):
+        hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
+        assert not flattened(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
+
+
+def protruded(seed):
+    scan = height_map(measurement(rough(seed, 5.0), PIXEL))
+    return add_protrusions(generator(seed), scan, Protrusions(3.0, 7.0, 40.0), 5.0).heights
+
+
+def pillars(rng):
+    """Round pillars, twenty rms heights of the floor high."""
+    places = rng.uniform(0, PIXELS, (60, 2))
+    rows, columns = np.indices((PIXELS, PIXELS))
+    on_pillar = np.zeros((PIXELS, PIXELS), bool)
+    for y, x in places:
+        on_pillar |= (rows - y) ** 2 + (columns - x) ** 2 < 9
+    return 40.0 * on_pillar + rough(51, 2.0)
+
+
+@pytest.mark.parametrize(
+    "heights",
+    [
+        protruded(61),
+        pillars(generator(62)),
+        np.exp(rough(63, 0.6)),
+        generator(64).standard_normal((PIXELS, PIXELS)),
+        np.round(rough(65, 0.05), 1),
+        np.round(rough(66, 1.0)),
+        generator(67).normal(0, 0.05, 64),
+        np.round(rough(68, 1.0)[0], 1),
+    ],
+    ids=["protrusions", "pillars", "heavy tail", "noise", "few levels", "levels", "line", "digits"],
+)  # fmt: skip
+def test_no_sound_scan_is_alarmed(heights):
+    assert not defects_of(heights)
