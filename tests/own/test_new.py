@@ -96,8 +96,10 @@ def test_what_files_do_not_state_is_given_and_kept(folder, run):
     assert_says(error, "bare.nc: expected one of the channels", "found 'Sensor'")
     _, table = accepted(folder, run(NAME, "a.001", "--channel", "Sensor"))
     assert set(table.dataset) == {"Sensor"}
-    config, _ = accepted(folder, run(NAME, "bare.nc", "--unit", "um", "--overwrite"))
-    assert config["scan"]["unit"] == "um"
+    config, _ = accepted(
+        folder, run(NAME, "bare.nc", "--unit", "um", "--levelling", "quadratic", "--overwrite")
+    )
+    assert config["scan"]["unit"] == "um" and config["scan"]["levelling"] == "quadratic"
 
 
 def test_a_bare_matrix_is_read_with_what_is_given(folder, run):

@@ -153,3 +153,10 @@ def test_defects_of_a_scan_are_named(code, numbers):
     assert {name: found[name].value for name in numbers} == numbers
     assert (code in grave(spectra=data)) == (code in ("spikes", "equal_lines", "highest"))
     assert not named(code)
+
+
+@pytest.mark.parametrize(("tabor", "bodies"), [(0.9, "soft"), (np.nan, "unknown")])
+def test_soft_bodies_are_named(tabor, bodies):
+    data = force().assign_attrs(tabor_parameter=tabor, bodies=bodies)
+    assert grave(force=data) == ["soft_bodies"]
+    assert not named("soft_bodies")

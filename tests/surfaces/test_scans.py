@@ -97,6 +97,11 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     expected = (0.3 * x - 0.2 * y)[8:40, ::2].T
     np.testing.assert_allclose(measured.heights, expected, atol=1e-9)
     assert measured.notes[0] == "resampled from pixels of 20 nm x 10 nm to 20 nm"
+    assert len(measured.notes) == 2  # with the gap that was filled
+    square = read_measurement(scan(tmp_path / "b.nc", heights(48, 32), (300.0, 300.0)))
+    assert_says(
+        " ".join(square.notes), "300 nm x 300 nm for 48 x 32 pixels", "300 nm x 200 nm were"
+    )
     # A text that was cut short looks alike, so that texts must have square pixels.
     map_of(heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))
     lines = (tmp_path / "a.asc").read_text().splitlines()

@@ -13,6 +13,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import with_sizes
+from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.master_forces import (
     MasterForces,
     Masters,
@@ -31,6 +32,7 @@ from hardcontact.own.scan_parts import (
 )
 from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.theory.edge_scaling import among_regimes
+from hardcontact.theory.prediction import tabor
 from hardcontact.theory.pull_off_statistics import force_scatter
 from hardcontact.theory.summits import draw_size
 
@@ -61,7 +63,8 @@ def own_force(
     Returns, over surface, the forces on the scans (`predicted_force`) and with continued roughness
     (`continued_force`), never above that of a smooth sphere; whether scans, windows and pixels are
     large or small enough (`finite_scan`); the scatter of single forces (`force_scatter`); and the
-    place among the regimes (`among_regimes`).
+    place among the regimes (`among_regimes`). Attributes hold the Tabor parameter, and whether it
+    says that the bodies are hard (`tabor`).
     """
     force = predicted_force(
         adhesion,
@@ -89,7 +92,10 @@ def own_force(
         confidence=confidence,
     ).squeeze("rho", drop=True)
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
-    return force.merge(among_regimes(joined, contact))
+    stiffness = tabor(contact, assumed_modulus(contact.hardness))
+    return force.merge(among_regimes(joined, contact)).assign_attrs(
+        tabor_parameter=stiffness.value, bodies=stiffness.status
+    )
 
 
 class ScanForces(NamedTuple):

@@ -115,7 +115,6 @@ def add_shared(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--size", help="longer edge of the scan, for the files that do not state it"
     )
-    )
     parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
         help="what is subtracted of maps: a plane, offsets of lines, or a quadratic polynomial",

@@ -13,10 +13,11 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import LEAST_TRIED
 from hardcontact.report.artificial import has_exponent, measurement_name, measurements, single
-from hardcontact.report.datasets import Datasets, at_range
+from hardcontact.report.datasets import Datasets, at_range, tabor_number
 from hardcontact.report.quantities import between, number_of
 from hardcontact.surfaces.contradictions import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS
+from hardcontact.theory.prediction import HARD
 
 Caution = Mapping[str, Any]
 
@@ -47,6 +48,7 @@ def cautions(of: Datasets) -> list[Caution]:
     judged = [
         (_blind_scans(of), True),
         (_defects(of.spectra, MISLEADING), True),
+        (_soft_bodies(of.force), True),
         (_window(of.force), cut),
         (_scan_size(of), too_small),
         (both, True),
@@ -80,6 +82,12 @@ def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]
         for code, units in DEFECTS.items()
         if code in codes and all(np.isfinite(measurement[name]) for name in units)
     ]
+
+
+def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return that the bodies are too soft for a hard contact, or may be."""
+    number = tabor_number(force)
+    return [] if number.status == HARD else [{"code": "soft_bodies", "tabor": number}]
 
 
 def _window(force: xr.Dataset) -> list[dict[str, Any]]:

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 
 import xarray as xr
 
+from hardcontact.base.number import Number
+
 #: The contact model whose force stands in the answer, where it was computed.
 PREFERRED = "plastic"
 
@@ -55,6 +57,11 @@ def model_of(force: xr.Dataset) -> str:
     """Return the contact model whose force stands in the answer."""
     models = [str(name) for name in force["contact_model"].values]
     return PREFERRED if PREFERRED in models else models[0]
+
+
+def tabor_number(force: xr.Dataset) -> Number:
+    """Return the Tabor parameter of the contacts, NaN where the modulus is not known."""
+    return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 
 def at_range(force: xr.Dataset) -> xr.Dataset:

@@ -10,7 +10,7 @@ from hardcontact.base.number import Number
 from hardcontact.report import own_figures as figures
 from hardcontact.report.artificial import LENGTHS, measurement_name, measurements, single
 from hardcontact.report.cautions import Caution, cautions
-from hardcontact.report.datasets import Datasets, Setting
+from hardcontact.report.datasets import Datasets, Setting, tabor_number
 from hardcontact.report.force_facts import Row, fit_facts, of_answer
 from hardcontact.report.quantities import Quantity, number_of, numbers_within, quantity
 from hardcontact.report.surface_facts import (
@@ -115,6 +115,7 @@ def own_quantities(answer: OwnAnswer) -> Iterator[Quantity]:
         yield quantity(Number(name, given.force.attrs[name], unit, source="given"))
     for name in ("tolerance", "confidence"):
         yield quantity(Number(name, given.edges.attrs[name], source="given"))
+    yield quantity(tabor_number(given.force))
     for number in numbers_within("fit", answer.fit or {}):
         yield quantity(number)
     for name, surface in surfaces.items():
@@ -160,6 +161,7 @@ def own_page(answer: OwnAnswer) -> str:
         surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
         contact=setting.contact,
         of_paper=setting.of_paper,
+        tabor=tabor_number(given.force),
         forces=figures.svg(figures.force_figure(given.force, labels), "pull-off forces"),
         fit=answer.fit,
         works=None if given.fit is None else _works(given.fit, labels),
