@@ -80,6 +80,11 @@ def test_what_is_no_configuration_is_refused(tmp_path, content, part):
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
 
 
+def test_a_configuration_that_is_not_there_is_named(tmp_path):
+    message = refusal(configuration.refuse_unreadable, tmp_path / "harder.yml")
+    assert "harder.yml: expected a YAML file, found none" in message
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -213,7 +213,7 @@ REFUSED = [
         [NAME, "one.nc", "--preload", "1 N"],
         ["preload: expected at most 156 mN", "found 1 N"],
     ),
-    ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "(the tip)"]),
+    ([NAME, "one.nc", "--tip", "100 um"], ["at least 3 bins", "found 0", "one.nc", "the tip at"]),
 ]
 
 

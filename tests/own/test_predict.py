@@ -235,8 +235,9 @@ def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
 
 @pytest.mark.parametrize("kind", ["map", "line"])
 def test_scans_are_measured_where_they_are_reliable(kind, tmp_path):
-    heights = (map_of if kind == "map" else line_of)(generator(3), 128, PIXEL).heights
-    path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), 128 * PIXEL
+    make, points = (map_of, 128) if kind == "map" else (line_of, 1024)
+    heights = make(generator(3), points, PIXEL).heights
+    path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), points * PIXEL
     if kind == "map":
         scan_files.scan(path, heights.T, (size, size))
     else:

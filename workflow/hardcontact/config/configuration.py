@@ -81,6 +81,10 @@ class _EachKeyOnce(yaml.SafeLoader):
 
 def refuse_unreadable(path: str | Path) -> None:
     """Refuse a file that is no YAML with keys at its top; raise ValueError with one line."""
+    if not Path(path).exists():
+        raise ValueError(
+            f"{path}: expected a YAML file, found none (targets stand before --configfile)"
+        )
     try:
         content = yaml.load(Path(path).read_bytes().decode("utf-8"), _EachKeyOnce)
         reason = plain(content) if content is not None else "nothing"

@@ -4,6 +4,7 @@ It reads the files, prints what they hold, chooses what to compute and writes an
 of surfaces. It prints one line per problem, all at once, and then writes nothing.
 """
 
+import os
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -58,6 +59,9 @@ def main() -> int:
             print(predict(predict_arguments(sys.argv[2:])))
         else:
             print(new_study(parsed(sys.argv[1:])))
+        sys.stdout.flush()
+    except BrokenPipeError:  # The reader of the output has ended, such as `head`.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except ValueError as error:
         for line in dict.fromkeys(str(error).splitlines()):
             print(f"error: {line}", file=sys.stderr)

@@ -44,8 +44,9 @@ wavelengths at which it is reliable count, and then also those that continue the
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the command; a wrong one ends the program."""
     parser = ArgumentParser(
-        "hardcontact predict", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
-    )
+        "hardcontact predict", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )  # fmt: skip
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared(parser)
     parser.add_argument("--modulus", help="effective modulus of both bodies (that of the paper's)")

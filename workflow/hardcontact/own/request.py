@@ -4,6 +4,7 @@ import os
 import re
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Iterator, Sequence
+from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
@@ -69,8 +70,10 @@ class Source(NamedTuple):
 def parsed(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the program's name; a wrong one ends the program."""
     parser = ArgumentParser(
-        "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
-    )
+        "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )  # fmt: skip
+    parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
         "command", choices=["new"], metavar="{new,predict}",
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "

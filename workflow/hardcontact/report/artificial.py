@@ -13,8 +13,6 @@ from hardcontact.report.datasets import Datasets
 KINDS = ("map", "profile", "description")
 #: Share of a change from which on it counts as measured, or the rest of it as artificial.
 NEARLY_ALL = 0.9
-#: Decades that the Hurst exponent is fitted to at least: five bins.
-FITTED_DECADES = 0.39
 #: What is known of each measurement in nm.
 LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
@@ -45,16 +43,6 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
             bands.append((reached, shortest))
         reached = max(reached, longest)
     return [*bands, (float(of_surface["longest_measured"]), np.inf)]
-
-
-def has_exponent(of_surface: xr.Dataset) -> bool:
-    """Return whether a Hurst exponent within 0 to 1 fits half a decade of bins or more, if any.
-
-    Otherwise roughness below the wavelengths measured is a guess.
-    """
-    hurst = float(of_surface["tail_hurst"])
-    decades = np.log10(float(of_surface["tail_fit_longest"] / of_surface["tail_fit_shortest"]))
-    return bool(np.isnan(hurst) or (0 < hurst < 1 and decades >= FITTED_DECADES))
 
 
 def reaches(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:

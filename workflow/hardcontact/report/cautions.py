@@ -12,10 +12,11 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import LEAST_TRIED
-from hardcontact.report.artificial import has_exponent, measurement_name, measurements, single
+from hardcontact.report.artificial import measurement_name, measurements, single
 from hardcontact.report.datasets import Datasets, at_range, tabor_number
 from hardcontact.report.quantities import between, number_of
 from hardcontact.surfaces.contradictions import contradictions
+from hardcontact.surfaces.extrapolated_spectrum import has_exponent
 from hardcontact.surfaces.scan_defects import DEFECTS
 from hardcontact.theory.prediction import HARD
 

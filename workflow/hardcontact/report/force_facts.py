@@ -7,14 +7,10 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.artificial import (
-    NEARLY_ALL,
-    has_exponent,
-    parts_of_change,
-    reliable_share,
-)
+from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
 from hardcontact.report.datasets import Datasets, at_range, model_of
 from hardcontact.report.quantities import between, number_of
+from hardcontact.surfaces.extrapolated_spectrum import has_exponent
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The upper end of an interval is called open where it lies this many times farther, in the
@@ -63,11 +59,21 @@ def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
 
 
 def continued_fact(
-    data: xr.Dataset, side: str, variable: str = "continued_force", name: str = "force_continued"
+    data: xr.Dataset,
+    side: str,
+    spectra: xr.Dataset,
+    variable: str = "continued_force",
+    name: str = "force_continued",
 ) -> Number:
-    """Return the force, or the work of adhesion, with roughness continued at one side."""
+    """Return the force, or the work of adhesion, with roughness continued at one side.
+
+    There is none below the scans if these tell no Hurst exponent.
+    """
     of_side = data.sel(side=side)
-    return number_of(of_side, variable, name=name, source="extrapolated", strict=False)
+    fact = number_of(of_side, variable, name=name, source="extrapolated", strict=False)
+    if side == "small" and not has_exponent(spectra):
+        return Number(name, np.nan, fact.unit, status="no_exponent", source=fact.source)
+    return fact
 
 
 def force_rows(of: Datasets) -> list[Row]:
@@ -82,9 +88,7 @@ def force_rows(of: Datasets) -> list[Row]:
     sources = force["continued_source"]
     continued = []
     for side in differing_sides(force):
-        fact = with_reason(continued_fact(force, side), sources.sel(side=side))
-        if side == "small" and not has_exponent(of.spectra):
-            fact = Number(fact.name, np.nan, fact.unit, status="no_exponent", source=fact.source)
+        fact = with_reason(continued_fact(force, side, of.spectra), sources.sel(side=side))
         continued.append(Row(fact, continuation(force, side)))
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
     mean = number_of(here, "force", name="force_mean", strict=False)
@@ -162,8 +166,11 @@ def of_answer(fit: xr.Dataset) -> xr.Dataset:
     return fit.sel(contact_model=model_of(fit))
 
 
-def measured_rows(fit: xr.Dataset) -> list[Row]:
-    """Return the force measured on one surface, and what works of adhesion it means."""
+def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[Row]:
+    """Return the force measured on one surface, and what works of adhesion it means.
+
+    Both datasets are of this surface.
+    """
     here = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
     force = number_of(fit, "measured_force", source="measured", strict=False)
     lopsided = np.log(force.high / force.value) > LOPSIDED * np.log(force.value / force.low)
@@ -176,7 +183,7 @@ def measured_rows(fit: xr.Dataset) -> list[Row]:
     ]
     for side in differing_sides(fit):
         start = number_of(fit.sel(side=side), "transition", name="start")
-        continued = continued_fact(fit, side, "continued_work", "continued_work")
+        continued = continued_fact(fit, side, spectra, "continued_work", "continued_work")
         rows.append(Row(continued, {"side": side, "start": start}))
     return rows
 

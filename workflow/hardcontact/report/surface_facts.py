@@ -125,7 +125,7 @@ def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[R
     surface = str(of.edges["surface"].item())
     own = []
     if of.fit is not None and surface in of.fit["surface"].values:
-        own = measured_rows(of_answer(of.fit).sel(surface=surface))
+        own = measured_rows(of_answer(of.fit).sel(surface=surface), of.spectra)
     return [*edge_rows(of), *force_rows(of), *pair_rows(of.force, pairs), *own]
 
 

@@ -6,8 +6,8 @@ roll-off, and is constant beyond. The roll-off follows from the variance of the 
 Bayes' rule.
 """
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -41,6 +41,8 @@ MAX_ROLLOFF = 10.0
 #: Standard deviation of the Hurst exponent beyond what is measured: surfaces are self-affine over
 #: some decades at best.
 HURST_SCATTER = 0.1
+#: Decades that the Hurst exponent is fitted to at least: five bins.
+FITTED_DECADES = 0.39
 #: Roll-off wavelengths that are compared, and directions that waves are averaged over.
 CANDIDATES, DIRECTIONS = 61, 64
 #: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
@@ -58,6 +60,16 @@ class Tail(NamedTuple):
     tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
     tail_fit_longest: float = np.nan
     tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
+
+
+def has_exponent(tail: Mapping[Any, Any]) -> bool:
+    """Return whether a Hurst exponent within 0 to 1 fits half a decade of bins or more, if any.
+
+    Otherwise roughness below the wavelengths measured is a guess. The tail has the fields of Tail.
+    """
+    hurst = float(tail["tail_hurst"])
+    decades = np.log10(float(tail["tail_fit_longest"] / tail["tail_fit_shortest"]))
+    return bool(np.isnan(hurst) or (0 < hurst < 1 and decades >= FITTED_DECADES))
 
 
 class HurstFit(NamedTuple):

@@ -66,6 +66,11 @@ class ReliableBand(NamedTuple):
 
     def __str__(self) -> str:
         """Print both ends with their reasons."""
+        if self.shortest > self.longest:
+            return (
+                f"at no wavelength: {LIMITS[self.limited_by]} at {print_length(self.shortest)}, "
+                f"a third of the size at {print_length(self.longest)}"
+            )
         return (
             f"from {print_length(self.shortest)} ({LIMITS[self.limited_by]}) "
             f"to {print_length(self.longest)} (a third of the size)"

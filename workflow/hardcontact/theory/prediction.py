@@ -28,6 +28,7 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     FEWEST,
     continued_spectrum,
     fitted_hurst,
+    has_exponent,
 )
 from hardcontact.surfaces.measured_spectrum import CALIBRATION
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
@@ -301,12 +302,17 @@ def _continued(
     change, status = math.nan, NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
     longest = rolloff = float(2 * np.pi / waves.wavevector[0])
     density, hurst, ended_by = None, math.nan, ""
-    if joined is not None:
+    if joined is not None and has_exponent(joined.attrs):
         density = joined["spectrum"].values
         rolloff, hurst, ended_by = (
             joined.attrs[name] for name in ("rolloff", "tail_hurst", "tail_ended_by")
         )
-    elif status == UNKNOWN and len(waves.density) >= FEWEST and waves.density.all():
+    elif (
+        joined is None
+        and status == UNKNOWN
+        and len(waves.density) >= FEWEST
+        and waves.density.all()
+    ):
         variance = np.full(waves.density.shape, CALIBRATION**2)
         fit = fitted_hurst(waves.wavevector, waves.density, variance)
         density, tail = continued_spectrum(waves.wavevector, waves.density, fit)
