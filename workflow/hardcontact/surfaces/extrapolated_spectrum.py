@@ -41,6 +41,8 @@ MAX_ROLLOFF = 10.0
 #: Standard deviation of the Hurst exponent beyond what is measured: surfaces are self-affine over
 #: some decades at best.
 HURST_SCATTER = 0.1
+#: Probability that the Hurst exponent lies within 0 to 1 below which no self-affine surface fits.
+LEAST_INSIDE = 0.05
 #: Decades that the Hurst exponent is fitted to at least: five bins.
 FITTED_DECADES = 0.39
 #: Roll-off wavelengths that are compared, and directions that waves are averaged over.
@@ -73,7 +75,7 @@ def has_exponent(tail: Mapping[Any, Any]) -> bool:
 
 
 class HurstFit(NamedTuple):
-    """The Hurst exponent of the shortest waves of a spectrum, as fitted: it may exceed 0 to 1."""
+    """The Hurst exponent of the shortest waves of a spectrum; 0 or 1 if none between them fits."""
 
     exponent: float
     error: float  #: The standard error, of the fit and by HURST_SCATTER.
@@ -86,8 +88,8 @@ def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> Hurst
 
     The bins of the last decade, with the variance of their ln C, follow ln C = ln C0 - (1 + H)
     ln(1 + (q/q_r)^2s)/s. Given the roll-off q_r and s, this is a weighted regression. All q_r in
-    their logarithm, and all SHARPNESS, are equally likely beforehand; exponent and error are mean
-    and standard deviation by Bayes' rule.
+    their logarithm, all SHARPNESS, and all H within 0 to 1 are equally likely beforehand; exponent
+    and error are mean and standard deviation by Bayes' rule.
 
     Parameters
     ----------
@@ -97,7 +99,7 @@ def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> Hurst
     Returns
     -------
     HurstFit
-        The exponent, not held within 0 to 1.
+        The exponent with its error.
     """
     fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     fitted[-FEWEST:] = True
@@ -114,10 +116,31 @@ def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> Hurst
     log_evidence = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
     probability = np.exp(log_evidence - log_evidence.max())
     probability /= probability.sum()
-    mean = probability @ slopes
-    variance_of_slope = probability @ (1 / spread + (slopes - mean) ** 2)
-    error = np.sqrt(variance_of_slope + HURST_SCATTER**2)
-    return HurstFit(float(mean - 1), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
+    exponent, variance_of_mean = _within_bounds(slopes - 1, 1 / np.sqrt(spread), probability)
+    error = np.sqrt(variance_of_mean + HURST_SCATTER**2)
+    return HurstFit(float(exponent), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
+
+
+def _within_bounds(exponents: Floats, errors: Floats, probability: Floats) -> tuple[Floats, Floats]:
+    """Return mean and variance of a mixture of normal exponents (case,), held within 0 to 1.
+
+    If hardly any of it lies within, the mean is at the bound.
+    """
+    from scipy.special import ndtr
+
+    low, high = -exponents / errors, (1 - exponents) / errors
+    inside = np.maximum(ndtr(high) - ndtr(low), 1e-300)
+    total = probability @ inside
+    if total < LEAST_INSIDE:
+        mean = probability @ exponents
+        return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
+    at_low, at_high = (np.exp(-(end**2) / 2) / np.sqrt(2 * np.pi) for end in (low, high))
+    shift = (at_low - at_high) / inside
+    means = exponents + errors * shift
+    variances = errors**2 * (1 + (low * at_low - high * at_high) / inside - shift**2)
+    weight = probability * inside / total
+    mean = weight @ means
+    return mean, weight @ (variances + (means - mean) ** 2)
 
 
 def continued_spectrum(
