@@ -202,7 +202,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 @pytest.mark.parametrize(
     ("scan", "asked", "parts"),
     [
-        (entry(band=BLIND), probe(), ["no wavelength is reliable, from 3 µm (the tip)"]),
+        (entry(band=BLIND), probe(), ["reliable at no wavelength: the tip at 3 µm"]),
         # Of a relief of 5600 nm exponentials overflow below 11.2 nm.
         (entry(20000, 512, 700.0), probe(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.

@@ -126,7 +126,13 @@ def test_a_noise_floor_is_not_continued():
     assert joined["limited_by"].values[0] == "noise"
     shorter = (2 * np.pi / WAVEVECTORS < 50) & (2 * np.pi / WAVEVECTORS > 1)
     ratio = joined["spectrum"].values[shorter] / self_affine(WAVEVECTORS[shorter])
-    assert (np.abs(np.log(ratio)) < 1.2).all()
+    hurst, error, cut = (
+        joined.attrs[name] for name in ("tail_hurst", "tail_hurst_error", "shortest_measured")
+    )
+    assert abs(hurst - 0.8) < 1.96 * error and error < 0.25
+    # From the cut on the logarithm of C is wrong by twice the error of H for each e-fold.
+    folds = np.log(cut * WAVEVECTORS[shorter] / (2 * np.pi))
+    assert (np.abs(np.log(ratio)) < 0.4 + 2 * 1.96 * error * folds).all()
 
 
 def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():

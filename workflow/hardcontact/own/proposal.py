@@ -123,11 +123,7 @@ def propose(
         f"{entry.name}: {line}" for entry in entries for line in told_defects(entry.defects)
     ]
     cautions += _contact_cautions(substrates, probe.range, contact, why, summits)
-    cautions += [
-        f"{scan.name}: no wavelength is reliable, {scan.band}"
-        for scan in substrates
-        if scan.is_blind
-    ]
+    cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]
     cautions += contradicting(entries)
     cautions += [
         f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and filled with "

@@ -43,6 +43,8 @@ MAX_ROLLOFF = 10.0
 HURST_SCATTER = 0.1
 #: Probability that the Hurst exponent lies within 0 to 1 below which no self-affine surface fits.
 LEAST_INSIDE = 0.05
+#: Share of a normal distribution that does not count.
+NEGLIGIBLE = 1e-9
 #: Decades that the Hurst exponent is fitted to at least: five bins.
 FITTED_DECADES = 0.39
 #: Roll-off wavelengths that are compared, and directions that waves are averaged over.
@@ -129,11 +131,15 @@ def _within_bounds(exponents: Floats, errors: Floats, probability: Floats) -> tu
     from scipy.special import ndtr
 
     low, high = -exponents / errors, (1 - exponents) / errors
-    inside = np.maximum(ndtr(high) - ndtr(low), 1e-300)
+    inside = ndtr(high) - ndtr(low)
     total = probability @ inside
     if total < LEAST_INSIDE:
         mean = probability @ exponents
         return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
+    low, high, exponents, errors, inside, probability = (
+        values[inside > NEGLIGIBLE]
+        for values in (low, high, exponents, errors, inside, probability)
+    )
     at_low, at_high = (np.exp(-(end**2) / 2) / np.sqrt(2 * np.pi) for end in (low, high))
     shift = (at_low - at_high) / inside
     means = exponents + errors * shift
