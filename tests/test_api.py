@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+from functools import partial
 
 import matplotlib
 import numpy as np
@@ -51,6 +52,7 @@ def files(tmp_path, monkeypatch):
 
 def test_names_are_there_and_nothing_is_loaded_before_one_is_used():
     assert set(hc.API) <= set(dir(hc)) & set(dir(api)) and len(FUNCTIONS) <= 10
+    assert hc.__version__ in (ROOT / "pyproject.toml").read_text()
     assert "api" not in hc.API and not hasattr(hc, "read")
     program = (
         "import sys, hardcontact; print(*sys.modules); hardcontact.metrics; print(*sys.modules)"
@@ -68,6 +70,27 @@ def test_the_example_of_every_function_runs(name, files):
     assert examples
     for example in examples:
         exec(example.source, names)
+
+
+def test_the_example_scan_is_that_of_the_code_beside_it(tmp_path, monkeypatch):
+    folder = ROOT / "resources/examples"
+    code = re.search(
+        r"^```python\n(.*?)^```", (folder / "README.md").read_text("utf-8"), re.M | re.S
+    )
+    monkeypatch.chdir(tmp_path)
+    exec(code[1], {})
+    made, shipped = (np.loadtxt(path / "demo.txt") for path in (tmp_path, folder))
+    np.testing.assert_allclose(made, shipped, atol=0.011)
+    scan = hc.read_scan(folder / "demo.txt")
+    assert (scan.pixels, scan.size) == (256, pytest.approx(5000)) and 9 < scan.heights.std() < 11
+
+
+def test_what_is_no_spectrum_is_refused_in_one_line(files):
+    scan = hc.read_scan("scan.nc")
+    assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
+    call = partial(hc.predict, radius=1, preload=1, hardness=1, rho=1, work=1)
+    message = refusal(call, scan)
+    assert_says(message, "read_spectrum", "HeightMap")
 
 
 def test_page_and_notebook_run_in_order(files):

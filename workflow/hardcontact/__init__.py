@@ -16,12 +16,14 @@ API = (
 
 
 def __getattr__(name: str) -> Any:
-    """Return what programs use of the library, by its name in `API`."""
+    """Return what programs use of the library, by its name in `API`, or its version."""
+    if name == "__version__":
+        return importlib.import_module("importlib.metadata").version("hardcontact")
     if name not in API:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module("hardcontact.api"), name)
 
 
 def __dir__() -> list[str]:
-    """Return the names of the package, those that are not loaded yet included."""
-    return sorted({*globals(), *API})
+    """Return what programs use of the library."""
+    return [*API, "__version__"]

@@ -41,6 +41,8 @@ def read_scan(
     dataset: str = "",
     *,
     undefined_pixels: str = "refuse",
+    unit: str = NONE,
+    edge: float | str = NONE,
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
@@ -53,8 +55,10 @@ def read_scan(
     dataset : str
         The member of a container; of any other file the channel, or empty for its own choice.
     undefined_pixels, levelling : str
-        ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, or ``"lines"``, which aligns
-        the scan lines first.
+        ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
+        the scan lines first, or ``"quadratic"``, which subtracts the bow of a scanner, too.
+    unit, edge : str, float or str
+        Of files that state none: such as ``"nm"`` or ``"mm,nm"``; the longer edge in nm.
     sphere_radius : float or None
         Of the sphere that the scan shows and that is subtracted.
 
@@ -68,7 +72,7 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
-    measurement = read_measurement(path, dataset, undefined_pixels)
+    measurement = read_measurement(path, dataset, undefined_pixels, unit, edge)
     scan = height_map(flattened(measurement, sphere_radius, levelling))
     return replace(scan, heights=scan.heights.astype(np.float32))  # as prepared scans are stored
 
@@ -78,6 +82,8 @@ def read_spectrum(
     dataset: str = "",
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
+    unit: str = NONE,
+    edge: float | str = NONE,
     levelling: str = "plane",
     sphere_radius: float | None = None,
     continued: bool = False,
@@ -92,7 +98,9 @@ def read_spectrum(
         The only member of a container that counts; empty: all of them.
     tip_radius : float or None
         Of scans whose files do not state it.
-    undefined_pixels, levelling, sphere_radius : str, str, float or None
+    undefined_pixels, unit, levelling : str
+        As of `read_scan`.
+    edge, sphere_radius : float or str, float or None
         As of `read_scan`.
     continued : bool
         Whether the spectrum of scans goes on beyond the wavelengths at which they are reliable, as
@@ -108,11 +116,18 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
+    refuse_lines(
+        f"files: expected a path in each argument, found {file!r}"
+        for file in files
+        if not isinstance(file, str | Path)
+    )
     own = own_spectrum(
         files,
         dataset=dataset,
         tip_radius=tip_radius,
         undefined_pixels=undefined_pixels,
+        unit=unit,
+        edge=edge,
         levelling=levelling,
         sphere_radius=sphere_radius,
     )
@@ -297,6 +312,10 @@ def predict(
     _refuse_not_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
+    if not isinstance(spectrum, Spectrum):
+        raise ValueError(
+            f"spectrum: expected that of hc.read_spectrum(FILE), found {type(spectrum).__name__}"
+        )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [too_wide(contact)]))
     return prediction(spectrum, contact, tolerance)
