@@ -75,7 +75,7 @@ def parsed(arguments: Sequence[str]) -> Namespace:
     )  # fmt: skip
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
-        "command", choices=["new"], metavar="{new,predict}",
+        "command", choices=["new", "predict"], metavar="{new,predict}",
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "
         "hardcontact predict --help",
     )  # fmt: skip
