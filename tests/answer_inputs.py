@@ -134,6 +134,7 @@ def _spectra_of(bins, measured):
             "rolloff": 1.5 * max(columns["longest_reliable"]),
             "tail_hurst": 0.8,
             "tail_hurst_error": 0.1,
+            "tail_known": 1,
             "tail_fit_shortest": min(columns["shortest_reliable"]),
             "tail_fit_longest": 10 * min(columns["shortest_reliable"]),
             "tail_ended_by": "atoms",

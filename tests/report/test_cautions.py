@@ -122,41 +122,9 @@ def test_more_power_than_scans_show_is_named():
     assert not named("more_than_measured")
 
 
-@pytest.mark.parametrize(("hurst", "bins"), [(1.0, 11), (0.0, 11), (0.8, 3)])
-def test_no_answer_rests_on_an_exponent_that_the_scans_do_not_tell(hurst, bins):
-    data = spectra()
-    data["tail_hurst"] = data["tail_hurst"] * 0 + hurst
-    data["tail_fit_longest"] = data["tail_fit_shortest"] * 10 ** ((bins - 1) / 10)
+def test_no_answer_rests_on_roughness_that_the_scans_do_not_tell():
+    data = spectra().assign(tail_known=("surface", [0]))
     of = of_first(spectra=data, force=continued(force(), small=0.5))
     assert [one["known"] for one in cautions(of) if one["code"] == "tail"] == [False]
     (answer,) = [row.fact for row in answer_rows(of) if row.fact.name == "force_continued"]
     assert np.isnan(answer.value) and answer.status == "no_exponent"
-
-
-@pytest.mark.parametrize(
-    ("code", "numbers"),
-    [
-        ("spikes", {"spike_share": 0.001, "rms_height_without_spikes": 19.0}),
-        ("equal_lines", {"equal_line_share": 0.4}),
-        ("highest", {"highest_share": 0.1}),
-        ("lowest", {"lowest_share": 0.1}),
-        ("curvature", {"curvature_radius": 5e4, "uncurved_share": 0.1}),
-        ("lay", {"lay_ratio": 30.0}),
-    ],
-)
-def test_defects_of_a_scan_are_named(code, numbers):
-    data = spectra()
-    for name, number in numbers.items():
-        data[name][:, 0] = number
-    (found,) = named(code, spectra=data)
-    assert found["measurement"] == "scans/fine.spm"
-    assert {name: found[name].value for name in numbers} == numbers
-    assert (code in grave(spectra=data)) == (code in ("spikes", "equal_lines", "highest"))
-    assert not named(code)
-
-
-@pytest.mark.parametrize(("tabor", "bodies"), [(0.9, "soft"), (np.nan, "unknown")])
-def test_soft_bodies_are_named(tabor, bodies):
-    data = force().assign_attrs(tabor_parameter=tabor, bodies=bodies)
-    assert grave(force=data) == ["soft_bodies"]
-    assert not named("soft_bodies")

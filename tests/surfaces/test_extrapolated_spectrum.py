@@ -12,8 +12,10 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     ATOMIC,
     GRADIENT,
     HALF_LAPLACIAN,
+    Tail,
     continued_spectrum,
     fitted_hurst,
+    has_exponent,
     levelled_share,
     with_rolloff,
 )
@@ -169,6 +171,15 @@ def test_coarse_maps_tell_exponent_and_force_within_their_intervals():
         held_forces += abs(log_force(surface) - force) < half
     assert np.median(errors) < 0.05
     assert held_exponents >= 36 and held_forces >= 36
+
+
+@pytest.mark.parametrize(
+    ("hurst", "bins", "known"),
+    [(0.8, 11, True), (1.0, 11, False), (0.0, 11, False), (0.8, 3, False)],
+)
+def test_an_exponent_at_a_bound_or_of_few_bins_is_none(hurst, bins, known):
+    assert has_exponent(Tail(hurst, 0.1, 45.0, 45.0 * 10 ** ((bins - 1) / 10), "atoms")) == known
+    assert has_exponent(Tail(tail_ended_by="gradient"))
 
 
 @pytest.mark.parametrize(("slope", "hurst"), [(-1.2, 0.0), (-2.6, 0.3), (-4.7, 1.0)])

@@ -16,7 +16,6 @@ from hardcontact.report.artificial import measurement_name, measurements, single
 from hardcontact.report.datasets import Datasets, at_range, tabor_number
 from hardcontact.report.quantities import between, number_of
 from hardcontact.surfaces.contradictions import contradictions
-from hardcontact.surfaces.extrapolated_spectrum import has_exponent
 from hardcontact.surfaces.scan_defects import DEFECTS
 from hardcontact.theory.prediction import HARD
 
@@ -207,7 +206,7 @@ def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
     tail = {
         "code": "tail",
         "hurst": Number("hurst", hurst, "1", low, high, source="extrapolated"),
-        "known": has_exponent(spectra),
+        "known": bool(spectra["tail_known"].item() == 1),
         "fitted": between("fitted", shortest, longest, "nm"),
         "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
         "ended_by": str(spectra["tail_ended_by"].item()),

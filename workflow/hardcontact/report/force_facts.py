@@ -10,7 +10,6 @@ from hardcontact.base.number import Number
 from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
 from hardcontact.report.datasets import Datasets, at_range, model_of
 from hardcontact.report.quantities import between, number_of
-from hardcontact.surfaces.extrapolated_spectrum import has_exponent
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The upper end of an interval is called open where it lies this many times farther, in the
@@ -67,11 +66,11 @@ def continued_fact(
 ) -> Number:
     """Return the force, or the work of adhesion, with roughness continued at one side.
 
-    There is none below the scans if these tell no Hurst exponent.
+    There is none below the scans if these do not tell how the spectrum goes on.
     """
     of_side = data.sel(side=side)
     fact = number_of(of_side, variable, name=name, source="extrapolated", strict=False)
-    if side == "small" and not has_exponent(spectra):
+    if side == "small" and spectra["tail_known"].item() != 1:
         return Number(name, np.nan, fact.unit, status="no_exponent", source=fact.source)
     return fact
 

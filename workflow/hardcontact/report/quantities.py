@@ -24,7 +24,7 @@ NO_VALUE = {
     "no_band": "no band",
     "not_reached": "not reached",
     "not_printed": "not printed",
-    "no_exponent": "not answered: the scans tell no Hurst exponent",
+    "no_exponent": "not answered: the scans do not tell how their roughness goes on",
 }
 #: What follows a value whose interval is not known, by its status.
 NO_INTERVAL = {

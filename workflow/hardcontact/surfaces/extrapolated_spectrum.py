@@ -6,8 +6,8 @@ roll-off, and is constant beyond. The roll-off follows from the variance of the 
 Bayes' rule.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -66,14 +66,14 @@ class Tail(NamedTuple):
     tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
 
 
-def has_exponent(tail: Mapping[Any, Any]) -> bool:
+def has_exponent(tail: Tail) -> bool:
     """Return whether a Hurst exponent within 0 to 1 fits half a decade of bins or more, if any.
 
-    Otherwise roughness below the wavelengths measured is a guess. The tail has the fields of Tail.
+    Otherwise roughness below the wavelengths measured is a guess.
     """
-    hurst = float(tail["tail_hurst"])
-    decades = np.log10(float(tail["tail_fit_longest"] / tail["tail_fit_shortest"]))
-    return bool(np.isnan(hurst) or (0 < hurst < 1 and decades >= FITTED_DECADES))
+    decades = np.log10(tail.tail_fit_longest / tail.tail_fit_shortest)
+    within = 0 < tail.tail_hurst < 1
+    return bool(np.isnan(tail.tail_hurst) or (within and decades >= FITTED_DECADES))
 
 
 class HurstFit(NamedTuple):

@@ -17,6 +17,7 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     Tail,
     continued_spectrum,
     fitted_hurst,
+    has_exponent,
     with_rolloff,
 )
 from hardcontact.surfaces.measured_spectrum import (
@@ -52,7 +53,7 @@ LINE = 1e-4
 MAX_LOG_CHANGE = 20.0
 #: What a spectrum says of its ends, with units; it stands in its attributes.
 ENDS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
-    zip(Tail._fields, ("1", "1", "nm", "nm", "1"), strict=True)
+    zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "1", "1"), strict=True)
 )
 
 
@@ -157,6 +158,9 @@ def joined_spectrum(
         shortest_measured=min(band.shortest for band in used_bands),
         longest_measured=max(band.longest for band in used_bands),
         rolloff=rolloff,
+        tail_known=int(
+            has_exponent(tail) and not any("edges" in scan.defects for scan in measurements)
+        ),
         **tail._asdict(),
     )
 
@@ -375,6 +379,7 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
         shortest_measured=descriptions.shortest_reliable.min(),
         longest_measured=descriptions.longest_reliable.max(),
         **Tail()._asdict(),
+        tail_known=1,
         rolloff=np.nan,
     )
 

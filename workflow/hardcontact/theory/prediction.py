@@ -28,7 +28,6 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     FEWEST,
     continued_spectrum,
     fitted_hurst,
-    has_exponent,
 )
 from hardcontact.surfaces.measured_spectrum import CALIBRATION
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
@@ -302,7 +301,7 @@ def _continued(
     change, status = math.nan, NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
     longest = rolloff = float(2 * np.pi / waves.wavevector[0])
     density, hurst, ended_by = None, math.nan, ""
-    if joined is not None and has_exponent(joined.attrs):
+    if joined is not None and joined.attrs["tail_known"]:
         density = joined["spectrum"].values
         rolloff, hurst, ended_by = (
             joined.attrs[name] for name in ("rolloff", "tail_hurst", "tail_ended_by")
