@@ -1,5 +1,6 @@
 """The list of figures agrees with the modules, and rules can read it without heavy imports."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.report.captions import caption
 from hardcontact.report.figures import listing
-from hardcontact.report.figures.listing import FIGURES
+from hardcontact.report.figures.listing import FIGURES, OF_PAPER, describe
 
 #: Modules that are no figure.
 SHARED = {"__init__", "drawing", "listing", "style", "tables"}
@@ -19,6 +20,12 @@ SHARED = {"__init__", "drawing", "listing", "style", "tables"}
 def test_each_module_is_a_figure_or_shared():
     modules = {path.stem for path in Path(listing.__file__).parent.glob("*.py")}
     assert modules - SHARED == set(FIGURES)
+
+
+def test_each_figure_of_the_paper_stands_in_a_chapter_of_its_page():
+    page = (ROOT / "workflow/report/templates/paper.html").read_text("utf-8")
+    chapters = set(re.findall(r'^  "(\d\. [^"]+)": "', page, re.M))
+    assert {describe(name).chapter for name in OF_PAPER} <= chapters
 
 
 def test_a_caption_names_the_values_of_the_study():

@@ -171,7 +171,8 @@ def computing(study):
 
 def run_and_cancel(study, log, targets):
     """Run targets of the quick study through SLURM and cancel one job; the number of this job."""
-    command = [sys.executable, "-m", "snakemake", *targets, "--workflow-profile", PROFILE]
+    command = [sys.executable, "-m", "snakemake", *targets, "--verbose"]
+    command += ["--workflow-profile", PROFILE]
     with open(log, "w") as out:
         run = subprocess.Popen(
             [*command, "--configfile", QUICK, *HERE],

@@ -1,6 +1,6 @@
 """Numbers about contact (height, area, deformation), classical models and effective works.
 
-Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `base.number`
+Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `numbers.number`
 does; in brackets its dimensions.
 """
 

@@ -1,6 +1,6 @@
 """Numbers about roughness of all scales over that of the AFM scans, and about pull-off forces.
 
-Forces in N, lengths in nm. Each function returns a number as `base.number` does; in brackets
+Forces in N, lengths in nm. Each function returns a number as `numbers.number` does; in brackets
 its dimensions.
 """
 

@@ -1,7 +1,7 @@
 """Numbers about range and work of adhesion, and about the scales of roughness.
 
 Forces in N, lengths in nm, works of adhesion in J/m². Each function returns a number as
-`base.number` does; in brackets its dimensions. `paper` holds the numbers of
+`numbers.number` does; in brackets its dimensions. `paper` holds the numbers of
 resources/paper/parameters.csv under their names.
 """
 
