@@ -59,17 +59,24 @@ def error_overlap(laws: xr.Dataset) -> xr.Dataset:
 
 
 def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest pressure of Eq. 1 at the published pair, over the most of a mechanism.
+    """Return the pressure of Eq. 1 at the published pair over the most of a mechanism (law).
 
-    Over law, of those but Eq. 1. An energy C/g^m gives the pressure m C/g^(m + 1). At the gap g the
-    ratio goes as g^(m + 1) exp(-g/rho), which is largest at (m + 1) rho.
+    An energy C/g^m gives the pressure m C/g^(m + 1). The number is the ratio at the gap rho; the
+    interval reaches to the largest ratio, which goes as g^(m + 1) exp(-g/rho), at (m + 1) rho.
     """
     others = [law for law in LAWS if law != EXPONENTIAL]
     power = xr.DataArray([law.exponent + 1 for law in others], dims="law")
     known = xr.DataArray([law.known for law in others], {"law": [law.name for law in others]})
     rho = 1e-9 * paper["range_of_adhesion"]
-    pressure = paper["work_of_adhesion"] / rho * np.exp(-power)
-    return number(pressure * (power * rho) ** power / ((power - 1) * known))
+    at_one_range, largest = (
+        paper["work_of_adhesion"]
+        / rho
+        * np.exp(-gap)
+        * (gap * rho) ** power
+        / ((power - 1) * known)
+        for gap in (xr.ones_like(known), power)
+    )
+    return number(at_one_range, at_one_range, largest)
 
 
 def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:

@@ -122,7 +122,7 @@ def fixed_verdict(
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""
     if claim.needs == "experiment":
-        return EXPERIMENT, "The paper says this of measured forces, not of computed ones."
+        return EXPERIMENT, "The paper says this of its experiment."
     substitutes = _is_substitute(surfaces, topography)
     if claim.needs == "measured" and any(substitutes):
         return UNTESTABLE, "The substitute scans decide this."
