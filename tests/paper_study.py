@@ -21,7 +21,7 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import OF_PAPER
-from hardcontact.report.paper_answer import paper_answer, paper_page
+from hardcontact.report.paper_answer import paper_answer, paper_headline, paper_page
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 
@@ -83,4 +83,5 @@ def captions():
 
 def made_page(of=None):
     """The page."""
-    return paper_page(answer() if of is None else of, figures(), captions(), CITATION)
+    of = answer() if of is None else of
+    return paper_page(of, paper_headline(of), figures(), captions(), CITATION)

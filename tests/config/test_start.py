@@ -2,6 +2,7 @@
 
 import logging
 import os
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -87,13 +88,25 @@ def test_a_table_of_a_scan_that_is_missing_is_refused(tmp_path, monkeypatch, at_
 
 
 @pytest.mark.parametrize(
-    ("outputs", "pages"), [(["answer.html"], ["answer.html"]), (["other.nc"], [])]
+    ("outputs", "messages"),
+    [
+        (
+            ["answer.html", "answer.json"],
+            ["Band 1 to 2 nm.", "The answer is made: open answer.html"],
+        ),
+        (["insight.html"], ["The answer is made: open insight.html"]),
+        (["other.nc"], []),
+    ],
 )
-def test_the_page_that_a_run_makes_is_named_at_its_end(caplog, outputs, pages):
+def test_a_run_ends_with_its_answer_and_the_page_to_open(
+    caplog, tmp_path, monkeypatch, outputs, messages
+):
+    monkeypatch.chdir(tmp_path)
+    Path("answer.json").write_text('{"headline": ["Band 1 to 2 nm."]}')
     caplog.set_level(logging.INFO, start.logger.name)
     workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
     start.say_answer(workflow, "answer.html", "insight.html")
-    assert caplog.messages == [f"The answer is made: open {page}" for page in pages]
+    assert caplog.messages == messages
 
 
 # The command line

@@ -28,7 +28,7 @@ from snakemake.iocontainers import Namedlist
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import canonical
-from hardcontact.report.own_answer import own_answer, own_head, own_quantities
+from hardcontact.report.own_answer import own_answer, own_head, own_headline, own_quantities
 from hardcontact.report.quantities import answer_json
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
@@ -52,7 +52,7 @@ CASES = {
 @cache
 def content(case):
     made = own_answer(CASES[case], setting())
-    return json.loads(answer_json(own_head(setting()), own_quantities(made)))
+    return json.loads(answer_json(own_head(setting(), own_headline(made)), own_quantities(made)))
 
 
 def quantities(case, surface="my_coating"):

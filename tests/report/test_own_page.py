@@ -26,7 +26,7 @@ from html_page import Page
 from matplotlib.text import Text
 
 from hardcontact.report import own_figures as figures
-from hardcontact.report.own_answer import own_answer, own_page
+from hardcontact.report.own_answer import own_answer, own_headline, own_page
 
 FORCES = "two substitutes, forces"
 LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
@@ -44,9 +44,13 @@ PHONE = 358  # pixels that a figure is wide on a screen of 390
 MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
 
 
+def page_of(answer):
+    return own_page(answer, own_headline(answer))
+
+
 @cache
 def html(case):
-    return own_page(own_answer(*CASES[case]))
+    return page_of(own_answer(*CASES[case]))
 
 
 @cache
@@ -90,6 +94,13 @@ def test_what_is_not_folded_is_short():
     assert len(verdict.replace("\u00a0", " ").split()) <= 25
 
 
+def test_the_page_begins_with_the_headline():
+    headline = own_headline(own_answer(*CASES["one"]))
+    assert headline and not any("<" in line or "&" in line for line in headline)
+    first = " ".join(page("one").texts["div"][0].replace("\u00a0", " ").split())
+    assert first.startswith(" ".join(headline))
+
+
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
     given = datasets()
@@ -97,7 +108,7 @@ def test_names_of_the_user_are_escaped():
     paths = given.spectra["path"].astype(object) + hostile
     given = type(given)(*parts)
     given = given._replace(spectra=given.spectra.assign(path=paths))
-    made = own_page(own_answer(given, setting([(hostile, "x & <b>y</b>")])))
+    made = page_of(own_answer(given, setting([(hostile, "x & <b>y</b>")])))
     assert "<b>" not in made and Page(made).texts["h1"]
 
 
@@ -105,7 +116,7 @@ def test_names_of_the_user_are_escaped():
 def test_a_fit_that_is_exact_by_construction_tells_no_error(exact):
     of_two = fit(2)
     of_two["exact_pairs"][:] = exact
-    made = own_page(own_answer(datasets(2, fit=of_two), setting()))
+    made = page_of(own_answer(datasets(2, fit=of_two), setting()))
     text = re.search('<p id="fit">(.*?)</p>', made, re.DOTALL)[1]
     assert ("error" in text) == (exact == 0) and ("tests nothing" in text) == (exact > 0)
 

@@ -14,6 +14,7 @@ from hardcontact.base.number import Number
 from hardcontact.report.paper_answer import (
     ANSWERS,
     paper_head,
+    paper_headline,
     paper_quantities,
 )
 from hardcontact.report.quantities import answer_json
@@ -46,7 +47,8 @@ def with_fits(ranges, works):
 
 
 def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
-    text = answer_json(paper_head(PAPER, CITATION["version"]), paper_quantities(answer()))
+    head = paper_head(PAPER, CITATION["version"], paper_headline(answer()))
+    text = answer_json(head, paper_quantities(answer()))
     content = json.loads(text)
     Draft202012Validator(SCHEMA).validate(content)
     rows = {(row["surface"], row["name"]): row for row in content["quantities"]}

@@ -23,7 +23,7 @@ rule answer_paper:
         figures=[PATTERNS.figure(name, "svg") for name in OF_PAPER],
         captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in OF_PAPER],
         citation="CITATION.cff",
-        templates=template_inputs("paper.html", "verdicts.html"),
+        templates=template_inputs("paper.html", "paper_headline.txt", "verdicts.html"),
         code=code_inputs("answer_paper.py"),
     output:
         page=report(

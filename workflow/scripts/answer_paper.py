@@ -12,6 +12,7 @@ from hardcontact.report.captions import caption
 from hardcontact.report.paper_answer import (
     paper_answer,
     paper_head,
+    paper_headline,
     paper_page,
     paper_quantities,
 )
@@ -32,6 +33,7 @@ with job(snakemake) as job:
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    job.write_text(paper_page(answer, figures, captions, citation), "page")
-    head = paper_head(job.parameters, citation["version"])
+    headline = paper_headline(answer)
+    job.write_text(paper_page(answer, headline, figures, captions, citation), "page")
+    head = paper_head(job.parameters, citation["version"], headline)
     job.write_text(answer_json(head, paper_quantities(answer)), "json")

@@ -5,7 +5,13 @@ import pandas as pd
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.report.datasets import Datasets, Setting
-from hardcontact.report.own_answer import own_answer, own_head, own_page, own_quantities
+from hardcontact.report.own_answer import (
+    own_answer,
+    own_head,
+    own_headline,
+    own_page,
+    own_quantities,
+)
 from hardcontact.report.quantities import answer_json
 
 with job(snakemake) as job:
@@ -14,5 +20,6 @@ with job(snakemake) as job:
     pairs = pd.read_csv(job.input.pairs).to_dict("records")
     setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(given, setting)
-    job.write_text(own_page(answer), "page")
-    job.write_text(answer_json(own_head(setting), own_quantities(answer)), "json")
+    headline = own_headline(answer)
+    job.write_text(own_page(answer, headline), "page")
+    job.write_text(answer_json(own_head(setting, headline), own_quantities(answer)), "json")

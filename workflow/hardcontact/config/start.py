@@ -3,6 +3,7 @@
 The only place that knows the inside of Snakemake.
 """
 
+import json
 import logging
 import os
 import sys
@@ -138,11 +139,15 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
 
 
 def say_answer(workflow: Any, *pages: str) -> None:
-    """Say which page, the first that a run was asked for, to open at its end."""
-    for page in pages:
-        if any(page in job.output for job in workflow.dag.jobs):
-            logger.info(f"The answer is made: open {page}")
-            break
+    """Say at the end of a run what it answers, and which page of those it was asked for to open."""
+    asked_for = {str(path) for job in workflow.dag.jobs for path in job.output}
+    for page in filter(asked_for.__contains__, pages):
+        answer = Path(page).with_name("answer.json")
+        if str(answer) in asked_for:
+            for line in json.loads(answer.read_text("utf-8"))["headline"]:
+                logger.info(line)
+        logger.info(f"The answer is made: open {page}")
+        break
     _stop_looking()
 
 

@@ -1,6 +1,6 @@
 """The answer of a study of own surfaces: its page, and its numbers for answer.json."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +18,7 @@ from hardcontact.report.surface_facts import (
     next_measurements,
     verdict,
 )
-from hardcontact.report.templates import rendered
+from hardcontact.report.templates import rendered, rendered_lines
 
 #: Metrics of a scan, with their units.
 METRICS = {
@@ -97,13 +97,23 @@ def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
     return OwnAnswer(given, setting, surfaces)
 
 
-def own_head(setting: Setting) -> dict[str, Any]:
+def own_headline(answer: OwnAnswer) -> list[str]:
+    """Return the sentence on each surface with which the page begins, those of the terminal too."""
+    surfaces = [
+        {**surface._asdict(), "basis": surface.basis, "verdict": verdict(surface.rows)}
+        for surface in answer.surfaces.values()
+    ]
+    return rendered_lines("own_headline.txt", surfaces=surfaces)
+
+
+def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
     """Return the head of answer.json."""
     return {
         "study": setting.study,
         "version": setting.citation["version"],
         "effort": setting.effort,
         "kind": "own surfaces",
+        "headline": list(headline),
         "contact": dict(setting.contact),
     }
 
@@ -146,12 +156,13 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
         yield from numbers_within(f"measurement_{place}", lengths)
 
 
-def own_page(answer: OwnAnswer) -> str:
+def own_page(answer: OwnAnswer, headline: Sequence[str]) -> str:
     """Return the page, HTML."""
     given, setting, surfaces = answer
     labels = {name: surface.label for name, surface in surfaces.items()}
     return rendered(
         "own.html",
+        headline=headline,
         study=setting.study,
         effort=setting.effort,
         citation=setting.citation,
@@ -183,7 +194,6 @@ def _shown(name: str, surface: OwnSurface) -> dict[str, Any]:
     return surface._asdict() | {
         "id": name,
         "basis": surface.basis,
-        "verdict": verdict(surface.rows),
         "heights": [float(heights.min()), float(heights.max())],
         "size": float(of.topography["scan_size"]),
         "pixel": float(of.topography["pixel_size"]),

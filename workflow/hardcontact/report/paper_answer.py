@@ -1,7 +1,7 @@
 """What the study of the paper answers: numbers of claims and datasets, and the page of them."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -20,7 +20,7 @@ from hardcontact.report.figures.listing import OF_PAPER, describe
 from hardcontact.report.quantities import Quantity, number_of, on_scans, quantity
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.table1 import table1_rows
-from hardcontact.report.templates import rendered
+from hardcontact.report.templates import rendered, rendered_lines
 
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
@@ -238,7 +238,15 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
         yield Number(name, float(of_size["edge_size"]), "nm", source="given")
 
 
-def paper_head(configuration: Mapping[str, Any], version: str) -> dict[str, Any]:
+def paper_headline(answer: PaperAnswer) -> list[str]:
+    """Return the sentences with which the page begins, those of the terminal too."""
+    facts = claim_facts(answer.claims)
+    return rendered_lines("paper_headline.txt", answer=answer, numbers=answer.numbers, **facts)
+
+
+def paper_head(
+    configuration: Mapping[str, Any], version: str, headline: Sequence[str]
+) -> dict[str, Any]:
     """Return the head of answer.json, of the configuration of the study as it was given."""
     contact = {"radius of the sphere": configuration["sphere"]["radius"]}
     contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
@@ -247,6 +255,7 @@ def paper_head(configuration: Mapping[str, Any], version: str) -> dict[str, Any]
         "version": version,
         "effort": configuration["effort"],
         "kind": "paper",
+        "headline": list(headline),
         "contact": contact,
     }
 
@@ -263,6 +272,7 @@ def paper_quantities(answer: PaperAnswer) -> Iterator[Quantity]:
 
 def paper_page(
     answer: PaperAnswer,
+    headline: Sequence[str],
     figures: Mapping[str, bytes],
     captions: Mapping[str, Caption],
     citation: Mapping[str, Any],
@@ -274,6 +284,7 @@ def paper_page(
     return rendered(
         "paper.html",
         answer=answer,
+        headline=headline,
         numbers=answer.numbers,
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
         chapters=[

@@ -12,6 +12,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from hardcontact.base.printing import print_as_paper
+from hardcontact.paper.selection import NO_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, STABLE, summary
 from hardcontact.report.templates import rendered
 
@@ -53,7 +54,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return what templates show of claims as from `verdicts.with_open_ends`.
 
     `claims` are rows by their ids, each with its `_meaning`; `counts` rows of
-    `verdicts.summary`; `unstable` is the number of verdicts that may change with the seed.
+    `verdicts.summary`; `unstable` is the number of verdicts that may change with the seed,
+    `without_scan` that of independent findings that are reproduced from printed numbers alone.
     """
     pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _meaning(row) for plain, row in pairs}
@@ -61,6 +63,10 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "claims": facts,
         "counts": summary(claims).to_dict("records"),
         "unstable": sum(row["may_change"] for row in facts.values()),
+        "without_scan": sum(
+            (row["kind"], row["verdict"], row["basis"]) == ("independent", "reproduced", NO_SCAN)
+            for row in facts.values()
+        ),
     }
 
 

@@ -25,8 +25,31 @@ def rendered(template: str, **facts: Any) -> str:
     carries a policy that lets no script run but its own, which it names by its digest.
     """
     # Imported here: it takes longer than most jobs compute.
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
     from markupsafe import Markup
+
+    script = _file("page.js")
+    page = _environment().get_template(template)
+    return str(
+        page.render(
+            style=Markup(_file("style.css")),
+            script=Markup(script),
+            policy=_policy(script),
+            **facts,
+        )
+    )
+
+
+def rendered_lines(template: str, **facts: Any) -> list[str]:
+    """Return the lines of a template that are not empty, as plain text."""
+    from markupsafe import Markup
+
+    text = _environment().get_template(template).render(**facts)
+    return [line for line in (Markup(line).striptags() for line in text.splitlines()) if line]
+
+
+def _environment() -> Any:
+    """Return the environment in which templates of pages are rendered."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
         loader=FileSystemLoader(FOLDER), autoescape=True, undefined=StrictUndefined,
@@ -41,13 +64,7 @@ def rendered(template: str, **facts: Any) -> str:
         "number_of": quantities.number_of, "span": quantities.span, "Number": Number,
     }  # fmt: skip
     environment.tests["known"] = math.isfinite
-    script = _file("page.js")
-    return environment.get_template(template).render(
-        style=Markup(_file("style.css")),
-        script=Markup(script),
-        policy=_policy(script),
-        **facts,
-    )
+    return environment
 
 
 def _file(name: str) -> str:
