@@ -58,6 +58,11 @@ def test_the_page_says_first_whether_the_paper_holds(shown):
         assert_says(said, print_as_paper(published.value, published.unit))
 
 
+def test_coarse_grids_are_said_before_any_number():
+    made = Page(made_page(answer(**datasets(pixels=128))))
+    assert plain(made.texts["div"][0]).startswith("Coarse grids: ")
+
+
 def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(shown):
     pictures = [base64.b64decode(of["src"].partition(",")[2]) for of in shown.attributes["img"]]
     order = ["fig6", *(name for name in OF_PAPER if name != "fig6")]

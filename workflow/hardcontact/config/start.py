@@ -144,7 +144,7 @@ def say_answer(workflow: Any, *pages: str) -> None:
     for page in filter(asked_for.__contains__, pages):
         answer = Path(page).with_name("answer.json")
         if str(answer) in asked_for:
-            for line in json.loads(answer.read_text("utf-8"))["headline"]:
+            for line in json.loads(answer.read_text("utf-8")).get("headline", []):
                 logger.info(line)
         logger.info(f"The answer is made: open {page}")
         break
