@@ -11,12 +11,13 @@ from paper_numbers import SUBSTRATES
 from repository import ROOT, run_snakemake
 
 from hardcontact.base import dataset
+from hardcontact.base.number import Number
 from hardcontact.config.configuration import PAGES
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
-from hardcontact.report.paper_answer import ANSWERS
-from hardcontact.report.quantities import in_words, number_of
+from hardcontact.report.paper_answer import ANSWERS, EDGES
+from hardcontact.report.quantities import printed
 
 
 def test_claims(results):
@@ -77,16 +78,26 @@ def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results)
     assert len(sources) == len(page.texts["h2"]) == len(OF_INSIGHT)
     assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
     assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
-    band = dataset.read(results / "band.nc")
-    pooled = number_of(band.sel(side="small", group="pooled"), "critical_wavelength", "nm")
     claims = pd.read_csv(results / "insight_claims.csv")
-    assert not_told([in_words(pooled), *claims.statement, *claims.verdict], page) == []
+    assert not_told([*claims.statement, *claims.verdict], page) == []
+
+
+def test_the_page_on_the_band_has_the_edges_of_the_answer(results):
+    answer = json.loads((results / "answer.json").read_text())
+    edges = [
+        printed(Number(row["name"], row["value"], row["unit"]), 2)
+        for row in answer["quantities"]
+        if row["surface"] and row["name"] in EDGES and row["status"] == "known"
+    ]
+    assert edges and not_told(edges, Page((results / "insight.html").read_text())) == []
 
 
 @needs_browser
 def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
     page = (results / "answer.html").read_text()
-    for measured in shown(page.replace("<details>", "<details open>"), tmp_path):
+    for fold in ("<details", 'class="chapter"'):
+        page = page.replace(f"{fold}>", f"{fold} open>")
+    for measured in shown(page, tmp_path):
         assert measured["overflow"] == 0 and measured["requests"] == 0
         assert measured["loaded"] == len(OF_PAPER)
 
