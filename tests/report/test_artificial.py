@@ -7,7 +7,7 @@ from answer_inputs import MEASUREMENTS, SURFACES, spectra
 from hardcontact.report.artificial import (
     artificial_bands,
     measurements,
-    reaches,
+    overlaps_any,
     reliable_measurements,
 )
 
@@ -47,4 +47,4 @@ def test_padding_is_no_measurement():
     [(1, 5, 1), (5, 20, 1), (10, 20, 0), (10, 1000, 1), (50, 50, 0), (5, 5, 1), (np.nan, 5, 0)],
 )
 def test_wavelengths_reach_artificial_bands(low, high, inside):
-    assert reaches(low, high, [(0.0, 10.0), (100.0, np.inf)]) == inside
+    assert overlaps_any(low, high, [(0.0, 10.0), (100.0, np.inf)]) == inside

@@ -17,7 +17,7 @@ from hardcontact.report.surface_facts import answer_rows
 
 
 def of_first(**others):
-    return datasets(**others).of_surface(SURFACES[0])
+    return datasets(**others).select_surface(SURFACES[0])
 
 
 def named(code, **others):

@@ -7,7 +7,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.report.quantities import (
     answer_json,
-    between,
+    bounds_only,
     in_words,
     number_of,
     quantity,
@@ -48,9 +48,9 @@ def test_an_interval_that_bounds_nothing_is_left_out(low, high, status):
         (Number("edge", 20.0, "nm", status="open_below"), "at most 20 nm"),
         (Number("edge", NAN, "nm", status="no_band"), "no band"),
         (Number("edge", NAN, "nm"), "not known"),
-        (between("size", 1.0, 2.0), "1 to 2"),
-        (between("size", 1.0, NAN), "more than 1"),
-        (between("size", NAN, 2.0), "at most 2"),
+        (bounds_only("size", 1.0, 2.0), "1 to 2"),
+        (bounds_only("size", 1.0, NAN), "more than 1"),
+        (bounds_only("size", NAN, 2.0), "at most 2"),
         (span([NAN, 3.0, 1.0], "nm"), "1 nm to 3 nm"),
         (span([NAN]), "not known"),
     ],

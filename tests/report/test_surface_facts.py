@@ -22,12 +22,12 @@ from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.number import Number, plain
 from hardcontact.report import force_facts
 from hardcontact.report import surface_facts as facts
-from hardcontact.report.artificial import parts_of_change, place_of_edge
+from hardcontact.report.artificial import classify_edge, parts_of_change
 
 
 def rows(own=None, **others):
     """Rows of the first surface, by name."""
-    of = datasets(**others).of_surface(SURFACES[0])
+    of = datasets(**others).select_surface(SURFACES[0])
     return {row.fact.name: row for row in facts.answer_rows(of._replace(fit=own))}
 
 
@@ -51,7 +51,7 @@ def test_the_change_at_an_edge_is_parted_where_scans_begin_to_be_reliable():
     data = with_edge(80.0, 70.0, 90.0)
     low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
-    of = datasets(edges=data).of_surface(SURFACES[0])
+    of = datasets(edges=data).select_surface(SURFACES[0])
     np.testing.assert_allclose(parts_of_change(of, "small", 0, 80), [high - unseen, unseen], 1e-4)
     assert rows(edges=data)["short_edge"].about["measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
@@ -68,7 +68,7 @@ def test_open_edges_are_bounds():
     below["edge_at_least"].loc[{"side": "large"}] = 0
     assert rows(edges=below)["long_edge"].fact.status == "open_below"
     below["edge_bound"].loc[{"side": "large"}] = 30_000.0
-    assert place_of_edge(datasets(edges=below).of_surface(SURFACES[0]), "large") == "inside"
+    assert classify_edge(datasets(edges=below).select_surface(SURFACES[0]), "large") == "inside"
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_open_edges_are_bounds():
 )
 def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
     # The scans are reliable from 55 nm to 25 µm.
-    measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
+    measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
     assert [(one["edge"], one["code"], one["limit"].value) for one in measurements] == expected
 
 
@@ -92,7 +92,7 @@ def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
 def test_an_open_edge_says_on_which_side_to_measure(at_least, expected):
     data = open_edges()
     data["edge_at_least"].loc[{"side": "large"}] = at_least
-    measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
+    measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
     long = [(one["code"], one["limit"].value) for one in measurements if one["edge"] == "long_edge"]
     assert long == [expected]
 
@@ -130,11 +130,11 @@ def test_a_force_at_its_bound_is_told():
 
 
 def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_beyond():
-    of = datasets().of_surface(SURFACES[0])
+    of = datasets().select_surface(SURFACES[0])
     assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
-    between, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
-    assert between.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
-    assert between.about["share"].value == 0.58 and between.about["range"].value == 10.0
+    bounds_only, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
+    assert bounds_only.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
+    assert bounds_only.about["share"].value == 0.58 and bounds_only.about["range"].value == 10.0
     assert beyond.fact.status == "not_computed" and np.isnan(beyond.fact.value)
     one_range = force().sel(rho=[5.6])
     assert np.isnan(rows(force=one_range)["range_sensitivity"].fact.value)
@@ -209,7 +209,7 @@ def test_a_work_beyond_that_of_any_solids_is_told(work, told):
 
 
 def fit_status(data):
-    return force_facts.fit_facts(force_facts.of_answer(data))
+    return force_facts.fit_facts(force_facts.preferred_fit(data))
 
 
 def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():

@@ -16,10 +16,12 @@ from hardcontact.report.quantities import answer_json
 
 with job(snakemake) as job:
     paths = {name: getattr(job.input, name, None) for name in Datasets._fields}
-    given = Datasets(**{name: dataset.read(path) if path else None for name, path in paths.items()})
+    datasets = Datasets(
+        **{name: dataset.read(path) if path else None for name, path in paths.items()}
+    )
     pairs = pd.read_csv(job.input.pairs).to_dict("records")
     setting = Setting(**job.parameters, pairs=pairs)
-    answer = own_answer(given, setting)
+    answer = own_answer(datasets, setting)
     headline = own_headline(answer)
     job.write_text(own_page(answer, headline), "page")
     job.write_text(answer_json(own_head(setting, headline), own_quantities(answer)), "json")

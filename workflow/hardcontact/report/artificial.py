@@ -1,4 +1,4 @@
-"""Wavelengths at which no scan is reliable: roughness there is artificial, and what rests on it."""
+"""Wavelengths at which no scan is reliable, so that roughness there is artificial."""
 
 from collections.abc import Iterable
 
@@ -17,57 +17,60 @@ NEARLY_ALL = 0.9
 LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
 
-def measurements(of_surface: xr.Dataset) -> xr.Dataset:
-    """Return the spectra of one surface without what only pads them along `measurement`."""
-    return of_surface.isel(measurement=np.isin(of_surface["kind"].values.astype(str), KINDS))
+def measurements(spectra: xr.Dataset) -> xr.Dataset:
+    """Return the spectra of one surface without the padding along `measurement`."""
+    return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), KINDS))
 
 
-def reliable_measurements(of_surface: xr.Dataset) -> xr.Dataset:
+def reliable_measurements(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without measurements that are reliable nowhere."""
-    known = measurements(of_surface)
-    return known.isel(measurement=(known["reliable"].values == 1).any(axis=1))
+    reliable = measurements(spectra)
+    return reliable.isel(measurement=(reliable["reliable"].values == 1).any(axis=1))
 
 
-def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
-    """Return the bands of wavelengths that no measurement of a surface reaches reliably.
+def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
+    """Return the bands of wavelengths at which no measurement of a surface is reliable.
 
-    Each is its shortest and longest wavelength (nm), growing: from 0 to the shortest that is
-    measured, gaps between scans, and from the longest that is measured to infinity.
+    A band is a pair of its shortest and its longest wavelength (nm). The first begins at 0, the
+    last ends at infinity; between them lie gaps between scans.
     """
-    known = reliable_measurements(of_surface)
-    ends = zip(known["shortest_reliable"].values, known["longest_reliable"].values, strict=True)
-    reached = float(of_surface["shortest_measured"])
+    reliable = reliable_measurements(spectra)
+    ends = zip(
+        reliable["shortest_reliable"].values, reliable["longest_reliable"].values, strict=True
+    )
+    reached = float(spectra["shortest_measured"])
     bands = [(0.0, reached)]
     for shortest, longest in sorted((float(low), float(high)) for low, high in ends):
         if shortest > reached:
             bands.append((reached, shortest))
         reached = max(reached, longest)
-    return [*bands, (float(of_surface["longest_measured"]), np.inf)]
+    return [*bands, (float(spectra["longest_measured"]), np.inf)]
 
 
-def reaches(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
-    """Return whether wavelengths from low to high (nm) lie in any band; no number lies in none."""
-    return any(first < high and low < last for first, last in bands)
+def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
+    """Return whether wavelengths from low to high (nm) overlap any band; False if either is NaN."""
+    return any(shortest < high and low < longest for shortest, longest in bands)
 
 
 def parts_of_change(
-    of: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
+    data: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
 ) -> tuple[float, float]:
-    """Return by how much reliable and artificial wavelengths of one surface change the force.
+    """Return the change of the force by reliable and by artificial wavelengths of one surface.
 
-    Both are sums of |d ln F| over the wavelengths (nm) between the ends, as roughness is removed
-    from the `side` on, where F is linear between cutoffs in logarithms.
+    Roughness is removed from the `side` on. Each change is the sum of |d ln F| over wavelengths
+    between `shortest` and `longest` (nm); ln F is interpolated linearly over the logarithm of the
+    cutoff.
     """
-    at_side = of.edges.sel(side=side)
-    cutoffs = computed_cutoffs(at_side["scale_ratio"])
-    logarithm = np.log(at_side["scale_ratio"].sel(cutoff_wavelength=cutoffs).values)
+    side_edges = data.edges.sel(side=side)
+    cutoffs = computed_cutoffs(side_edges["scale_ratio"])
+    logarithm = np.log(side_edges["scale_ratio"].sel(cutoff_wavelength=cutoffs).values)
     none_removed = 0 if side == "small" else len(cutoffs)
-    end = of.force["continued_end"].sel(side=side).item()
+    end = data.force["continued_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, none_removed, end)
     logarithm = np.insert(logarithm, none_removed, 0.0)
-    bands = artificial_bands(of.spectra)
-    inside = max(shortest, wavelength[0]), min(longest, wavelength[-1])
-    ends = np.unique(np.clip([*wavelength, *inside, *np.ravel(bands)], *inside))
+    bands = artificial_bands(data.spectra)
+    limits = max(shortest, wavelength[0]), min(longest, wavelength[-1])
+    ends = np.unique(np.clip([*wavelength, *limits, *np.ravel(bands)], *limits))
     change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), logarithm)))
     middle = np.sqrt(ends[1:] * ends[:-1])
     artificial = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
@@ -75,40 +78,42 @@ def parts_of_change(
 
 
 def reliable_share(parts: tuple[float, float]) -> float:
-    """Return the share of a change that `parts_of_change` finds reliable, NaN if there is none."""
+    """Return the reliable share of the two `parts_of_change`, NaN if the force does not change."""
     return parts[0] / sum(parts) if sum(parts) > 0 else np.nan
 
 
-def share_at_edge(of: Datasets, side: str) -> float:
-    """Return which share of the change at an edge is reliable; NaN of an open one."""
-    edge = of.edges["edge"].sel(side=side).item()
+def measured_share_at_edge(data: Datasets, side: str) -> float:
+    """Return the reliable share of the change of the force at an edge, NaN for an open edge."""
+    edge = data.edges["edge"].sel(side=side).item()
     ends = (0.0, edge) if side == "small" else (edge, np.inf)
-    return np.nan if np.isnan(edge) else reliable_share(parts_of_change(of, side, *ends))
+    return np.nan if np.isnan(edge) else reliable_share(parts_of_change(data, side, *ends))
 
 
-def place_of_edge(of: Datasets, side: str) -> str:
-    """Return whether an edge rests on artificial roughness.
+def classify_edge(data: Datasets, side: str) -> str:
+    """Return whether an edge rests on artificial roughness, as a code.
 
-    "inside" is an edge, or its bound, at an artificial wavelength, and one of whose change as good
-    as all comes from such, "partly" one of whose change some does, "interval" one whose interval
-    alone reaches such wavelengths, "outside" any other.
+    "inside": the edge, or its bound, lies at an artificial wavelength, or artificial roughness
+    causes more than 90 % of the change. "partly": it causes 10 to 90 % of the change. "interval":
+    only the interval reaches artificial wavelengths. "outside": none of these.
     """
-    of_side, bands = of.edges.sel(side=side), artificial_bands(of.spectra)
-    edge, share = float(of_side["edge"].fillna(of_side["edge_bound"])), share_at_edge(of, side)
-    if reaches(edge, edge, bands) or share < 1 - NEARLY_ALL:
+    side_edges, bands = data.edges.sel(side=side), artificial_bands(data.spectra)
+    edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
+    share = measured_share_at_edge(data, side)
+    if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:
         return "inside"
     if share < NEARLY_ALL:
         return "partly"
-    low, high = of_side["edge_interval"].fillna(edge).values
-    return "interval" if reaches(low, high, bands) else "outside"
+    low, high = side_edges["edge_interval"].fillna(edge).values
+    return "interval" if overlaps_any(low, high, bands) else "outside"
 
 
-def measurement_name(one: xr.Dataset) -> str:
-    """Return the file of a measurement and, if it is a container, the dataset in it."""
-    path, dataset = (str(one[name].item()) for name in ("path", "dataset"))
+def measurement_name(measurement: xr.Dataset) -> str:
+    """Return the path of a measurement and, if the file is a container, the dataset in it."""
+    path, dataset = (str(measurement[name].item()) for name in ("path", "dataset"))
     return f"{path}: {dataset}" if dataset else path
 
 
-def single(known: xr.Dataset) -> list[xr.Dataset]:
-    """Return each of several measurements by itself."""
-    return [known.isel(measurement=place) for place in range(known.sizes["measurement"])]
+def split_measurements(measurements: xr.Dataset) -> list[xr.Dataset]:
+    """Return a dataset for each measurement."""
+    count = measurements.sizes["measurement"]
+    return [measurements.isel(measurement=number) for number in range(count)]

@@ -12,9 +12,9 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import LEAST_TRIED
-from hardcontact.report.artificial import measurement_name, measurements, single
-from hardcontact.report.datasets import Datasets, at_range, tabor_number
-from hardcontact.report.quantities import between, number_of
+from hardcontact.report.artificial import measurement_name, measurements, split_measurements
+from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
+from hardcontact.report.quantities import bounds_only, number_of
 from hardcontact.surfaces.contradictions import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS
 from hardcontact.theory.prediction import HARD
@@ -42,7 +42,7 @@ def cautions(of: Datasets) -> list[Caution]:
     """
     tolerance = of.edges.attrs["tolerance"]
     too_small = of.force["finite_scan_ratio"].values[0] > 1 + tolerance
-    cut = at_range(of.force)["window_share"].item() < 1 - tolerance
+    cut = forces_at_range(of.force)["window_share"].item() < 1 - tolerance
     one_pixel = of.force.attrs["contact_area"] < of.force["pixel_area"].item()
     both = [{"code": "window_and_small_scan"}] if cut and too_small else []
     judged = [
@@ -78,7 +78,7 @@ def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]
     return [
         {"code": code, "measurement": measurement_name(measurement)}
         | {name: number_of(measurement, name, unit, source="file") for name, unit in units.items()}
-        for measurement in single(measurements(spectra))
+        for measurement in split_measurements(measurements(spectra))
         for code, units in DEFECTS.items()
         if code in codes and all(np.isfinite(measurement[name]) for name in units)
     ]
@@ -92,7 +92,7 @@ def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:
 
 def _window(force: xr.Dataset) -> list[dict[str, Any]]:
     """Return that the window holds too little of the force, at the range asked for or others."""
-    rho, share, here = force["rho"].values, force["window_share"].values, at_range(force)
+    rho, share, here = force["rho"].values, force["window_share"].values, forces_at_range(force)
     if here["window_share"] < WHOLE:
         first, place, held = np.nan, here["rho"].item(), here["window_share"].item()
     elif (share < WHOLE).any():
@@ -122,7 +122,7 @@ def _scan_size(of: Datasets) -> list[dict[str, Any]]:
             "size": Number("size", size, "nm"),
             "draw_size": Number("draw_size", draw_size, "nm"),
             "share": Number("share", size / draw_size),
-            "ratio": between("ratio", low, high),
+            "ratio": bounds_only("ratio", low, high),
             "tried": Number("tried", LEAST_TRIED if size / draw_size < LEAST_TRIED else np.nan),
         }
     ]
@@ -165,7 +165,7 @@ def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
                 measurement_name(all_scans.isel(measurement=place))
                 for place in (pair.higher, pair.lower)
             ],
-            "band": between("band", pair.shortest, pair.longest, "nm"),
+            "band": bounds_only("band", pair.shortest, pair.longest, "nm"),
             "factor": Number("factor", pair.factor),
             "others": len(pairs) - 1,
         }
@@ -190,7 +190,7 @@ def _more_than_measured(spectra: xr.Dataset) -> list[dict[str, Any]]:
     return [
         {
             "code": "more_than_measured",
-            "band": between("band", shortest_more, longest_more, "nm"),
+            "band": bounds_only("band", shortest_more, longest_more, "nm"),
             "factor": Number("factor", factor),
         }
     ]
@@ -207,7 +207,7 @@ def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
         "code": "tail",
         "hurst": Number("hurst", hurst, "1", low, high, source="extrapolated"),
         "known": bool(spectra["tail_known"].item() == 1),
-        "fitted": between("fitted", shortest, longest, "nm"),
+        "fitted": bounds_only("fitted", shortest, longest, "nm"),
         "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
         "ended_by": str(spectra["tail_ended_by"].item()),
     }

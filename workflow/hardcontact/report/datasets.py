@@ -1,4 +1,4 @@
-"""What an answer is drawn from: the final datasets of a study, and what they do not say of it."""
+"""The final datasets of a study of own surfaces, and the settings that they do not hold."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -12,10 +12,9 @@ PREFERRED = "plastic"
 
 
 class Datasets(NamedTuple):
-    """The datasets that an answer is drawn from, as in the files of these names.
+    """The datasets that an answer is made from, as in the files of these names.
 
-    Topography and spectra may be of the scans of the sphere too, which no answer is asked for; the
-    fit is there if the user has own forces.
+    Topography and spectra may hold scans of the sphere too. The fit is None without own forces.
     """
 
     topography: xr.Dataset
@@ -24,9 +23,11 @@ class Datasets(NamedTuple):
     force: xr.Dataset
     fit: xr.Dataset | None = None
 
-    def of_surface(self, surface: str) -> "Datasets":
-        """Return the parts of one surface, with the fit, which is of all surfaces."""
-        return Datasets(*(part.sel(surface=surface) for part in self[:4]))._replace(fit=self.fit)
+    def select_surface(self, surface: str) -> "Datasets":
+        """Return the datasets of one surface, with the fit to the forces of all surfaces."""
+        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:4]))._replace(
+            fit=self.fit
+        )
 
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface with a band; a substitute is called so."""
@@ -39,13 +40,13 @@ class Datasets(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """What the datasets do not say of a study."""
+    """The settings of a study that its datasets do not hold."""
 
     study: str  #: Its name.
     effort: str  #: full or quick.
-    #: What contacts were computed for, as printed: for example "radius of the sphere": "250 µm".
+    #: Inputs of the contacts as printed, such as "radius of the sphere": "250 µm".
     contact: Mapping[str, str]
-    #: What of these is the paper's: of its sphere, not of the user's bodies.
+    #: Names of those inputs that the user did not give, so that they are the paper's.
     of_paper: Sequence[str]
     left_out: Sequence[tuple[str, str]]  #: Parts that these data do not allow, and why.
     citation: Mapping[str, str]  #: Title and version of the software, as in CITATION.cff.
@@ -53,8 +54,8 @@ class Setting(NamedTuple):
     pairs: Sequence[Mapping[str, Any]]
 
 
-def model_of(force: xr.Dataset) -> str:
-    """Return the contact model whose force stands in the answer."""
+def preferred_model(force: xr.Dataset) -> str:
+    """Return the name of the contact model whose force stands in the answer."""
     models = [str(name) for name in force["contact_model"].values]
     return PREFERRED if PREFERRED in models else models[0]
 
@@ -64,12 +65,12 @@ def tabor_number(force: xr.Dataset) -> Number:
     return Number("tabor_parameter", force.attrs["tabor_parameter"], status=force.attrs["bodies"])
 
 
-def at_range(force: xr.Dataset) -> xr.Dataset:
-    """Return the forces at the range of adhesion that was asked for, of the model of the answer.
+def forces_at_range(force: xr.Dataset) -> xr.Dataset:
+    """Return the forces of the preferred contact model at the configured range of adhesion.
 
-    If the range was not computed it is a KeyError.
+    Raises KeyError if forces were not computed at this range.
     """
     asked = force.attrs["range_of_adhesion"]
-    return force.sel(contact_model=model_of(force)).sel(
+    return force.sel(contact_model=preferred_model(force)).sel(
         rho=asked, method="nearest", tolerance=1e-6 * asked
     )

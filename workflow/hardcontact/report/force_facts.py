@@ -1,4 +1,4 @@
-"""The facts of predicted and measured forces of own surfaces, and of the fit to the latter."""
+"""Predicted and measured forces of own surfaces as rows of the answer, and the fit to them."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -8,8 +8,8 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
-from hardcontact.report.datasets import Datasets, at_range, model_of
-from hardcontact.report.quantities import between, number_of
+from hardcontact.report.datasets import Datasets, forces_at_range, preferred_model
+from hardcontact.report.quantities import bounds_only, number_of
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The upper end of an interval is called open where it lies this many times farther, in the
@@ -21,11 +21,11 @@ STRONGEST = 10.6
 
 
 class Row(NamedTuple):
-    """A row of the table of an answer: a number whose name and source are codes.
+    """A row of the table of an answer: a number, and facts about it by their names.
 
-    What else is known of it is `reason` of an open edge, `measured_share` of an edge or a force
-    that comes from reliable wavelengths, `side`, `start` and `end` of continued roughness, `tests`
-    of a measured force.
+    Facts are the `reason` of an open edge, the `measured_share` of an edge or a force that comes
+    from reliable wavelengths, `side`, `start` and `end` of extrapolated roughness, and the number
+    of `tests` of a measured force.
     """
 
     fact: Number
@@ -33,9 +33,9 @@ class Row(NamedTuple):
 
 
 def with_reason(fact: Number, source: xr.DataArray) -> Number:
-    """Return a number of which no end of the interval is known with the reason as its status.
+    """Return a number; if it has no interval, its status says why.
 
-    The source of intervals is that of the dataset: "none" if every contact feels all of a scan.
+    The source of intervals is that of the dataset: "none" if every contact feels the whole scan.
     """
     if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
         return fact
@@ -43,15 +43,15 @@ def with_reason(fact: Number, source: xr.DataArray) -> Number:
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:
-    """Return the sides on which continued roughness changes the force beyond its interval."""
+    """Return the sides on which extrapolated roughness changes the force beyond its interval."""
     return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
 
 
 def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
-    """Return between which wavelengths roughness continues that of the scans at one side."""
-    of_side = force.sel(side=side)
+    """Return the wavelengths between which roughness is extrapolated at one side."""
+    side_force = force.sel(side=side)
     start, end = (
-        number_of(of_side, variable, "nm", name=name, strict=False)
+        number_of(side_force, variable, "nm", name=name, strict=False)
         for name, variable in (("start", "transition"), ("end", "continued_end"))
     )
     return {"side": side, "start": start, "end": end}
@@ -64,22 +64,22 @@ def continued_fact(
     variable: str = "continued_force",
     name: str = "force_continued",
 ) -> Number:
-    """Return the force, or the work of adhesion, with roughness continued at one side.
+    """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 
-    There is none below the scans if these do not tell how the spectrum goes on.
+    At the small side it has no value if the scans do not tell how the spectrum goes on.
     """
-    of_side = data.sel(side=side)
-    fact = number_of(of_side, variable, name=name, source="extrapolated", strict=False)
+    side_data = data.sel(side=side)
+    fact = number_of(side_data, variable, name=name, source="extrapolated", strict=False)
     if side == "small" and spectra["tail_known"].item() != 1:
         return Number(name, np.nan, fact.unit, status="no_exponent", source=fact.source)
     return fact
 
 
-def force_rows(of: Datasets) -> list[Row]:
-    """Return the predicted forces of one surface at the range asked for, and the smooth limit."""
-    force, here = of.force, at_range(of.force)
-    quantiles = here["force_quantile"]
-    least, median, most = (
+def force_rows(data: Datasets) -> list[Row]:
+    """Return the predicted forces of one surface at the configured range, and the smooth limit."""
+    force, forces = data.force, forces_at_range(data.force)
+    quantiles = forces["force_quantile"]
+    lowest, median, highest = (
         quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
     )
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
@@ -87,17 +87,17 @@ def force_rows(of: Datasets) -> list[Row]:
     sources = force["continued_source"]
     continued = []
     for side in differing_sides(force):
-        fact = with_reason(continued_fact(force, side, of.spectra), sources.sel(side=side))
+        fact = with_reason(continued_fact(force, side, data.spectra), sources.sel(side=side))
         continued.append(Row(fact, continuation(force, side)))
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
-    mean = number_of(here, "force", name="force_mean", strict=False)
-    bounded = np.nanmax([mean.value, mean.high]) >= here["smooth_bound"].item()
-    about = {"model": model_of(force), "bounded": bool(bounded)} | _origin_of_force(of)
+    mean = number_of(forces, "force", name="force_mean", strict=False)
+    bounded = np.nanmax([mean.value, mean.high]) >= forces["smooth_bound"].item()
+    about = {"model": preferred_model(force), "bounded": bool(bounded)} | _origin_of_force(data)
     return [
         Row(with_reason(mean, force["interval_source"]), about),
         *continued,
         Row(Number("force_median", median, "N"), {}),
-        Row(between("force_middle", least, most, "N"), {"share": share}),
+        Row(bounds_only("force_middle", lowest, highest, "N"), {"share": share}),
         Row(Number("smooth_sphere", float(smooth), "N"), {}),
         Row(number_of(force, "spread", "1", name="force_scatter"), _scatter(force)),
         Row(Number("range_sensitivity", _sensitivity(force)), {}),
@@ -105,29 +105,30 @@ def force_rows(of: Datasets) -> list[Row]:
 
 
 def _scatter(force: xr.Dataset) -> dict[str, Any]:
-    """Return the modulus of the regimes of a surface, and what a mean force needs."""
+    """Return the modulus k of a surface, and the number and distance of contacts for a mean."""
     names = ("modulus", "contacts_needed")
     numbers = {name: number_of(force, name, "1", strict=False) for name in names}
     return numbers | {"distance": number_of(force, "draw_size", "nm", name="distance")}
 
 
-def _origin_of_force(of: Datasets) -> dict[str, Any]:
-    """Return the share of the fall of the force from a smooth sphere that is reliable, and a code.
+def _origin_of_force(data: Datasets) -> dict[str, Any]:
+    """Return the share of the fall of the force that reliable wavelengths cause, and its origin.
 
-    The fall is measured if artificial wavelengths change the force by no more than the tolerance.
+    The fall is that from the force of a smooth sphere. Its origin is "measured" if artificial
+    wavelengths change the force by no more than the tolerance.
     """
-    parts = parts_of_change(of, "small")
+    parts = parts_of_change(data, "small")
     share = reliable_share(parts)
     origin = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
-    if parts[1] <= np.log1p(of.edges.attrs["tolerance"]):
+    if parts[1] <= np.log1p(data.edges.attrs["tolerance"]):
         origin = "measured"
     return {"change": Number("measured_share", share), "origin": origin}
 
 
 def _sensitivity(force: xr.Dataset) -> float:
-    """Return d ln F/d ln rho at the range asked for, NaN if no other was computed."""
-    of_model = force.sel(contact_model=model_of(force))
-    rho, forces = np.log(of_model["rho"].values), np.log(of_model["force"].values)
+    """Return d ln F/d ln rho at the configured range, NaN if no other range was computed."""
+    model_forces = force.sel(contact_model=preferred_model(force))
+    rho, forces = np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
     if len(rho) < 2:
         return np.nan
     asked = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
@@ -137,12 +138,13 @@ def _sensitivity(force: xr.Dataset) -> float:
 def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Row]:
     """Return the force of one surface at other pairs of range and work of adhesion.
 
-    A pair is a row of resources/adhesion/pairs.csv. Forces are interpolated between the ranges
-    computed, in logarithms; beyond them a force is "not_computed". The pair asked for has no row.
+    A pair is a row of resources/adhesion/pairs.csv. The logarithm of the force is interpolated over
+    that of the range; beyond the computed ranges a force is "not_computed". The configured pair
+    has no row.
     """
     asked = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
-    of_model, rows = force.sel(contact_model=model_of(force)), []
-    ranges, forces = np.log(of_model["rho"].values), np.log(of_model["force"].values)
+    model_forces, rows = force.sel(contact_model=preferred_model(force)), []
+    ranges, forces = np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
     for pair in pairs:
         rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
         if np.allclose(asked, (rho, work), rtol=1e-6):
@@ -160,21 +162,21 @@ def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Row
     return rows
 
 
-def of_answer(fit: xr.Dataset) -> xr.Dataset:
-    """Return the fit of the contact model of the answer."""
-    return fit.sel(contact_model=model_of(fit))
+def preferred_fit(fit: xr.Dataset) -> xr.Dataset:
+    """Return the fit of the preferred contact model."""
+    return fit.sel(contact_model=preferred_model(fit))
 
 
 def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[Row]:
-    """Return the force measured on one surface, and what works of adhesion it means.
+    """Return the force measured on one surface, and the works of adhesion that fit it.
 
-    Both datasets are of this surface.
+    Both datasets hold this surface alone.
     """
-    here = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
+    fit_at_range = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
     force = number_of(fit, "measured_force", source="measured", strict=False)
     lopsided = np.log(force.high / force.value) > LOPSIDED * np.log(force.value / force.low)
     work = number_of(
-        here, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
+        fit_at_range, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
     )
     rows = [
         Row(force, {"tests": int(fit["tests"].item()), "lopsided": bool(lopsided)}),
@@ -204,12 +206,12 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     if fit.sizes["surface"] == 1:
         status = "one_surface"
     units = {"best_range": "nm", "best_work": "J m-2", "best_error": "1"}
-    found = {name: Number(name, fit[name].item(), unit) for name, unit in units.items()}
+    numbers = {name: Number(name, fit[name].item(), unit) for name, unit in units.items()}
     for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
         low, high = fit[name].values.tolist()
-        found[name] = between(name, low, high, unit)
+        numbers[name] = bounds_only(name, low, high, unit)
     rho, asked = fit["rho"].values, fit.attrs["range_of_adhesion"]
-    return found | {
+    return numbers | {
         "status": status,
         "exact_pairs": int(fit["exact_pairs"].item()),
         "gaps": _gaps(rho, allowed),
@@ -219,7 +221,7 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
 
 
 def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:
-    """Return the pairs of ranges between which a region has gaps."""
+    """Return the pairs of ranges (nm) that bound the gaps of a region."""
     change = np.diff(allowed.astype(int))
     ends, begins = np.flatnonzero(change == -1), np.flatnonzero(change == 1) + 1
     begins = begins[begins > ends[0]] if len(ends) else begins[:0]

@@ -1,8 +1,8 @@
 """The page on what decides the band: a question, its numbers and a figure for each part.
 
-A new part takes a figure in `report.figures.listing.OF_INSIGHT`, the rule that makes the dataset of
-that figure, its question in ``insight.html`` and its words in ``insight/<figure>.html``, which
-takes its numbers from the dataset.
+A part needs a figure in `report.figures.listing.OF_INSIGHT`, a rule that makes the dataset of that
+figure, a question in ``insight.html``, and words in ``insight/<figure>.html``. The words take
+their numbers from the dataset.
 """
 
 import math
@@ -25,7 +25,7 @@ from hardcontact.theory.closed_form import MANY_POINTS, SINGLE_PEAKS
 from hardcontact.theory.edge_scaling import CLOSED_FORM, FORMULA
 from hardcontact.theory.pull_off_statistics import CHANCE, held_back
 
-#: Distributions whose distance from computed forces is known.
+#: Distributions that are compared with computed forces.
 DISTANCES = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
 
 
@@ -97,15 +97,16 @@ def long_edge(of_size: xr.Dataset) -> Number:
 
 
 def half_factor(closed_form: xr.Dataset) -> float:
-    """Return the factor by which half of the forces of the closed form are off at most."""
+    """Return the factor within which half of the forces of the closed form lie."""
     errors = closed_form["error"].isel(map_size=-1).sel(source="spectrum")
     return float(np.exp(np.median(np.abs(np.log(errors.values)))))
 
 
 def edge_errors(scaling: xr.Dataset) -> Iterator[dict[str, Any]]:
-    """Yield how far edges of designed surfaces that were held out are off, by side and regime.
+    """Yield the errors of predicted edges of designed surfaces held out, by side and regime.
 
-    Errors are computed over predicted edges: their median, with nine tenths as the interval.
+    An error is the computed edge relative to the predicted one: the median, and the middle 90 % as
+    the interval.
     """
     held_out = scaling.sel(designed=scaling["held_back"] == 1)
     many = held_out["designed_level"] > held_out["designed_over_range"]
@@ -122,10 +123,10 @@ def edge_errors(scaling: xr.Dataset) -> Iterator[dict[str, Any]]:
 
 
 def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
-    """Yield the errors of the law of the scatter on designed surfaces that were held out.
+    """Yield the errors of the predicted scatter on designed surfaces held out.
 
-    A row each below and above a modulus of 1: how many cases, the rms error of the spread, and the
-    median distances of Kolmogorov and Smirnov of DISTANCES.
+    There is a row below and a row above a modulus of 1. It has the number of cases, the rms error
+    of the standard deviation of ln F, and the median Kolmogorov-Smirnov distances of DISTANCES.
     """
     cases = held_back(statistics)
     low = cases["designed_modulus"] < 1

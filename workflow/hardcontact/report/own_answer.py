@@ -8,10 +8,15 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.report import own_figures as figures
-from hardcontact.report.artificial import LENGTHS, measurement_name, measurements, single
+from hardcontact.report.artificial import (
+    LENGTHS,
+    measurement_name,
+    measurements,
+    split_measurements,
+)
 from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, tabor_number
-from hardcontact.report.force_facts import Row, fit_facts, of_answer
+from hardcontact.report.force_facts import Row, fit_facts, preferred_fit
 from hardcontact.report.quantities import Quantity, number_of, numbers_within, quantity
 from hardcontact.report.surface_facts import (
     answer_rows,
@@ -35,10 +40,10 @@ MEASUREMENT_TEXTS = ("kind", "limited_by", "notes")
 
 
 class OwnSurface(NamedTuple):
-    """The answer of one surface: codes with values, of which page and answer.json are made."""
+    """The answer of one surface, from which page and answer.json are made."""
 
     label: str
-    of: Datasets
+    data: Datasets
     rows: list[Row]
     cautions: list[Caution]
     next: list[Mapping[str, Any]]
@@ -46,20 +51,20 @@ class OwnSurface(NamedTuple):
     @property
     def basis(self) -> str:
         """Whether it is "measured" or a "substitute"."""
-        return str(self.of.topography["basis"].item())
+        return str(self.data.topography["basis"].item())
 
     @property
     def roughness(self) -> list[dict[str, Number]]:
         """The metrics of each scan, then those over all scales, as far as they are known."""
-        topography = self.of.topography
+        topography = self.data.topography
         scans = topography.dropna("scan", subset=["rms_height"])
         rows = [
             {name: number_of(scans.sel(scan=scan), name, unit) for name, unit in METRICS.items()}
             for scan in scans["scan"].values
         ]
-        known = [name for name in METRICS if f"all_scales_{name}" in topography]
+        known_metrics = [name for name in METRICS if f"all_scales_{name}" in topography]
         all_scales = {name: number_of(topography, f"all_scales_{name}", METRICS[name], strict=False)
-                      for name in known}  # fmt: skip
+                      for name in known_metrics}  # fmt: skip
         unknown = {name: Number(name, np.nan) for name in METRICS}
         return [*rows, unknown | all_scales]
 
@@ -68,33 +73,35 @@ class OwnSurface(NamedTuple):
         """Size, pixel size, reliable wavelengths and tip radius of each measurement."""
         return [
             {name: number_of(measurement, name, "nm", source="file") for name in LENGTHS}
-            for measurement in single(measurements(self.of.spectra))
+            for measurement in split_measurements(measurements(self.data.spectra))
         ]
 
 
 class OwnAnswer(NamedTuple):
-    """The answer of a study of own surfaces, by their names, and what it was made from."""
+    """The answer of a study of own surfaces, with the datasets and settings it was made from."""
 
-    given: Datasets
+    datasets: Datasets
     setting: Setting
     surfaces: dict[str, OwnSurface]
 
     @property
     def fit(self) -> dict[str, Any] | None:
-        """What the user's own forces allow, by the model of the answer; None without forces."""
-        return None if self.given.fit is None else fit_facts(of_answer(self.given.fit))
+        """The range and work of adhesion that own forces allow; None without own forces."""
+        return None if self.datasets.fit is None else fit_facts(preferred_fit(self.datasets.fit))
 
 
-def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
-    """Return what the datasets answer."""
+def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
+    """Return the answer of each surface that has a band."""
     surfaces, adhesion = {}, {"range of adhesion", "work of adhesion"}
     # A user who gave both knows them.
     pairs = setting.pairs if adhesion & set(setting.of_paper) else ()
-    for name, label in given.labels().items():
-        of = given.of_surface(name)
-        rows = answer_rows(of, pairs)
-        surfaces[name] = OwnSurface(label, of, rows, cautions(of), next_measurements(of))
-    return OwnAnswer(given, setting, surfaces)
+    for name, label in datasets.labels().items():
+        surface_data = datasets.select_surface(name)
+        rows = answer_rows(surface_data, pairs)
+        surfaces[name] = OwnSurface(
+            label, surface_data, rows, cautions(surface_data), next_measurements(surface_data)
+        )
+    return OwnAnswer(datasets, setting, surfaces)
 
 
 def own_headline(answer: OwnAnswer) -> list[str]:
@@ -120,12 +127,12 @@ def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
 
 def own_quantities(answer: OwnAnswer) -> Iterator[Quantity]:
     """Yield every number of the page, those of the whole study first."""
-    given, _, surfaces = answer
+    datasets, _, surfaces = answer
     for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
-        yield quantity(Number(name, given.force.attrs[name], unit, source="given"))
+        yield quantity(Number(name, datasets.force.attrs[name], unit, source="given"))
     for name in ("tolerance", "confidence"):
-        yield quantity(Number(name, given.edges.attrs[name], source="given"))
-    yield quantity(tabor_number(given.force))
+        yield quantity(Number(name, datasets.edges.attrs[name], source="given"))
+    yield quantity(tabor_number(datasets.force))
     for number in numbers_within("fit", answer.fit or {}):
         yield quantity(number)
     for name, surface in surfaces.items():
@@ -147,7 +154,7 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
     for measurement in surface.next:
         yield from numbers_within(f"{measurement['edge']}_{measurement['code']}", measurement)
     for name in ("scan_size", "pixel_size"):
-        yield number_of(surface.of.topography, name, "nm", source="file")
+        yield number_of(surface.data.topography, name, "nm", source="file")
     *scans, all_scales = surface.roughness
     for place, metrics in enumerate(scans, start=1):
         yield from numbers_within(f"scan_{place}", metrics)
@@ -158,7 +165,7 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
 
 def own_page(answer: OwnAnswer, headline: Sequence[str]) -> str:
     """Return the page, HTML."""
-    given, setting, surfaces = answer
+    datasets, setting, surfaces = answer
     labels = {name: surface.label for name, surface in surfaces.items()}
     return rendered(
         "own.html",
@@ -167,39 +174,39 @@ def own_page(answer: OwnAnswer, headline: Sequence[str]) -> str:
         effort=setting.effort,
         citation=setting.citation,
         left_out=setting.left_out,
-        tolerance=float(given.edges.attrs["tolerance"]),
-        confidence=float(given.edges.attrs["confidence"]),
+        tolerance=float(datasets.edges.attrs["tolerance"]),
+        confidence=float(datasets.edges.attrs["confidence"]),
         surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
         contact=setting.contact,
         of_paper=setting.of_paper,
-        tabor=tabor_number(given.force),
-        forces=figures.svg(figures.force_figure(given.force, labels), "pull-off forces"),
+        tabor=tabor_number(datasets.force),
+        forces=figures.svg(figures.force_figure(datasets.force, labels), "pull-off forces"),
         fit=answer.fit,
-        works=None if given.fit is None else _works(given.fit, labels),
+        works=None if datasets.fit is None else _works(datasets.fit, labels),
     )
 
 
 def _works(fit: xr.Dataset, labels: Mapping[str, str]) -> dict[str, Any]:
     """Return the figure of works of adhesion that fit own forces, and its contact model."""
-    of_model = of_answer(fit)
-    svg = figures.svg(figures.work_figure(of_model, labels), "works of adhesion")
-    return {"svg": svg, "model": str(of_model["contact_model"].item())}
+    model_fit = preferred_fit(fit)
+    svg = figures.svg(figures.work_figure(model_fit, labels), "works of adhesion")
+    return {"svg": svg, "model": str(model_fit["contact_model"].item())}
 
 
 def _shown(name: str, surface: OwnSurface) -> dict[str, Any]:
     """Return what the page shows of one surface."""
-    of = surface.of
-    heights = figures.heights_shown(of.topography)
-    lengths = zip(single(measurements(of.spectra)), surface.scan_lengths, strict=True)
+    data = surface.data
+    heights = figures.heights_shown(data.topography)
+    lengths = zip(split_measurements(measurements(data.spectra)), surface.scan_lengths, strict=True)
     return surface._asdict() | {
         "id": name,
         "basis": surface.basis,
         "heights": [float(heights.min()), float(heights.max())],
-        "size": float(of.topography["scan_size"]),
-        "pixel": float(of.topography["pixel_size"]),
-        "map": figures.svg(figures.map_figure(of.topography), "height map"),
-        "ratio": figures.svg(figures.ratio_figure(of.edges, of.spectra), "force ratios"),
-        "spectrum": figures.svg(figures.spectrum_figure(of.spectra), "spectra"),
+        "size": float(data.topography["scan_size"]),
+        "pixel": float(data.topography["pixel_size"]),
+        "map": figures.svg(figures.map_figure(data.topography), "height map"),
+        "ratio": figures.svg(figures.ratio_figure(data.edges, data.spectra), "force ratios"),
+        "spectrum": figures.svg(figures.spectrum_figure(data.spectra), "spectra"),
         "roughness": surface.roughness,
         "measurements": [
             {"name": measurement_name(measurement), "reliable": bool(measurement["reliable"].any())}

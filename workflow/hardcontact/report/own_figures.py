@@ -14,8 +14,13 @@ from matplotlib.figure import Figure
 
 from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.statistics import bounds
-from hardcontact.report.artificial import artificial_bands, measurement_name, measurements, single
-from hardcontact.report.datasets import model_of
+from hardcontact.report.artificial import (
+    artificial_bands,
+    measurement_name,
+    measurements,
+    split_measurements,
+)
+from hardcontact.report.datasets import preferred_model
 from hardcontact.report.figures import drawing, style
 
 REMOVED = {"small": "without shorter wavelengths", "large": "without longer wavelengths"}
@@ -93,7 +98,7 @@ def spectrum_figure(spectra: xr.Dataset) -> Figure:
     shown = np.isfinite(measured["psd"].values).any(axis=0)
     few = measured.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
     figure, axes = _sheet(measured.sizes["measurement"] * (1 + few) + 2)
-    for measurement in single(measured):
+    for measurement in split_measurements(measured):
         density, reliable = measurement["psd"].values, measurement["reliable"].values == 1
         name = PurePath(measurement_name(measurement)).name
         colour = KIND_COLOURS[str(measurement["kind"].item())]
@@ -119,7 +124,7 @@ def force_figure(force: xr.Dataset, labels: Mapping[str, str]) -> Figure:
 
     Labels are the names of the surfaces in print; intervals are those of the model of the answer.
     """
-    chosen = model_of(force)
+    chosen = preferred_model(force)
     models = sorted(map(str, force["contact_model"].values), key=lambda model: model != chosen)
     curves = [(surface, model) for surface in labels for model in models]
     figure, axes = _sheet(len(curves))

@@ -1,4 +1,4 @@
-"""What the study of the paper answers: numbers of claims and datasets, and the page of them."""
+"""The answer of the paper's study: its numbers, from claims and datasets, and its page."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,7 +22,7 @@ from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.table1 import table1_rows
 from hardcontact.report.templates import rendered, rendered_lines
 
-#: The claims that the answer is made of, by what the answer calls them.
+#: Claims whose numbers the answer has, by their names in the answer.
 ANSWERS = {
     "short_edge": "edge_small_pooled",
     "long_edge": "edge_large_pooled",
@@ -53,16 +53,16 @@ MAIN_FINDINGS = (
 )
 #: Side of each edge of the band in the datasets, and the status of one beyond the cutoffs.
 EDGES = {"short_edge": ("small", "open_above"), "long_edge": ("large", "open_below")}
-#: What is fitted to the forces of each set of scans, with units.
+#: Parameters that are fitted to the forces of each set of scans, with units.
 FITTED = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
-#: Names of the sets whose range exceeds that of the paper's statement, and of the others.
+#: Names of the sets by whether their range exceeds that of the paper's statement.
 FIT_GROUPS = {True: "long_range_sets", False: "short_range_sets"}
 #: Sizes of the study that the paper prints too, with units.
 GRIDS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 
 
 class PaperAnswer(NamedTuple):
-    """What the page of the paper and answer.json are made of."""
+    """The numbers and labels from which the paper's page and answer.json are made."""
 
     claims: pd.DataFrame  #: As from `verdicts.with_open_ends`.
     numbers: dict[str, Number]  #: Those of the whole study, by their names in answer.json.
@@ -87,7 +87,7 @@ def paper_answer(
     constants: pd.DataFrame,
     published_table1: pd.DataFrame,
 ) -> PaperAnswer:
-    """Gather what the page shows, in the units of the claims.
+    """Return the answer, in the units of the claims.
 
     Claims are as from `verdicts.read_verdicts`, constants and Table 1 as from `published`; datasets
     are `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`, `protruded_sphere` and
@@ -128,7 +128,7 @@ def paper_answer(
 
 
 def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
-    """Return the computed and the published number of a claim, and how often it holds."""
+    """Return the computed and the published number of a claim, and its frequency over sets."""
     status = f"interval_open_{row.open_end}" if row.open_end else ""
     if name in EDGES:
         side, beyond = EDGES[name]
@@ -144,7 +144,7 @@ def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
 def _numbers_of_surface(
     name: str, band: xr.Dataset, sets: xr.Dataset, forces: xr.Dataset
 ) -> dict[str, Number]:
-    """Return both edges of a substrate by itself, and how far forces on scans are too large."""
+    """Return both edges of one substrate, and its force on scans relative to large surfaces."""
     numbers = {}
     for edge, (side, _) in EDGES.items():
         labels = {"side": side, "group": name}
@@ -164,8 +164,8 @@ def _numbers_of_surface(
 def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
     """Yield median and extremes of the fits of sets with a long and with a short range.
 
-    The range of a set is long if it exceeds that of the paper's statement. There are no groups
-    where the study does not have that statement.
+    A range is long if it exceeds that of the paper's statement. Nothing is yielded if the study
+    does not judge that statement.
     """
     fits = sets.sel(contact_model=PLASTIC, drop=True)[[*FITTED]].to_dataframe()
     if statement is None or math.isnan(statement.frequency):
@@ -190,8 +190,8 @@ def _decisive_numbers(
 ) -> Iterator[Number]:
     """Yield range and work of adhesion without the decisive surface, and with protrusions.
 
-    Each is the median of the sets, of those that agree where there are protrusions, with the
-    interval of the claims.
+    Each is the median over the sets, with the interval of the claims. With protrusions only sets
+    whose forces agree with the published ones count.
     """
     tail = (1 - confidence) / 2
     set_fits = {name: fits[f"set_{name}"].sel(contact_model=PLASTIC) for name in FITTED}
@@ -216,7 +216,7 @@ def _decisive_numbers(
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
-    """Yield what the study was made with, and the sizes of its grids beside those of the paper."""
+    """Yield the settings of the study, and the sizes of its grids beside those of the paper."""
     topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
     sizes = {
         "scan_pixels": topography.sizes["row"],

@@ -1,4 +1,4 @@
-"""Quantities of an answer: numbers of datasets, how pages print them, the list of answer.json."""
+"""Quantities of an answer: how they are read from datasets, printed, and listed in answer.json."""
 
 import json
 import math
@@ -15,7 +15,7 @@ from hardcontact.base.statistics import bounds
 
 Quantity = dict[str, Any]
 
-#: What stands in place of a value that is not known, by its status.
+#: Words in place of an unknown value, by its status.
 NO_VALUE = {
     "none": "",
     "not_computed": "not computed",
@@ -26,7 +26,7 @@ NO_VALUE = {
     "not_printed": "not printed",
     "no_exponent": "not answered: the scans do not tell how their roughness goes on",
 }
-#: What follows a value whose interval is not known, by its status.
+#: Words after a value without an interval, by its status.
 NO_INTERVAL = {
     "not_bounded": "not bounded by so few scans",
     "no_interval": "no interval",
@@ -45,11 +45,11 @@ def number_of(
     source: str = "computed",
     strict: bool = True,
 ) -> Number:
-    """Return a variable without dimensions, with `<variable>_interval` if that bounds anything.
+    """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
-    The unit is for what has none in the dataset, `missing` is the status of what is no number, the
-    name is by default that of the variable. If strict, an interval that reaches too far counts as
-    none, and one without ends has a status.
+    The unit replaces that of the dataset, and the name that of the variable. `missing` is the
+    status of a value that is not finite. If strict, an interval that reaches too far counts as
+    none, and an interval without ends has the status "no_interval".
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
@@ -70,29 +70,29 @@ def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
     return low.item(), high.item()
 
 
-def between(
+def bounds_only(
     name: str, low: float, high: float, unit: str = "1", missing: str = "not_known"
 ) -> Number:
-    """Return what is known of the ends of something."""
+    """Return a number of which only ends are known; the status says which."""
     codes = {(True, True): "between", (True, False): "more_than", (False, True): "at_most"}
     status = codes.get((math.isfinite(low), math.isfinite(high)), missing)
     return Number(name, math.nan, unit, low, high, status)
 
 
 def span(values: ArrayLike, unit: str = "1", name: str = "span") -> Number:
-    """Return the smallest and the largest of the numbers that are known."""
-    known = [value for value in np.ravel(values) if np.isfinite(value)]
-    return between(name, min(known, default=np.nan), max(known, default=np.nan), unit)
+    """Return the smallest and the largest of the finite values."""
+    finite = [value for value in np.ravel(values) if np.isfinite(value)]
+    return bounds_only(name, min(finite, default=np.nan), max(finite, default=np.nan), unit)
 
 
 def in_percent(share: Number) -> Number:
-    """Return a share of one in percent."""
+    """Return a share, which is a fraction of one, in percent."""
     low, high = 100 * share.low, 100 * share.high
     return share._replace(value=100 * share.value, low=low, high=high, unit="%")
 
 
 def bare(number: Number) -> Number:
-    """Return a number without its interval; an open one remains a bound."""
+    """Return a number without its interval; a bound remains a bound."""
     status = number.status if number.status in ("open_above", "open_below") else ""
     return number._replace(low=math.nan, high=math.nan, status=status)
 
@@ -113,7 +113,7 @@ def printed(number: Number, digits: int = 3, end: str = "") -> str:
 
 
 def in_words(number: Number, digits: int = 3) -> str:
-    """Return a number with its interval, and what its status says of them."""
+    """Return a number with its interval in words, as its status asks for."""
     if number.status == "between":
         both = [printed(number, digits, end) for end in ("low", "high")]
         text = " to ".join(dict.fromkeys(both))
@@ -130,7 +130,7 @@ def in_words(number: Number, digits: int = 3) -> str:
 
 
 def _unbounded(number: Number, digits: int) -> str:
-    """Return what is said of an interval of which an end is not known, or both."""
+    """Return the words for an interval without one end, or without both."""
     low, high = math.isfinite(number.low), math.isfinite(number.high)
     if number.status in NO_INTERVAL:
         return f" ({NO_INTERVAL[number.status]})"
@@ -142,9 +142,9 @@ def _unbounded(number: Number, digits: int) -> str:
 
 
 def surfaces(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
-    """Return the printed name of every surface of a dataset, and what the dataset has of it."""
-    parts = [dataset.sel(surface=name) for name in dataset["surface"].values]
-    return [(printed_label(part["label"].item(), part["basis"].item()), part) for part in parts]
+    """Return the printed name of each surface of a dataset, and the data of this surface."""
+    selected = [dataset.sel(surface=name) for name in dataset["surface"].values]
+    return [(printed_label(data["label"].item(), data["basis"].item()), data) for data in selected]
 
 
 def printed_label(label: str, basis: str) -> str:
@@ -153,13 +153,13 @@ def printed_label(label: str, basis: str) -> str:
 
 
 def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
-    """Return what edges and forces are on mirrored windows of the size of the study's scans."""
+    """Return edges and forces on mirrored windows of the size of the study's scans."""
     windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
     return windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
 
 
 def quantity(number: Number, surface: str = "", name: str = "") -> Quantity:
-    """Return a number as answer.json has it, with None for what is not known.
+    """Return a number as a mapping for answer.json, with None for unknown values.
 
     Parameters
     ----------

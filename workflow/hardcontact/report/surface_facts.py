@@ -1,4 +1,4 @@
-"""The facts of the answer of own surfaces: verdict, edges, and what they were made from."""
+"""The verdict on each own surface, the edges of its band, and what to measure next."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -10,24 +10,24 @@ from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.number import Number
 from hardcontact.report.artificial import (
     artificial_bands,
-    place_of_edge,
-    reaches,
-    share_at_edge,
+    classify_edge,
+    measured_share_at_edge,
+    overlaps_any,
 )
 from hardcontact.report.datasets import Datasets
 from hardcontact.report.force_facts import (
     Row,
     force_rows,
     measured_rows,
-    of_answer,
     pair_rows,
+    preferred_fit,
     with_reason,
 )
-from hardcontact.report.quantities import bare, between, ends
+from hardcontact.report.quantities import bare, bounds_only, ends
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
-#: What an edge comes from, by its place among artificial wavelengths.
+#: Source of an edge by the code of `classify_edge`.
 SOURCES = {
     "inside": "artificial",
     "partly": "partly_artificial",
@@ -37,10 +37,10 @@ SOURCES = {
 
 
 def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Number:
-    """Return the edge at one side in nm, or the bound of an open one, with the ends that are known.
+    """Return an edge in nm with its interval, or the bound on an open edge.
 
-    `side_edges` is the part of edges.nc at one side of one surface. An interval without ends is
-    "not_bounded" if force ratios have intervals.
+    `side_edges` is the part of edges.nc at one side of one surface. The status is "not_bounded" if
+    the edge has no interval though the force ratios have.
     """
     edge, bound = side_edges["edge"].item(), side_edges["edge_bound"].item()
     low, high = ends(side_edges, "edge")
@@ -53,57 +53,58 @@ def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Nu
 
 
 def resolves_nothing(edges: xr.Dataset) -> bool:
-    """Return whether the force changes at no cutoff, from either side: both edges are bounds then.
+    """Return whether no cutoff changes the force on one surface, so that both edges are bounds.
 
-    It is the force on a smooth sphere. Edges are of one surface.
+    The force is then that of a smooth sphere.
     """
     facts = (edge_fact(edges.sel(side=side), name) for side, name in EDGES.items())
     return [fact.status for fact in facts] == ["open_above", "open_below"]
 
 
-def edge_rows(of: Datasets) -> list[Row]:
-    """Return the edges of one surface, with those ends of intervals that scans are reliable at."""
-    if resolves_nothing(of.edges):
+def edge_rows(data: Datasets) -> list[Row]:
+    """Return the edges of one surface; ends of intervals at artificial wavelengths are dropped."""
+    if resolves_nothing(data.edges):
         return [Row(Number(name, np.nan, "nm", status="no_band"), {}) for name in EDGES.values()]
-    rows, bands = [], artificial_bands(of.spectra)
-    for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
-        edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of, side)])
+    rows, bands = [], artificial_bands(data.spectra)
+    for side, side_edges in ((side, data.edges.sel(side=side)) for side in SIDES):
+        edge = edge_fact(side_edges, EDGES[side], SOURCES[classify_edge(data, side)])
         low, high = (
-            np.nan if edge.source == "artificial" or reaches(end, end, bands) else end
+            np.nan if edge.source == "artificial" or overlaps_any(end, end, bands) else end
             for end in (edge.low, edge.high)
         )
         if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
             edge = edge._replace(status=edge.status or "no_interval")
-        edge = with_reason(edge._replace(low=low, high=high), of.edges["interval_source"])
+        edge = with_reason(edge._replace(low=low, high=high), data.edges["interval_source"])
         about = {
-            "reason": str(of_side["edge_status"].item()),
-            "measured_share": Number("measured_share", share_at_edge(of, side)),
+            "reason": str(side_edges["edge_status"].item()),
+            "measured_share": Number("measured_share", measured_share_at_edge(data, side)),
         }
         if edge.status == "no_interval":
-            cutoffs = computed_cutoffs(of_side["scale_ratio"])
-            place = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
-            about["cutoffs"] = between("cutoffs", cutoffs[place - 1], cutoffs[place], "nm")
+            cutoffs = computed_cutoffs(side_edges["scale_ratio"])
+            index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
+            about["cutoffs"] = bounds_only("cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
         rows.append(Row(edge, about))
     return rows
 
 
-def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
-    """Return what to measure next: one measurement for each edge that is open or extrapolated.
+def next_measurements(data: Datasets) -> list[Mapping[str, Any]]:
+    """Return one measurement to make next for each edge that is open or extrapolated.
 
-    Each has the name of the ``edge``, a ``code``, "finer" or "larger", and as ``limit`` a
-    wavelength (nm): measurements on that side of it would find the edge. The limit is the edge, or
-    its bound, or the nearest wavelength beyond it at which no scan is reliable.
+    A measurement has the name of the ``edge``, the ``code`` "finer" or "larger" and a wavelength
+    as ``limit`` (nm): scans that are finer, or larger, than the limit would find the edge. The
+    limit is the edge, or its bound, or the nearest wavelength beyond it at which no scan is
+    reliable.
     """
     measured_ends = {"short_edge": "shortest_measured", "long_edge": "longest_measured"}
-    bands = artificial_bands(of.spectra)
+    bands = artificial_bands(data.spectra)
     measurements: list[Mapping[str, Any]] = []
-    for edge in (row.fact for row in edge_rows(of)):
+    for edge in (row.fact for row in edge_rows(data)):
         is_open = edge.status in ("open_below", "open_above", "no_band")
         if not is_open and edge.source not in ("artificial", "partly_artificial"):
             continue
         wavelength, finer = edge.value, edge.name == "short_edge"
         if edge.status == "no_band":
-            wavelength = float(of.spectra[measured_ends[edge.name]])
+            wavelength = float(data.spectra[measured_ends[edge.name]])
         elif is_open:
             finer = edge.status == "open_below"
         if finer:
@@ -117,36 +118,36 @@ def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
     return measurements
 
 
-def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[Row]:
-    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces.
+def answer_rows(data: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[Row]:
+    """Return the rows of one surface: edges, predicted forces and, if there are any, own forces.
 
-    Forces are told at the `pairs` of range and work of adhesion too, as in `pair_rows`.
+    The `pairs` of range and work of adhesion are those of `pair_rows`.
     """
-    surface = str(of.edges["surface"].item())
-    own = []
-    if of.fit is not None and surface in of.fit["surface"].values:
-        own = measured_rows(of_answer(of.fit).sel(surface=surface), of.spectra)
-    return [*edge_rows(of), *force_rows(of), *pair_rows(of.force, pairs), *own]
+    surface = str(data.edges["surface"].item())
+    measured = []
+    if data.fit is not None and surface in data.fit["surface"].values:
+        measured = measured_rows(preferred_fit(data.fit).sel(surface=surface), data.spectra)
+    return [*edge_rows(data), *force_rows(data), *pair_rows(data.force, pairs), *measured]
 
 
 def verdict(rows: Sequence[Row]) -> dict[str, Any]:
-    """Return the answer of one surface at a glance, without intervals.
+    """Return the answer of one surface in short, without intervals.
 
-    `answer` is whether its scans can answer: "yes" if both edges, which are no bounds, and the fall
-    of the one force from that of a smooth sphere come from wavelengths at which a scan is reliable,
-    "no" if none does or there is no band, else "partly". `band` is "none" if nothing that they
-    resolve changes the force, "overlapping" if the short edge is the longer one, else "found".
-    `edges` are the short and the long one, `forces` that on the scans, then those with extrapolated
-    roughness where it matters.
+    `answer` says whether the scans answer. It is "yes" if there is one force, both edges are no
+    bounds, and all three come from wavelengths at which a scan is reliable. It is "no" if none of
+    them does, or if there is no band, else "partly". `band` is "none" if no resolved wavelength
+    changes the force, "overlapping" if the short edge is the longer one, else "found". `edges` are
+    the short and the long edge. `forces` begin with the force on the scans; forces with
+    extrapolated roughness follow where it matters.
     """
     facts = [bare(row.fact) for row in rows]
-    forces = [one for one in facts if one.name == "force_mean"]
-    forces += [one for one in facts if one.name == "force_continued"]
-    edges = [one for one in facts if one.name in EDGES.values()]
+    forces = [fact for fact in facts if fact.name == "force_mean"]
+    forces += [fact for fact in facts if fact.name == "force_continued"]
+    edges = [fact for fact in facts if fact.name in EDGES.values()]
     short, long = edges
     origins = {row.about["origin"] for row in rows if "origin" in row.about}
-    origins |= {one.source for one in edges}
-    settled = not any(one.status for one in edges) and len(forces) == 1
+    origins |= {fact.source for fact in edges}
+    settled = not any(fact.status for fact in edges) and len(forces) == 1
     band = "overlapping" if short.value >= long.value else "found"
     answer = "yes" if origins == {"measured"} and settled else "partly"
     if np.isnan(short.value):

@@ -20,9 +20,9 @@ BEFORE_UNIT = re.compile(r"(?<=\d) (?=\[)|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²
 def rendered(template: str, **facts: Any) -> str:
     """Return a page as one HTML document that needs no network.
 
-    The template is a file of workflow/report/templates, the facts are what it names; one that is
-    not given is a jinja2.UndefinedError. Everything that a template prints is escaped. The page
-    carries a policy that lets no script run but its own, which it names by its digest.
+    The template is a file of workflow/report/templates. The facts are the names that it uses.
+    Raises jinja2.UndefinedError if one is missing. Everything that a template prints is escaped.
+    The policy of the page allows no script but its own, which it names by its digest.
     """
     # Imported here: it takes longer than most jobs compute.
     from markupsafe import Markup
@@ -72,16 +72,16 @@ def _file(name: str) -> str:
 
 
 def _policy(script: str) -> str:
-    """Return what a page may load: the pictures and styles that it holds, and this script."""
+    """Return the security policy of a page: it may load its own pictures, styles and script."""
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     allowed = f"img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
     return f"default-src 'none'; {allowed}"
 
 
 def _unbroken(text: Any) -> str:
-    """Return a text in which no line ends between a number and its unit."""
-    made = BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", str(text))
-    return type(text)(made) if hasattr(text, "__html__") else made  # what is escaped stays so
+    """Return a text whose lines do not break between a number and its unit."""
+    unbroken = BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", str(text))
+    return type(text)(unbroken) if hasattr(text, "__html__") else unbroken  # stays escaped
 
 
 def _base64(data: bytes) -> str:

@@ -85,11 +85,11 @@ def published_edge(constants: pd.DataFrame, side: str) -> float:
 
 
 def tidy(
-    frames: Iterable[pd.DataFrame], data: xr.Dataset, *between: str, surfaces: str = "surface"
+    frames: Iterable[pd.DataFrame], data: xr.Dataset, *bounds_only: str, surfaces: str = "surface"
 ) -> pd.DataFrame:
     """Return a table of ROW_COLUMNS, those between and VALUE_COLUMNS, as `labelled` does."""
     row_columns = (surfaces if column == "surface" else column for column in ROW_COLUMNS)
-    return labelled(frames, data, [*row_columns, *between, *VALUE_COLUMNS], surfaces)
+    return labelled(frames, data, [*row_columns, *bounds_only, *VALUE_COLUMNS], surfaces)
 
 
 def labelled(
