@@ -1,1 +1,1 @@
-"""Numbers: statistics, units, random generators named for what they are for, printing."""
+"""Files, units, statistics, named random generators and the printing of numbers."""

@@ -39,11 +39,11 @@ def write_pins() -> None:
 
 @cache
 def code_inputs(script: str, *modules: str) -> Sequence[str]:
-    """Return the files that determine what a script does, relative to the working directory.
+    """Return the source files of a script, relative to the working directory.
 
-    They are the script itself and the modules and packages of the library that it imports, by full
-    names, sorted; `modules` are those that it imports by a name it is given, the lists of pinned
-    packages come last. Imports that only a type checker sees do not count.
+    These are the script itself and all modules of the library that it imports, sorted. `modules`
+    names those that it imports by a name in a variable. The lists of pinned packages come last.
+    Imports for type checkers do not count.
     """
     paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
     pending = [*paths]
@@ -62,7 +62,7 @@ def _imports(path: Path) -> frozenset[Path]:
 
 
 def _imported(tree: ast.AST) -> Iterator[str]:
-    """Yield the full names that a file imports, modules or what is in them."""
+    """Yield the full names of modules, and of names in modules, that a file imports."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
             continue
@@ -76,14 +76,14 @@ def _imported(tree: ast.AST) -> Iterator[str]:
 
 
 def _files(name: str) -> Iterator[Path]:
-    """Yield the files that are run to import a name, the packages above it included."""
-    first, *parts = name.split(".")
-    if first != LIBRARY.name:
+    """Yield the files that Python runs to import a name, those of parent packages too."""
+    package, *parents = name.split(".")
+    if package != LIBRARY.name:
         return
     path = LIBRARY
     yield path / "__init__.py"
-    for part in parts:
-        path = path / part
+    for parent in parents:
+        path = path / parent
         if path.is_dir():
             yield path / "__init__.py"
         elif path.with_suffix(".py").is_file():

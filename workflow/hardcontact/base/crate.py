@@ -25,9 +25,9 @@ def describe(
 ) -> str:
     """Return the RO-Crate of ``results/<study>`` as JSON text, to be written to `NAME` in it.
 
-    Every file below the folder, but for logs and benchmarks, is an output with its SHA-256; what
-    the study was made from is named by its path in the repository. The text is the same for the
-    same files, with versions by package. Raises ValueError with one line if a record is damaged.
+    Every file in the folder is an output with its SHA-256, except for logs and benchmarks. Inputs
+    are named by their paths in the repository, `versions` by package. Equal files give an equal
+    text. Raises ValueError with one line if a record is damaged.
     """
     cited = yaml.safe_load(Path(citation).read_text("utf-8"))
     crate = ROCrate(version="1.1")
@@ -75,7 +75,7 @@ def described_files(folder: str | Path) -> dict[str, str]:
 
 
 def _files(folder: str | Path) -> dict[Path, str]:
-    """Return the outputs of a study and their digests, without what differs from run to run."""
+    """Return the outputs of a study and their digests, without files that differ between runs."""
     return {
         path: digest(path)
         for path in sorted(Path(folder).rglob("*"))
@@ -86,20 +86,22 @@ def _files(folder: str | Path) -> dict[Path, str]:
     }
 
 
-def _describe_root(crate: ROCrate, cited: dict[str, Any], study: str, paper: ContextEntity) -> None:
-    """Say of the folder as a whole what it is, whose it is and under which licence."""
+def _describe_root(
+    crate: ROCrate, citation: dict[str, Any], study: str, paper: ContextEntity
+) -> None:
+    """Describe the whole folder: title, content, authors and licence."""
     root = crate.root_dataset
-    root["name"] = f"{cited['title']}: study {study}"
+    root["name"] = f"{citation['title']}: study {study}"
     root["description"] = (
         "Datasets, verdicts and figures of a study of the pull-off force of rough contacts, after "
-        f"{cited['references'][0]['title']}. Surfaces that are substitutes are named as such."
+        f"{citation['references'][0]['title']}. Surfaces that are substitutes are named as such."
     )
-    root["datePublished"] = str(cited["date-released"])
+    root["datePublished"] = str(citation["date-released"])
     root["license"] = _entity(
-        crate, f"https://spdx.org/licenses/{cited['license']}", "CreativeWork",
-        name=cited["license"],
+        crate, f"https://spdx.org/licenses/{citation['license']}", "CreativeWork",
+        name=citation["license"],
     )  # fmt: skip
-    root["author"] = [_author(crate, author) for author in cited["authors"]]
+    root["author"] = [_author(crate, author) for author in citation["authors"]]
     root["citation"] = paper
     root["conformsTo"] = _entity(crate, PROFILE, "CreativeWork", name="Process Run Crate")
 

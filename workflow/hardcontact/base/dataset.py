@@ -14,7 +14,10 @@ FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 
 
 def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETCDF4") -> None:
-    """Write a dataset whole or not at all; a file that cannot be written is a ValueError."""
+    """Write a dataset whole or not at all.
+
+    Raises ValueError if the file cannot be written.
+    """
     with whole_file(path) as temporary:
         try:
             dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
@@ -23,7 +26,10 @@ def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETC
 
 
 def read(path: str | Path) -> xr.Dataset:
-    """Read a dataset into memory; a missing, damaged or truncated file is a ValueError."""
+    """Read a dataset into memory.
+
+    Raises ValueError if the file is missing, damaged or truncated.
+    """
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
             return dataset.load()
@@ -41,17 +47,17 @@ def read_all(
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
 
-def stack(parts: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
+def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
     """Join datasets along new dimensions, the outermost first.
 
-    A key has the labels of the dataset, one of each dimension; NaN where a combination of labels is
-    missing. Labels are in the order of the keys; those of an inner dimension are sorted if they are
-    not the same for all outer labels.
+    A key holds a label for each dimension. Values are NaN where a combination of labels is missing.
+    Labels keep the order of the keys; the labels of an inner dimension are sorted if they differ
+    between outer labels.
     """
     if not dimensions:
-        return parts[()]
+        return datasets[()]
     groups: dict[Any, dict[tuple[Any, ...], xr.Dataset]] = {}
-    for (first, *rest), part in parts.items():
-        groups.setdefault(first, {})[tuple(rest)] = part
-    inner = [stack(group, dimensions[1:]) for group in groups.values()]
-    return xr.concat(inner, pd.Index(list(groups), name=dimensions[0]), join="outer")
+    for (outer, *inner), dataset in datasets.items():
+        groups.setdefault(outer, {})[tuple(inner)] = dataset
+    joined = [stack(group, dimensions[1:]) for group in groups.values()]
+    return xr.concat(joined, pd.Index(list(groups), name=dimensions[0]), join="outer")

@@ -24,9 +24,9 @@ Step = TypeVar("Step")
 
 
 class Job(NamedTuple):
-    """Inputs and parameters of a script, and the ways in which it writes its outputs.
+    """Inputs and parameters of a script, and methods that write its outputs.
 
-    An output is told by its place or its name in the rule.
+    An output is given by its position or its name in the rule.
     """
 
     input: Any  #: Paths by the names that the rule gives them, as those of the outputs.
@@ -66,16 +66,16 @@ class Job(NamedTuple):
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[Job]:
-    """Keep the log of a script and give it its `Job`, of what Snakemake gives to every script.
+    """Keep the log of a script and yield its `Job`, made from Snakemake's object.
 
-    An input that is not as the job wrote that made it is refused, before anything is computed.
+    Raises ValueError before anything is computed if an input is not as the study wrote it.
     """
     with job_log(snakemake.log[0]):
         inputs, canonical_parameters = snakemake.input, snakemake.params.canonical
-        found = digests(inputs)
-        refuse_changed(found)
+        input_digests = digests(inputs)
+        refuse_changed(input_digests)
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
-        origin = Origin(canonical_parameters, found, list(code))
+        origin = Origin(canonical_parameters, input_digests, list(code))
         parameters = json.loads(canonical_parameters)
         yield Job(inputs, snakemake.output, parameters, origin)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
@@ -92,7 +92,7 @@ def job_log(path: str | Path) -> Iterator[None]:
     """Keep the log of a job; an error goes there in full and to stderr in one line.
 
     An error ends the process at once with exit code 1: netCDF that could not write crashes when
-    Python cleans up. Ctrl-C ends it without a word: the run as a whole says that it was stopped.
+    Python cleans up. Ctrl-C ends it without a message: the run itself prints that it was stopped.
     """
     # Where the log cannot be written, the line on stderr is all there is.
     logging.raiseExceptions, logging.lastResort = False, None
@@ -106,8 +106,8 @@ def job_log(path: str | Path) -> Iterator[None]:
         _logger.error("failed\n%s", traceback.format_exc())
         message = " ".join(str(error).split()) or type(error).__name__
         written = Path(path).is_file() and Path(path).stat().st_size > 0
-        told = f"error: {message} (see {path})" if written else f"error: {message}"
-        print(told, file=sys.stderr, flush=True)
+        line = f"error: {message} (see {path})" if written else f"error: {message}"
+        print(line, file=sys.stderr, flush=True)
         os._exit(1)
     except KeyboardInterrupt:
         os._exit(130)
@@ -117,12 +117,12 @@ def job_log(path: str | Path) -> Iterator[None]:
             handler.close()
 
 
-def progress(steps: Iterable[Step], total: int, what: str) -> Iterator[Step]:
+def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
     """Pass on steps and log how many of `total` are done, about ten times in all.
 
-    Their name, in the plural, is `what`.
+    The `name` of the steps is a plural.
     """
     for done, step in enumerate(steps, start=1):
         yield step
         if done == total or done * 10 // total > (done - 1) * 10 // total:
-            _logger.info("%s: %d of %d", what, done, total)
+            _logger.info("%s: %d of %d", name, done, total)

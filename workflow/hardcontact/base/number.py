@@ -1,4 +1,4 @@
-"""One number as pages, files and programs take it: unit, interval, what is known of it, source."""
+"""One number with unit, interval, status and source, as pages, files and programs use it."""
 
 import math
 from typing import Any, NamedTuple
@@ -10,13 +10,13 @@ class Number(NamedTuple):
     Attributes
     ----------
     name : str
-        What it is the number of.
+        Name of the quantity.
     value, low, high : float
         The number and the ends of its interval, in `unit`.
     unit : str
         Of the datasets: "nm", "N", "J m-2", "1".
     status : str
-        What else is to be said, as a code for which a template has the words: "open_above" and
+        A code for which a template has the words: "open_above" and
         "open_below" where `value` is a bound, "not_bounded" where the interval says only that there
         are too few scans, "interval_open_low" and "interval_open_high" where an end of the
         interval is a bound on it, "no_interval" where it should have one, "between", "more_than"
@@ -36,7 +36,7 @@ class Number(NamedTuple):
 
 
 def plain(value: Any) -> Any:
-    """Return what JSON can say: numbers as mappings, None in place of what is not finite."""
+    """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""
     if isinstance(value, Number):
         known = "known" if math.isfinite(value.value) else "not_known"
         return plain(value._asdict() | {"status": value.status or known})

@@ -1,7 +1,7 @@
-"""What determined a file: parameters, inputs, code and the versions of packages.
+"""The origin of a file: its parameters, inputs, code and the versions of packages.
 
-Datasets say it in their attributes. Of every file that a job makes, a record of it and the file's
-own SHA-256 stand beside the file, in a hidden folder.
+Datasets have their origin in their attributes. For every file that a job makes, a hidden folder
+beside it has a record of the origin and of the SHA-256 of the file.
 """
 
 import hashlib
@@ -41,7 +41,7 @@ def digests(paths: Iterable[str | Path]) -> dict[str, str]:
 
 
 class Origin(NamedTuple):
-    """What a file was made from."""
+    """The parameters, inputs and code from which a file was made."""
 
     parameters: str  #: Canonical JSON text.
     inputs: dict[str, str]  #: SHA-256 by path.
@@ -80,30 +80,30 @@ def read_record(path: str | Path) -> Record | None:
 
     Raises ValueError, with one line, if the record is damaged.
     """
-    place = record_path(path)
-    if not place.is_file():
+    path_of_record = record_path(path)
+    if not path_of_record.is_file():
         return None
     try:
-        record: Record = json.loads(place.read_text("utf-8"))
+        record: Record = json.loads(path_of_record.read_text("utf-8"))
         inputs = {"input_digests": dict(record["input_digests"])}
         return record | inputs | {"sha256": str(record["sha256"])}
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(
-            f"{path}: expected a whole record of its origin in {place}, found: "
+            f"{path}: expected a whole record of its origin in {path_of_record}, found: "
             f"{' '.join(str(error).split())}; delete {path} and run again"
         ) from None
 
 
-def refuse_changed(found: Mapping[str, str]) -> None:
+def refuse_changed(digests_now: Mapping[str, str]) -> None:
     """Raise ValueError, in one line, if files are not as a job made them.
 
     Files are given with their SHA-256; those that no job made are taken as they are.
     """
-    records = {path: read_record(path) for path in sorted(found)}
+    records = {path: read_record(path) for path in sorted(digests_now)}
     lines = [
         f"{path}: expected the file that the study wrote, found another"
         for path, record in records.items()
-        if record and record["sha256"] != found[path]
+        if record and record["sha256"] != digests_now[path]
     ]
     if lines:
         raise ValueError("; ".join(lines) + "; delete it and run again")

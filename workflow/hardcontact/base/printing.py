@@ -27,7 +27,7 @@ BOUNDLESS = 100
 
 
 def print_number(value: float, digits: int = 3) -> str:
-    """Return a number with so many significant digits, and no exponent below a million."""
+    """Return a number with this many significant digits, without exponent below a million."""
     return f"{float(f'{value:.{digits}g}'):g}"
 
 
@@ -43,12 +43,12 @@ def _print(
     digits: int,
     open_end: str = "",
 ) -> str:
-    """Return a number in the fitting one of its units, with its interval if both ends are known."""
+    """Return a number in the unit that fits best, with its interval if both ends are known."""
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     least = 1 - 0.5 * 10**-digits
     fitting = (name for name, size in units.items() if abs(value) >= least * size)
     name = next(fitting, list(units)[-1])
-    number, low, high = (print_number(one / units[name], digits) for one in (value, *interval))
+    number, low, high = (print_number(bound / units[name], digits) for bound in (value, *interval))
     if any(map(math.isnan, interval)):
         return f"{number} {name}".rstrip()
     low += " or less" * (open_end == "low")

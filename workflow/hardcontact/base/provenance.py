@@ -1,4 +1,4 @@
-"""The origins of a study's files: followed to their sources, compared with what is at hand."""
+"""The origins of a study's files: traced to their sources, and compared with the files there."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -17,20 +17,20 @@ def traced_records(folder: str | Path) -> dict[str, Record]:
         (path.parents[1] / path.stem).as_posix()
         for path in sorted(Path(folder).rglob(f"{RECORDS}/*.json"))
     ]
-    seen = set(pending)
+    paths = set(pending)
     while pending:
         path = pending.pop()
         record = read_record(path)
         if record is not None:
             records[path] = record
-            new = record["input_digests"].keys() - seen
-            seen |= new
+            new = record["input_digests"].keys() - paths
+            paths |= new
             pending.extend(new)
     return records
 
 
 def sources(records: Mapping[str, Record]) -> dict[str, str]:
-    """Return path and SHA-256, sorted, of what is an input in `traced_records` but no output."""
+    """Return the inputs in `traced_records` that are no outputs, as SHA-256 by sorted path."""
     inputs: dict[str, str] = {}
     for record in records.values():
         inputs |= record["input_digests"]
@@ -38,15 +38,15 @@ def sources(records: Mapping[str, Record]) -> dict[str, str]:
 
 
 def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], str]:
-    """Compare every file that led to ``results/<study>`` with what it was when it was made.
+    """Compare every file that led to ``results/<study>`` with its record.
 
     Parameters
     ----------
     folder : str or Path
         The results of a study.
     described : mapping of str to str
-        SHA-256, by path, of what the RO-Crate describes: files and what they were made from. It
-        counts for files without a record, as in an archive.
+        SHA-256, by path, of the files that the RO-Crate describes. It counts for files without a
+        record, as in an archive.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Intervals of means over whole scans, samples of what is uncertain, and log-normal fits.
+"""Intervals of means over whole scans, samples of uncertain quantities, and log-normal fits.
 
 Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. A variable
 `name` has its interval in a second variable, `name_interval`, of one more dimension `bound`.
@@ -35,15 +35,14 @@ def with_interval(
 ) -> dict[str, Any]:
     """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
 
-    The dimensions are those of the value (...), the interval (..., 2) is its low and its high end.
-    Both have the attributes, units and the like; the confidence is one of the interval. The
-    coordinate `bound` comes with them.
+    The value (...) has the dimensions; the interval (..., 2) holds its low and its high end. Both
+    have the attributes, the interval the confidence too, and the coordinate `bound`.
     """
-    named = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
+    names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
-        name: (named, value, attributes),
+        name: (names, value, attributes),
         f"{name}_interval": xr.DataArray(
-            interval, {"bound": BOUNDS}, (*named, "bound"), attrs=attributes
+            interval, {"bound": BOUNDS}, (*names, "bound"), attrs=attributes
         ).assign_attrs(confidence=confidence),
     }
 
@@ -87,8 +86,8 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
 def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
     """Return the interval of a mean of positive values, by Student's t on their logarithms.
 
-    It lies about the logarithm of the mean; its half width is that of the mean of the logarithms.
-    Arguments and result are as of `student_interval`.
+    Its logarithm is centred on the logarithm of the mean and has the half width of the interval of
+    the mean logarithm. Arguments and result are as for `student_interval`.
     """
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
@@ -104,11 +103,11 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
     """Draw means (samples, ...) of positive values of n independent scans (n, ...), in their unit.
 
-    They are of multivariate Student's t about the logarithm of the mean. A sample is ln(mean x) +
-    sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with d_i = ln x_i minus its mean, z_i normal and
-    c chi-squared of n - 1 degrees of freedom. At every place its distribution is that of
-    `student_log_interval`; all places share z and c, which keeps their correlation. NaN of fewer
-    than two values.
+    Their logarithms follow a multivariate Student's t distribution about the logarithm of the mean.
+    A sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)). Here d_i is ln x_i minus
+    the mean of ln x, z_i is normal, and c is chi-squared with n - 1 degrees of freedom. Elements
+    are distributed as in `student_log_interval`. They share z and c, which keeps their correlation.
+    NaN for fewer than two values.
     """
     count = len(values)
     if count < 2:
@@ -117,22 +116,22 @@ def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: i
     deviations = (logarithms - logarithms.mean(axis=0)) / np.sqrt(count * (count - 1))
     normal = rng.standard_normal((samples, count))
     share = np.sqrt(rng.chisquare(count - 1, samples) / (count - 1))
-    drawn = np.tensordot(normal / share[:, None], deviations, axes=1)
-    return np.asarray(values.mean(axis=0) * np.exp(np.clip(drawn, -ENDLESS, ENDLESS)))
+    deviation = np.tensordot(normal / share[:, None], deviations, axes=1)
+    return np.asarray(values.mean(axis=0) * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
 
 
 def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float) -> np.ndarray:
     """Return the interval (..., 2) of a positive statistic of n scans by leaving out one at a time.
 
-    Student's t on the logarithm, whose standard error is that of the delete-one jackknife, of the
-    statistic (...) of all scans and those (n, ...) of all but one. The confidence is that the
-    interval holds the statistic of infinitely many scans. NaN of fewer than two scans, or where a
-    statistic is zero.
+    `value` (...) is the statistic of all scans, `left_out` (n, ...) that of all scans but one.
+    The interval is Student's t on the logarithm with the standard error of the delete-one
+    jackknife. The confidence is that of the statistic of infinitely many scans. NaN for fewer than
+    two scans, or where a statistic is zero.
     """
     from scipy import stats
 
-    without = np.asarray(left_out, float)
-    logarithms = np.log(np.where(without > 0, without, np.nan))
+    statistics = np.asarray(left_out, float)
+    logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
     count = len(logarithms)
     if count < 2:
         return np.full((*np.shape(value), 2), np.nan)
@@ -155,16 +154,16 @@ def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float
     Returns its shape, its median in N and the censored share of forces; the first two are NaN if
     all forces are below the floor.
     """
-    below = forces < floor
-    if below.all():
+    is_censored = forces < floor
+    if is_censored.all():
         return np.nan, np.nan, 1.0
-    logarithms = np.log(forces[~below])
+    logarithms = np.log(forces[~is_censored])
     centre, shape = logarithms.mean(), logarithms.std()
-    if below.any() and shape > 0:
+    if is_censored.any() and shape > 0:
         limit = (np.log(floor) - centre) / shape
-        shift, stretch = _censored_normal_fit(limit, below.mean())
+        shift, stretch = _censored_normal_fit(limit, is_censored.mean())
         centre, shape = centre + shift * shape, stretch * shape
-    return float(shape), float(np.exp(centre)), float(below.mean())
+    return float(shape), float(np.exp(centre)), float(is_censored.mean())
 
 
 def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
@@ -182,10 +181,10 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
         reduced = (limit - mean) / deviation
         log_below = special.log_ndtr(reduced)
         hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
-        square, known = (1 + mean**2) / deviation**2, 1 - censored
-        value = known * (log_deviation + square / 2) - censored * log_below
-        by_mean = known * mean / deviation**2 + censored * hazard / deviation
-        by_log_deviation = known * (1 - square) + censored * hazard * reduced
+        square, uncensored = (1 + mean**2) / deviation**2, 1 - censored
+        value = uncensored * (log_deviation + square / 2) - censored * log_below
+        by_mean = uncensored * mean / deviation**2 + censored * hazard / deviation
+        by_log_deviation = uncensored * (1 - square) + censored * hazard * reduced
         return value, np.array([by_mean, by_log_deviation])
 
     fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
@@ -194,20 +193,20 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class Sampling:
-    """How intervals follow from random samples.
+    """The number, seed and confidence of random samples from which intervals follow.
 
-    A sample is drawn about the mean over scans or realizations, as `student_log_samples` does, or
-    from the distribution of published numbers within their uncertainty.
+    Samples are drawn by `student_log_samples` from means over scans or realizations, or from
+    published numbers within their uncertainty.
     """
 
     seed: int  #: The seed of the study.
-    samples: int  #: How many are drawn; without any, all intervals are NaN.
+    samples: int  #: Number of samples; without any, all intervals are NaN.
     confidence: float  #: Of the intervals.
-    #: What the random numbers are for, before the names of `generator`.
+    #: Purpose of the random numbers, put before the names of `generator`.
     stream: tuple[str, ...] = ("sampling",)
 
     def generator(self, *names: str) -> np.random.Generator:
-        """Return the random generator for one of the quantities that are sampled."""
+        """Return the random generator of one sampled quantity."""
         return generator(self.seed, *self.stream, *names)
 
     def with_interval(

@@ -4,7 +4,7 @@ import math
 import re
 import reprlib
 
-#: What has each unit of the study, in words, and how users may write it.
+#: The quantity of each unit of the study in words, and how users may write it.
 QUANTITIES = {
     "nm": "a length with a unit, such as 5.6 nm or 250 um",
     "N": "a force with a unit, such as 10 uN",
@@ -60,6 +60,6 @@ def printed(value: float, unit: str) -> str:
 
 
 def token(value: float, unit: str) -> str:
-    """Return a quantity of the study as it stands in a path: ``(1e-5, "uN")`` is ``"10uN"``."""
+    """Return a quantity of the study for a path: ``(1e-5, "uN")`` is ``"10uN"``."""
     power = next(powers[unit] for powers in POWERS.values() if unit in powers)
     return f"{value / 10.0**power:.12g}{unit}"

@@ -12,10 +12,10 @@ PART = ".part-"
 
 @contextmanager
 def whole_file(path: str | Path) -> Iterator[str]:
-    """Give a temporary path beside `path`; rename it if the block succeeds, else remove it.
+    """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
-    Folders above the file are made. What a killed process left at the temporary path is written
-    over by the next attempt. Raises ValueError, with one line, if the file cannot be written.
+    Missing folders are made. The next attempt replaces a temporary file that a killed process left.
+    Raises ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
     temporary = path.with_name(PART + path.name)
