@@ -36,12 +36,13 @@ REASONS = {
 }
 
 #: Chapters of the report that are written beforehand, one Markdown file each in workflow/report.
-CHAPTERS = ("departures", "methods", "theory", "performance", "cluster", "faults")
+CHAPTERS = ("glossary", "departures", "methods", "theory", "performance", "cluster", "faults")
 #: Category and title of each page in the report that is no figure.
 PAGES = {
     "claims": ("9. Verdicts", "verdicts on the paper's statements"),
     "departures": ("A. Departures, parameters", "where the study departs from the paper"),
     "parameters": ("A. Departures, parameters", "parameters and versions"),
+    "glossary": ("B. The study itself", "glossary"),
     "methods": ("B. The study itself", "methods"),
     "theory": ("B. The study itself", "theory"),
     "performance": ("B. The study itself", "performance"),
