@@ -4,6 +4,8 @@ import numpy as np
 
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine
 
+BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm, in rad/nm
+
 
 def scaled(density, rms):
     """Return a spectrum with an rms height (nm)."""

@@ -3,8 +3,9 @@
 from functools import cache
 
 import numpy as np
-from random_scans import uncd
+from random_scans import gentle, uncd
 
+from hardcontact.base.random import generator
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -33,6 +34,15 @@ def line_of(rng, points, spacing, density=uncd, **stated):
     waves = (amplitudes[0] + 1j * amplitudes[1]) * np.sqrt(profile * length) / spacing
     orders = np.append(0, waves)
     return measurement(np.fft.irfft(orders, count)[:points], spacing, **stated)
+
+
+def two_sizes_and_a_line(seed):
+    """A map of 10 µm, one of 1 µm and a line of 40 µm of one surface."""
+    return [
+        map_of(generator(seed, 0), 256, 40.0, gentle, path="large.spm"),
+        map_of(generator(seed, 1), 256, 4.0, gentle, path="small.spm"),
+        line_of(generator(seed, 2), 2000, 20.0, gentle, path="line.txt"),
+    ]
 
 
 @cache

@@ -13,6 +13,11 @@ def uncd(q):
     return smooth_rolloff(q, 6.1e7, 930.0, 0.84)
 
 
+def gentle(q):
+    """C_iso in nm4 of a surface whose slopes are small."""
+    return 0.05 * uncd(q)
+
+
 UNCD = Spectrum(WAVEVECTORS, uncd(WAVEVECTORS))
 
 

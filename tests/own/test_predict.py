@@ -16,7 +16,8 @@ from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own.predict import predict, predict_arguments
-from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum, fitted_hurst
+from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
+from hardcontact.surfaces.hurst_exponent import fitted_hurst
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from

@@ -10,7 +10,8 @@ from scipy import stats
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.extrapolated_spectrum import GRADIENT, HALF_LAPLACIAN
-from hardcontact.surfaces.joined_spectrum import CALIBRATION, drawn_spectra, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
+from hardcontact.surfaces.measured_spectrum import CALIBRATION
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,

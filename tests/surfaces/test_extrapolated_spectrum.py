@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from known_spectra import BINS
 from measurements import map_of, measurement
 from random_scans import uncd
 from scipy import stats
@@ -14,11 +15,11 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     HALF_LAPLACIAN,
     Tail,
     continued_spectrum,
-    fitted_hurst,
     has_exponent,
     levelled_share,
     with_rolloff,
 )
+from hardcontact.surfaces.hurst_exponent import fitted_hurst
 from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
@@ -101,9 +102,6 @@ def test_a_draw_follows_from_its_generator_alone_and_draws_unknown_tips():
     assert (spectra[0] != spectra[2]).any() and (spectra[0] != spectra[3]).any()
 
 
-BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm
-
-
 def continued(density, wavevector=BINS):
     values = density(wavevector) if callable(density) else density
     fit = fitted_hurst(wavevector, values, np.full(wavevector.shape, 1e-4))
@@ -125,16 +123,6 @@ def test_a_power_law_goes_on_to_the_atoms_and_is_constant_above():
     assert tail.tail_hurst == pytest.approx(0.84, abs=0.005) and tail.tail_ended_by == "atoms"
     assert tail.tail_fit_shortest == pytest.approx(2 * np.pi / BINS[-1])
     assert tail.tail_fit_longest == pytest.approx(10 * tail.tail_fit_shortest)
-
-
-@pytest.mark.parametrize("sharpness", [1, 2, 4, 20])
-@pytest.mark.parametrize("rolloff", [200.0, 400.0, 1000.0])
-def test_the_rolloff_is_not_taken_for_the_exponent(rolloff, sharpness):
-    def bent(q):
-        return (1 + (q * rolloff / 2 / np.pi) ** (2 * sharpness)) ** (-1.7 / sharpness)
-
-    _, tail = continued(bent)
-    assert tail.tail_hurst == pytest.approx(0.7, abs=0.1)
 
 
 def coarse_surface(rng, model, size):

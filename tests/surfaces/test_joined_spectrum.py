@@ -1,49 +1,17 @@
-"""Spectra joined of several measurements of one surface, and of descriptions."""
+"""Spectra joined of several measurements of one surface."""
 
 import numpy as np
-import pandas as pd
 import pytest
-from measurements import line_of, map_of, measurement
-from random_scans import uncd
+from measurements import line_of, map_of, measurement, two_sizes_and_a_line
+from random_scans import gentle
 from refusals import assert_says, refusal
 
-from hardcontact.base import dataset
 from hardcontact.base.random import generator
-from hardcontact.report.artificial import artificial_bands
-from hardcontact.surfaces.extrapolated_spectrum import HURST_SCATTER, Tail
-from hardcontact.surfaces.joined_spectrum import (
-    described_spectrum,
-    drawn_spectra,
-    joined_spectrum,
-    smoothed,
-    stacked_spectra,
-)
-from hardcontact.surfaces.measured_spectrum import (
-    CALIBRATION,
-    measured_psd,
-    variance_of_log,
-)
+from hardcontact.surfaces.hurst_exponent import HURST_SCATTER
+from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
+from hardcontact.surfaces.measured_spectrum import CALIBRATION, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band
-from hardcontact.surfaces.spectrum import (
-    BIN_CENTRES,
-    WAVEVECTORS,
-    self_affine,
-    smooth_rolloff,
-    spectrum_dataset,
-)
-
-
-def gentle(q):
-    return 0.05 * uncd(q)
-
-
-def two_sizes_and_a_line(seed):
-    """A map of 10 µm, one of 1 µm and a line of 40 µm of one surface."""
-    return [
-        map_of(generator(seed, 0), 256, 40.0, gentle, path="large.spm"),
-        map_of(generator(seed, 1), 256, 4.0, gentle, path="small.spm"),
-        line_of(generator(seed, 2), 2000, 20.0, gentle, path="line.txt"),
-    ]
+from hardcontact.surfaces.spectrum import WAVEVECTORS, smooth_rolloff
 
 
 def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scatter():
@@ -84,35 +52,6 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
     assert np.mean(variances) == pytest.approx(true, rel=0.25)
 
 
-def pattern(kind, seed, pixels=192, pixel=50.0):
-    """A height map (nm) of a grating, a step or waves without a roll-off, with some roughness."""
-    rng = generator(61, seed)
-    place = np.arange(pixels) * pixel
-    period, edge = pixels * pixel / rng.uniform(4, 12), pixels * pixel * rng.uniform(0.2, 0.8)
-    heights = {
-        "grating": 20 * np.cos(2 * np.pi * place / period),
-        "square grating": 10 * np.sign(np.cos(2 * np.pi * place / period)),
-        "step": 25.0 * (place > edge),
-        "waves": 0.0 * place,
-    }[kind]
-    rough = map_of(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
-    return measurement(heights + rough.heights, pixel)
-
-
-@pytest.mark.parametrize("kind", ["grating", "square grating", "step", "waves"])
-def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
-    for seed in range(5):
-        scan = pattern(kind, seed)
-        joined = joined_spectrum([scan], [1e-3])
-        known = joined["reliable"].values[0] == 1
-        power = BIN_CENTRES[known] ** 2 * joined["psd"].values[0, known]
-        kept = BIN_CENTRES[known] ** 2 * joined["joined"].values[known]
-        assert kept.sum() == pytest.approx(power.sum(), rel=0.01)
-        if "grating" in kind:  # The line stands where it was measured.
-            peak = power.argmax()
-            assert kept[peak] == pytest.approx(power[peak], rel=0.05)
-
-
 def test_a_noise_floor_is_not_continued():
     def self_affine(q):
         return smooth_rolloff(q, 1e10, 10_000.0, 0.8)
@@ -133,22 +72,6 @@ def test_a_noise_floor_is_not_continued():
     # From the cut on the logarithm of C is wrong by twice the error of H for each e-fold.
     folds = np.log(cut * WAVEVECTORS[shorter] / (2 * np.pi))
     assert (np.abs(np.log(ratio)) < 0.4 + 2 * 1.96 * error * folds).all()
-
-
-def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
-    waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
-    known = (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
-    points = (
-        np.where(known, gentle(BIN_CENTRES), np.nan),
-        np.where(known, variance_of_log(waves), np.nan),
-    )
-    wavevector, mean, variance = smoothed(*points)
-    drawn = np.log([smoothed(*points, generator(23, draw))[1] for draw in range(400)])
-    np.testing.assert_allclose(drawn.std(axis=0), np.sqrt(variance - CALIBRATION**2), rtol=0.15)
-    assert (np.abs(drawn.mean(axis=0) - np.log(mean)) < 0.25 * drawn.std(axis=0)).all()
-    # A power law has no bends: it is its own mean.
-    slope = np.where(known, BIN_CENTRES**-3.0, np.nan)
-    np.testing.assert_allclose(smoothed(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)
 
 
 def test_draws_know_calibration_and_exponent_no_better_than_they_are():
@@ -173,58 +96,6 @@ def test_measurements_that_show_nothing_reliable_are_refused_in_one_line():
     noise = measurement(generator(17).normal(size=(64, 64)), 10.0, path="noise.spm")
     message = refusal(joined_spectrum, [noise], [None])
     assert_says(message, "expected", "at least 3", "found 0", "noise.spm", "noise floor")
-
-
-def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
-    coat = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
-    rough = joined_spectrum([map_of(generator(20), 128, 10.0)], [None])
-    labels = {"rough": "Rough", "coat": "My coat"}
-    dataset.write(stacked_spectra({"rough": rough, "coat": coat}, labels), tmp_path / "a.nc")
-    stacked = dataset.read(tmp_path / "a.nc")
-    assert list(stacked["kind"].values[0]) == ["map", "", ""]
-    assert stacked["reliable"].values[0, 1:].sum() == 0
-    assert np.isnan(stacked["psd"].values[0, 1:]).all()
-    for name, single in (("rough", rough), ("coat", coat)):
-        chosen = stacked.sel(surface=name)
-        np.testing.assert_array_equal(chosen["spectrum"], single["spectrum"])
-        np.testing.assert_array_equal(chosen["joined"], single["joined"])
-        for limit in ("shortest_measured", "longest_measured", *Tail._fields):
-            assert chosen[limit].item() == single.attrs[limit]
-
-
-BANDS = pd.DataFrame(
-    {
-        "longest_nm": [np.inf, 1e4, 1e3, 100.0, 10.0],
-        "shortest_nm": [1e4, 1e3, 100.0, 10.0, 0.1],
-        "basis": ["published", "published", "assumed", "measured", "inferred"],
-        "source": ["a", "a", "none", "b", "c"],
-    }
-)
-
-
-def stored(bands=BANDS):
-    """Return the spectrum of a substitute as the study stores it."""
-    return spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
-        basis="substitute", calibrated_to_table1="", bands=bands.to_csv(index=False)
-    )
-
-
-def test_known_bands_are_those_of_published_or_measured_sources():
-    found = described_spectrum(stored(), "x.csv")
-    assert found.notes.values.tolist() == ["a", "b"]
-    np.testing.assert_allclose(found.longest_reliable, [1e6, 100.0])
-    np.testing.assert_allclose(found.shortest_reliable, [1e3, 10.0])
-    wavelength = 2 * np.pi / found.bin_wavevector.values
-    known = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
-    expected = self_affine(found.bin_wavevector.values, 1e9, 2000.0, 0.8)
-    np.testing.assert_allclose(found.joined, np.where(known, expected, np.nan), rtol=0.03)
-    assert np.isnan(found.attrs["tail_hurst"]) and set(found.limited_by.values) == {"source"}
-
-
-def test_what_is_not_known_is_artificial():
-    stacked = stacked_spectra({"x": described_spectrum(stored(), "x.csv")}, {"x": "X"})
-    bands = artificial_bands(stacked.sel(surface="x"))
-    np.testing.assert_allclose(bands, [(0, 10), (100, 1000), (1e6, np.inf)])
 
 
 def test_only_what_is_reliable_is_joined():

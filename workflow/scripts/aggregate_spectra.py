@@ -2,7 +2,7 @@
 
 from hardcontact.base import dataset
 from hardcontact.base.job import job
-from hardcontact.surfaces.joined_spectrum import described_spectrum, stacked_spectra
+from hardcontact.surfaces.spectrum_datasets import described_spectrum, stacked_spectra
 
 with job(snakemake) as job:
     surfaces, labels = job.parameters["surfaces"], job.parameters["labels"]

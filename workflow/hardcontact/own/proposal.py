@@ -23,9 +23,9 @@ from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import FILLING, Entry, by_surface, contradicting
-from hardcontact.surfaces.extrapolated_spectrum import FEWEST
 from hardcontact.surfaces.reliable_band import LIMITS
 from hardcontact.surfaces.scan_defects import told_defects
+from hardcontact.surfaces.spectrum import MIN_BINS
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
@@ -142,10 +142,10 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
     faults = []
     for surface, scans in by_surface(entries).items():
         count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
-        if count < FEWEST:
+        if count < MIN_BINS:
             bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
             faults.append(
-                f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
+                f"{surface}: expected scans that are reliable in at least {MIN_BINS} bins of "
                 f"wavelengths (ten a decade from 0.1 nm to 100 µm), found {count}: {bands}; "
                 "add one of another size"
             )

@@ -11,49 +11,36 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hardcontact.surfaces.hurst_exponent import ROLLOFF_COUNT, HurstFit
 from hardcontact.surfaces.measured_spectrum import levelled_topography, size_of
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
-    BIN_EDGES,
+    BIN_WIDTH,
+    MIN_BINS,
     WAVEVECTORS,
     Floats,
     Spectrum,
     power_law_tail,
 )
 
-#: Bins that a joined spectrum has at least.
-FEWEST = 3
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
 ATOMIC = 0.3
 #: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
 #: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
 #: 1.20). A sphere of such a curvature has the radius of an atom.
 GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
-#: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): gradual to sharp roll-offs at q_r.
-SHARPNESS = (1.0, 2.0, 4.0)
-#: Bounds of the roll-offs that are fitted with H: factors on the first and the last wavevector.
-BEFORE, WITHIN = 0.1, 0.7
 #: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
 #: slopes to it, which levelling removes.
 MAX_ROLLOFF = 10.0
-#: Standard deviation of the Hurst exponent beyond what is measured: surfaces are self-affine over
-#: some decades at best.
-HURST_SCATTER = 0.1
-#: Probability that the Hurst exponent lies within 0 to 1 below which no self-affine surface fits.
-LEAST_INSIDE = 0.05
-#: Share of a normal distribution that does not count.
-NEGLIGIBLE = 1e-9
 #: Decades that the Hurst exponent is fitted to at least: five bins.
 FITTED_DECADES = 0.39
-#: Roll-off wavelengths that are compared, and directions that waves are averaged over.
-CANDIDATES, DIRECTIONS = 61, 64
+#: Directions that waves are averaged over.
+DIRECTIONS = 64
 #: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
 STEEPEST = -4.0
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
-#: Width of the bins of a measured PSD in ln q.
-BIN = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 
 
 class Tail(NamedTuple):
@@ -76,79 +63,6 @@ def has_exponent(tail: Tail) -> bool:
     return bool(np.isnan(tail.tail_hurst) or (within and decades >= FITTED_DECADES))
 
 
-class HurstFit(NamedTuple):
-    """The Hurst exponent of the shortest waves of a spectrum; 0 or 1 if none between them fits."""
-
-    exponent: float
-    error: float  #: The standard error, of the fit and by HURST_SCATTER.
-    shortest: float  #: Wavelengths in nm of the bins fitted.
-    longest: float
-
-
-def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
-    """Return the Hurst exponent past the roll-off, fitted together with it.
-
-    The bins of the last decade, with the variance of their ln C, follow ln C = ln C0 - (1 + H)
-    ln(1 + (q/q_r)^2s)/s. Given the roll-off q_r and s, this is a weighted regression. All q_r in
-    their logarithm, all SHARPNESS, and all H within 0 to 1 are equally likely beforehand; exponent
-    and error are mean and standard deviation by Bayes' rule.
-
-    Parameters
-    ----------
-    wavevector, density, variance : numpy.ndarray
-        Bins, in rad/nm and nm⁴, at least three.
-
-    Returns
-    -------
-    HurstFit
-        The exponent with its error.
-    """
-    fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
-    fitted[-FEWEST:] = True
-    q, log_density, weight = wavevector[fitted], np.log(density[fitted]), 1 / variance[fitted]
-    rolloffs = np.geomspace(BEFORE * q[0], WITHIN * q[-1], CANDIDATES)
-    sharpness = np.array(SHARPNESS)[:, None, None]
-    falls = -np.log1p((q / rolloffs[:, None]) ** (2 * sharpness)) / sharpness
-    falls = falls.reshape(-1, len(q))
-    total = weight.sum()
-    centred = falls - (falls @ weight)[:, None] / total
-    spread = centred**2 @ weight
-    slopes = centred @ (weight * log_density) / spread
-    residuals = log_density - log_density @ weight / total - slopes[:, None] * centred
-    log_evidence = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
-    probability = np.exp(log_evidence - log_evidence.max())
-    probability /= probability.sum()
-    exponent, variance_of_mean = _within_bounds(slopes - 1, 1 / np.sqrt(spread), probability)
-    error = np.sqrt(variance_of_mean + HURST_SCATTER**2)
-    return HurstFit(float(exponent), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
-
-
-def _within_bounds(exponents: Floats, errors: Floats, probability: Floats) -> tuple[Floats, Floats]:
-    """Return mean and variance of a mixture of normal exponents (case,), held within 0 to 1.
-
-    If hardly any of it lies within, the mean is at the bound.
-    """
-    from scipy.special import ndtr
-
-    low, high = -exponents / errors, (1 - exponents) / errors
-    inside = ndtr(high) - ndtr(low)
-    total = probability @ inside
-    if total < LEAST_INSIDE:
-        mean = probability @ exponents
-        return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
-    low, high, exponents, errors, inside, probability = (
-        values[inside > NEGLIGIBLE]
-        for values in (low, high, exponents, errors, inside, probability)
-    )
-    at_low, at_high = (np.exp(-(end**2) / 2) / np.sqrt(2 * np.pi) for end in (low, high))
-    shift = (at_low - at_high) / inside
-    means = exponents + errors * shift
-    variances = errors**2 * (1 + (low * at_low - high * at_high) / inside - shift**2)
-    weight = probability * inside / total
-    mean = weight @ means
-    return mean, weight @ (variances + (means - mean) ** 2)
-
-
 def continued_spectrum(
     wavevector: Floats, density: Floats, hurst: HurstFit, change: float = 0.0
 ) -> tuple[Floats, Tail]:
@@ -164,8 +78,8 @@ def continued_spectrum(
     measured = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
     exponent = float(np.clip(hurst.exponent + change, 0, 1))
     # The tail begins with the log-mean of the last points along it.
-    relative = wavevector[-FEWEST:] / wavevector[-1]
-    level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * exponent)))))
+    relative = wavevector[-MIN_BINS:] / wavevector[-1]
+    level = float(np.exp(np.mean(np.log(density[-MIN_BINS:] * relative ** (2 + 2 * exponent)))))
     last = measured.nonzero()[0][-1]
     start = measured.copy()
     start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * exponent)
@@ -259,7 +173,9 @@ class LongWaves:
         """
         if slope >= 0:
             return longest
-        rolloffs = np.geomspace(longest, max(MAX_ROLLOFF * self.size, 1.01 * longest), CANDIDATES)
+        rolloffs = np.geomspace(
+            longest, max(MAX_ROLLOFF * self.size, 1.01 * longest), ROLLOFF_COUNT
+        )
         likelihood = np.array(
             [
                 self._log_likelihood(with_rolloff(density, longest, slope, rolloff))
@@ -282,7 +198,11 @@ class LongWaves:
         power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
         # Heights that are not of the surface, at wavelengths too short to be reliable, are added.
         excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
-        noise = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable].sum() * BIN / (2 * np.pi)
+        noise = (
+            (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable].sum()
+            * BIN_WIDTH
+            / (2 * np.pi)
+        )
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + noise
         shape = expected_variance**2 / np.trapezoid(power**2 / number, LOG_WAVEVECTORS) * self.count
         return float(stats.gamma.logpdf(self.variance, shape, scale=expected_variance / shape))

@@ -29,8 +29,12 @@ WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
 #: Edges and centres of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
+#: Their width in ln q.
+BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 #: Bins in half a decade.
 HALF_DECADE = 5
+#: Bins that a joined spectrum has at least.
+MIN_BINS = 3
 #: How SurfaceTopography measures PSDs.
 MEASURED = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 

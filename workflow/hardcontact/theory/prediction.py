@@ -24,13 +24,16 @@ from hardcontact.contact.smooth_sphere import (
     tabor_parameter,
     transition_coefficient,
 )
-from hardcontact.surfaces.extrapolated_spectrum import (
-    FEWEST,
-    continued_spectrum,
-    fitted_hurst,
-)
+from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
+from hardcontact.surfaces.hurst_exponent import fitted_hurst
 from hardcontact.surfaces.measured_spectrum import CALIBRATION
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
+from hardcontact.surfaces.spectrum import (
+    MIN_BINS,
+    WAVEVECTORS,
+    Spectrum,
+    all_scales_moments,
+    roll_off,
+)
 from hardcontact.theory.closed_form import (
     ClosedForm,
     closed_form,
@@ -309,7 +312,7 @@ def _continued(
     elif (
         joined is None
         and status == UNKNOWN
-        and len(waves.density) >= FEWEST
+        and len(waves.density) >= MIN_BINS
         and waves.density.all()
     ):
         variance = np.full(waves.density.shape, CALIBRATION**2)

@@ -1,0 +1,57 @@
+"""Means of spectra over measurements, and smooth curves through them."""
+
+import numpy as np
+import pytest
+from measurements import map_of, measurement
+from random_scans import gentle
+
+from hardcontact.base.random import generator
+from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.mean_spectrum import smoothed
+from hardcontact.surfaces.measured_spectrum import CALIBRATION, variance_of_log
+from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
+
+
+def pattern(kind, seed, pixels=192, pixel=50.0):
+    """A height map (nm) of a grating, a step or waves without a roll-off, with some roughness."""
+    rng = generator(61, seed)
+    place = np.arange(pixels) * pixel
+    period, edge = pixels * pixel / rng.uniform(4, 12), pixels * pixel * rng.uniform(0.2, 0.8)
+    heights = {
+        "grating": 20 * np.cos(2 * np.pi * place / period),
+        "square grating": 10 * np.sign(np.cos(2 * np.pi * place / period)),
+        "step": 25.0 * (place > edge),
+        "waves": 0.0 * place,
+    }[kind]
+    rough = map_of(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
+    return measurement(heights + rough.heights, pixel)
+
+
+@pytest.mark.parametrize("kind", ["grating", "square grating", "step", "waves"])
+def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
+    for seed in range(5):
+        scan = pattern(kind, seed)
+        joined = joined_spectrum([scan], [1e-3])
+        known = joined["reliable"].values[0] == 1
+        power = BIN_CENTRES[known] ** 2 * joined["psd"].values[0, known]
+        kept = BIN_CENTRES[known] ** 2 * joined["joined"].values[known]
+        assert kept.sum() == pytest.approx(power.sum(), rel=0.01)
+        if "grating" in kind:  # The line stands where it was measured.
+            peak = power.argmax()
+            assert kept[peak] == pytest.approx(power[peak], rel=0.05)
+
+
+def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
+    waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
+    known = (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
+    points = (
+        np.where(known, gentle(BIN_CENTRES), np.nan),
+        np.where(known, variance_of_log(waves), np.nan),
+    )
+    wavevector, mean, variance = smoothed(*points)
+    drawn = np.log([smoothed(*points, generator(23, draw))[1] for draw in range(400)])
+    np.testing.assert_allclose(drawn.std(axis=0), np.sqrt(variance - CALIBRATION**2), rtol=0.15)
+    assert (np.abs(drawn.mean(axis=0) - np.log(mean)) < 0.25 * drawn.std(axis=0)).all()
+    # A power law has no bends: it is its own mean.
+    slope = np.where(known, BIN_CENTRES**-3.0, np.nan)
+    np.testing.assert_allclose(smoothed(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)
