@@ -52,26 +52,28 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
     assert np.mean(variances) == pytest.approx(true, rel=0.25)
 
 
-def test_a_noise_floor_is_not_continued():
-    def self_affine(q):
+def test_a_noise_floor_is_not_extrapolated():
+    def surface(q):
         return smooth_rolloff(q, 1e10, 10_000.0, 0.8)
 
-    scan = map_of(generator(13), 256, 10.0, self_affine)
-    noisy = measurement(scan.heights + generator(14).normal(0, 3.0, scan.heights.shape), 10.0)
-    joined = joined_spectrum([noisy], [None])
-    wavevector, density = measured_psd(noisy)
-    short = (2 * np.pi / wavevector < 40) & np.isfinite(density)
-    assert (density[short] / self_affine(wavevector[short]) > 2).all()
-    assert joined["limited_by"].values[0] == "noise"
-    shorter = (2 * np.pi / WAVEVECTORS < 50) & (2 * np.pi / WAVEVECTORS > 1)
-    ratio = joined["spectrum"].values[shorter] / self_affine(WAVEVECTORS[shorter])
-    hurst, error, cut = (
-        joined.attrs[name] for name in ("tail_hurst", "tail_hurst_error", "shortest_measured")
-    )
-    assert abs(hurst - 0.8) < 1.96 * error and error < 0.25
-    # From the cut on the logarithm of C is wrong by twice the error of H for each e-fold.
-    folds = np.log(cut * WAVEVECTORS[shorter] / (2 * np.pi))
-    assert (np.abs(np.log(ratio)) < 0.4 + 2 * 1.96 * error * folds).all()
+    wavelength = 2 * np.pi / WAVEVECTORS
+    shorter = (wavelength < 50) & (wavelength > 1)
+    largest_errors = []
+    for seed in range(12):
+        scan = map_of(generator(13, seed), 256, 10.0, surface)
+        noise = generator(14, seed).normal(0, 3.0, scan.heights.shape)
+        noisy = measurement(scan.heights + noise, 10.0)
+        joined = joined_spectrum([noisy], [None])
+        wavevector, density = measured_psd(noisy)
+        short = (2 * np.pi / wavevector < 40) & np.isfinite(density)
+        assert (density[short] > 50 * surface(wavevector[short])).all()
+        assert joined["limited_by"].values[0] == "noise"
+        hurst, error = joined.attrs["tail_hurst"], joined.attrs["tail_hurst_error"]
+        assert abs(hurst - 0.8) < 2.6 * error and error < 0.25
+        ratio = joined["spectrum"].values[shorter] / surface(WAVEVECTORS[shorter])
+        largest_errors.append(np.abs(np.log(ratio)).max())
+    # The noise is ln 50 = 4 above the surface at 40 nm, and more at shorter wavelengths.
+    assert np.median(largest_errors) < 1.0
 
 
 def test_draws_know_calibration_and_exponent_no_better_than_they_are():
