@@ -1,4 +1,4 @@
-"""The configuration of the paper and the tables of `config/README.md`, made from the model.
+"""The configuration of the paper and the tables of `config/README.md`, made from the keys.
 
 ``python -m hardcontact.config.key_tables``, in the top folder, writes both.
 """
@@ -15,12 +15,12 @@ from pydantic.fields import FieldInfo
 
 from hardcontact.config.configuration import with_keys
 from hardcontact.config.key_types import Matching, Quantity
-from hardcontact.config.model import Study
+from hardcontact.config.keys import StudyKeys
 from hardcontact.config.selection import SurfaceRow
 
 CONFIGURATION, README = Path("config/config.yaml"), Path("config/README.md")
 HEAD = """\
-# The paper: the defaults of the study, made from workflow/hardcontact/config/model.py by
+# The paper: the defaults of the study, made from workflow/hardcontact/config/keys.py by
 # python -m hardcontact.config.key_tables
 # README.md beside this file has the values that each key may have. Another study: a file with the
 # few keys that differ, given as  snakemake --configfile my-study.yaml
@@ -38,7 +38,7 @@ VALUES = {
 
 def configuration() -> str:
     """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
-    fields = dict(_fields(Study))
+    fields = dict(_fields(StudyKeys))
     comments = {
         key: _meaning(field) + (f" ({_paper(field)})" if _paper(field) else "")
         for key, field in fields.items()
@@ -109,12 +109,12 @@ def commented_yaml(
 def _sections() -> Iterator[str]:
     """Yield heading, table and text of the keys at the top, and of each section of keys."""
     rows: dict[str, list[tuple[str, ...]]] = {}
-    for key, field in _fields(Study):
+    for key, field in _fields(StudyKeys):
         values = VALUES.get(key) or _values(field)
         row = (f"`{key}`", _meaning(field), values, _default(field.default), _paper(field))
         rows.setdefault(key.rpartition(".")[0].partition(".")[0], []).append(row)
     for name, section_rows in rows.items():
-        section = type(Study.model_fields[name].default) if name else Study
+        section = type(StudyKeys.model_fields[name].default) if name else StudyKeys
         heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
         yield f"### {heading.rstrip('.')}"
         yield _table(COLUMNS, section_rows)

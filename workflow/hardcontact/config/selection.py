@@ -12,7 +12,7 @@ from pydantic_core import CoreSchema, core_schema
 from hardcontact.base.units import magnitude
 from hardcontact.config.faults import validated
 from hardcontact.config.key_types import Matching, Quantity
-from hardcontact.config.model import Keys
+from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.tables import user_table
 from hardcontact.surfaces.spectrum import is_calibrated, read_bands

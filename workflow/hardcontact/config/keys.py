@@ -1,0 +1,414 @@
+"""The keys of a study, one field a key: type, unit, limits, default and documentation.
+
+The defaults are the paper's. The string below a key says what it means, `key` names the section of
+the paper that the default comes from. config/config.yaml and the tables of config/README.md are
+made from this module: ``python -m hardcontact.config.key_tables``.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from hardcontact.config.key_types import (
+    UNIT,
+    Contacts,
+    Count,
+    Folder,
+    Force,
+    Forces,
+    Fraction,
+    Length,
+    LengthOrNone,
+    Lengths,
+    MasterPixels,
+    Pixels,
+    Pressure,
+    Pressures,
+    Radii,
+    Radius,
+    Range,
+    Ranges,
+    Realizations,
+    ScanNumbers,
+    ScanPixels,
+    Skewnesses,
+    SomeForces,
+    StudyName,
+    SurfaceId,
+    TablePath,
+    Tiles,
+    Work,
+)
+
+
+def nm(*lengths: float) -> list[str]:
+    """Return lengths in nm as they stand in a configuration."""
+    return [f"{length:g} nm" for length in lengths]
+
+
+def key(default: Any, paper: str = "") -> Any:
+    """Describe a key: its default, the section of the paper that this comes from."""
+    return Field(default=default, json_schema_extra={"paper": paper})
+
+
+class Keys(BaseModel):
+    """Keys of the configuration: no others are accepted, and no value of another type."""
+
+    model_config = ConfigDict(
+        extra="forbid",
+        strict=True,
+        validate_default=True,
+        frozen=True,
+        use_attribute_docstrings=True,
+    )
+
+
+class SphereKeys(Keys):
+    """The sphere."""
+
+    surface: SurfaceId = key("ruby", "Methods")
+    """Surface of the table that is the sphere's; `smooth` for a sphere without roughness, with
+    `published: none`."""
+    radius: Radius = key("250 um", "Methods: diameter 0.5 mm")
+    """Radius; it is subtracted from the scans of the sphere."""
+
+
+class ScanKeys(Keys):
+    """Scans.
+
+    Pixels and size of a measured scan are those of its file. Spectra are calibrated at the geometry
+    that Table 1 was measured with (512 pixels, 2500 nm), whatever these keys say; scans of other
+    pixels keep its rms heights.
+    """
+
+    pixels: ScanPixels = key(512, "Methods")
+    """Pixels along an edge of a substitute scan."""
+    size: Length = key("2500 nm", "Methods")
+    """Edge of a substitute scan."""
+    undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
+    """Measured scans with undefined pixels: `refuse` them, or fill the pixels with a `harmonic`
+    function."""
+    unit: Annotated[str, UNIT] = "none"
+    """Unit of length of all measured scans whose files state none; two, such as `mm,nm`, are of
+    positions and of heights; `none`: these are refused."""
+    edge: LengthOrNone = key("none")
+    """The longer edge of all measured scans whose files state no size; `none`: these are
+    refused."""
+    levelling: Literal["plane", "lines", "quadratic"] = "plane"
+    """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first, or
+    subtract a `quadratic` polynomial, such as the bow of a scanner."""
+
+
+class ContactKeys(Keys):
+    """Contact."""
+
+    hardness: Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
+    """Pressure on contact pixels, that of the softer body: ruby."""
+    preload: Force = key("10 uN", "Numerical Analysis (`5 uN` is also printed, in Methods)")
+    """Load that the contact pixels carry."""
+    window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
+    """Edge of the square around a contact over which the force is summed."""
+    count: Count = key(20, "Intrinsic Work of Adhesion")
+    """Contacts along an edge of the array, over one period of the stitched scan."""
+
+
+class AdhesionKeys(Keys):
+    """Adhesion.
+
+    Forces are computed for a work of adhesion of 1 J/m², which only scales them. `contact.nc` uses
+    the published range and work of adhesion (`resources/paper/parameters.csv`), and so do elastic
+    contacts; `force.nc` of own surfaces uses `adhesion.work` and `scales.range`.
+    """
+
+    work: Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
+    """With `published: none`: work of adhesion of the predicted force."""
+    ranges: Ranges = key(
+        nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
+        "Fig. 4, and beyond on both sides",
+    )
+    """Ranges of adhesion ρ that forces are computed at, ascending; between them forces are
+    interpolated."""
+
+
+class InferenceKeys(Keys):
+    """Inference."""
+
+    samples: Annotated[int, Field(ge=20, le=10000)] = 1000
+    """Random samples of means over scans, or realizations, that intervals follow from."""
+    confidence: Fraction = 0.95
+    """Confidence of all intervals."""
+
+
+class SmallScaleKeys(Keys):
+    """Masters of small scales."""
+
+    pixels: MasterPixels = key(8192, "Determining the Most Relevant Length-scales")
+    """Pixels along an edge of the small-scale master, whose edge is two scans: 0.610 nm a pixel
+    (0.625 nm in the paper)."""
+    transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
+    """Wavelength below which roughness is artificial."""
+    cutoffs: Lengths = key(
+        nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500), "Fig. 6a"
+    )
+    """Short-wavelength cutoffs, ascending: all roughness below is removed."""
+
+
+class LargeScaleKeys(Keys):
+    """Masters of large scales."""
+
+    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
+    """Pixels along an edge that forces are computed on at large scales."""
+    tiles: Tiles = key(4, "Determining the Most Relevant Length-scales: 20 µm")
+    """Stitched scans along an edge of the large-scale master; the printed pixels, 8192 of 4.883 nm,
+    would be 8."""
+    transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
+    """Wavelength above which roughness is artificial."""
+    cutoffs: Lengths = key(
+        nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
+        "Fig. 6b",
+    )
+    """Long-wavelength cutoffs, ascending: all roughness above is removed."""
+
+
+class ScalesKeys(Keys):
+    """Scales.
+
+    More realizations add masters; those there are stay.
+    """
+
+    range: Range = key("5.6 nm", "Determining the Most Relevant Length-scales")
+    """Range of adhesion of Fig. 6, and of the predicted force; always among those computed."""
+    tolerance: Fraction = key(0.1, "Determining the Most Relevant Length-scales")
+    """Relative change of the force that counts as none."""
+    realizations: Realizations = 5
+    """Masters of each substrate and side; realization k is built on scan k, from the first again
+    when scans are used up."""
+    sphere_roughness: bool = key(False, "not stated")
+    """`true`: the sphere has the roughness of its first scan."""
+    small: SmallScaleKeys = SmallScaleKeys()
+    large: LargeScaleKeys = LargeScaleKeys()
+
+
+class ElasticKeys(Keys):
+    """Elastic contact.
+
+    Each scan of a substrate meets one scan of the sphere, in turn. A contact takes ten to twenty
+    seconds to solve; all 400 of all scans take some 20 to 45 core hours. The report's figure shows
+    medians over contacts, the claims take means.
+    """
+
+    contacts: Contacts = 2
+    """Contacts solved on each scan, drawn at random; at most `contact.count` squared, which solves
+    all."""
+
+
+class IndentKeys(Keys):
+    """Indents."""
+
+    surface: SurfaceId = key("ncd", "The Role of Plasticity")
+    """Substrate whose contacts indent the sphere (Fig. 5a)."""
+    preloads: SomeForces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
+    """Loads, ascending; the contact drawn is that of median depth at the largest."""
+
+
+class AsperitiesKeys(Keys):
+    """Asperities."""
+
+    contacts: Contacts = 16
+    """Contacts examined on each scan, drawn at random; at most `contact.count` squared."""
+    ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
+    """Ranges of adhesion, ascending."""
+
+
+class SetSmallScaleKeys(Keys):
+    """Small-scale masters of the sets."""
+
+    pixels: Pixels = 4096
+    """Pixels along an edge of the small-scale masters."""
+    cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
+    """Short-wavelength cutoffs, ascending."""
+
+
+class SetLargeScaleKeys(Keys):
+    """Large-scale masters of the sets."""
+
+    pixels: Pixels = 4096
+    """Pixels along an edge that forces are computed on at large scales."""
+    cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
+    """Long-wavelength cutoffs, ascending."""
+
+
+class SetsKeys(Keys):
+    """Sets.
+
+    Many equally good sets of substitute scans, drawn from a pool, in place of the one set of the
+    study; each claim tells in how many sets it holds. Robustness is computed at the same size.
+    A larger `pool` and more realizations add scans and masters; those there are stay.
+    """
+
+    replicates: Annotated[int, Field(ge=1, le=10000)] = 100
+    """Sets drawn."""
+    pool: Annotated[int, Field(ge=2, le=10000)] = 60
+    """Independent scans of each substrate that sets are drawn from."""
+    amplitudes: Annotated[int, Field(ge=4, le=50)] = 7
+    """Heights that forces of each scan of the pool are computed at; between them forces are
+    interpolated."""
+    protruded: Annotated[int, Field(ge=2, le=1000)] = 24
+    """Rare protrusions, each time others, that every set is fitted with: on
+    `robustness.heights.surface`, or on the sphere. A quarter of the times there are none."""
+    count: Count = 10
+    """Contacts along an edge of the array."""
+    realizations: Realizations = 20
+    """Masters of each substrate and side that bands are drawn from."""
+    small: SetSmallScaleKeys = SetSmallScaleKeys()
+    large: SetLargeScaleKeys = SetLargeScaleKeys()
+
+
+class HeightsKeys(Keys):
+    """Other distributions of heights."""
+
+    surface: SurfaceId = "polished_uncd"
+    """Substrate whose substitutes get other heights."""
+    skewness: Skewnesses = [-1, -0.5, 0.5, 1]
+    """Other skewness of its heights; one that it has already is not made again."""
+
+
+class RobustnessKeys(Keys):
+    """Robustness.
+
+    The headline numbers under one other choice at a time, with the contacts, pixels and cutoffs of
+    `sets` and one scan of the sphere, the first; the row "as the study" makes the study's own
+    choices at this size. The other reading of curvature in Table 1 and the other value of
+    `scales.sphere_roughness` have a row without a key. Measured surfaces keep their scans in every
+    row.
+    """
+
+    preloads: Forces = key(["5 uN", "20 uN"], "`5 uN`: Methods; `20 uN`: The Role of Plasticity")
+    """Other preloads, ascending."""
+    hardnesses: Pressures = key(["16 GPa", "47 GPa"])
+    """Other hardnesses, ascending."""
+    heights: HeightsKeys = HeightsKeys()
+    realizations: Realizations = 3
+    """Masters of each substrate and side, the first of those of `sets`."""
+
+
+class LawSmallScaleKeys(Keys):
+    """Small-scale masters for other laws."""
+
+    pixels: Pixels = 2048
+    """Pixels along an edge of the small-scale masters."""
+    cutoffs: Lengths = key(["25 nm", "43 nm", "75 nm", "200 nm"])
+    """Short-wavelength cutoffs, ascending."""
+
+
+class LawLargeScaleKeys(Keys):
+    """Large-scale masters for other laws."""
+
+    pixels: Pixels = 2048
+    """Pixels along an edge that forces are computed on at large scales."""
+    tiles: Tiles = 2
+    """Stitched scans along an edge of the large-scale master."""
+    cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"])
+    """Long-wavelength cutoffs, ascending."""
+
+
+class ScalingSmallScaleKeys(Keys):
+    """Small-scale masters whose edges are scaled."""
+
+    cutoffs: Lengths = key(nm(10, 20, 30, 43, 62, 90, 150, 300))
+    """Short-wavelength cutoffs, ascending."""
+
+
+class ScalingLargeScaleKeys(Keys):
+    """Large-scale masters whose edges are scaled."""
+
+    pixels: Pixels = 4096
+    """Pixels along an edge that forces are computed on at large scales."""
+    tiles: Tiles = 4
+    """Stitched scans along an edge of the large-scale master."""
+    cutoffs: Lengths = key(nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000))
+    """Long-wavelength cutoffs, ascending."""
+
+
+class ScalingKeys(Keys):
+    """Edges of the band over sphere, range and contact area."""
+
+    radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
+    """Radii of the spheres that edges of the band are found for, ascending."""
+    ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
+    """Ranges of adhesion that edges are found for, ascending."""
+    preloads: SomeForces = key(["1.25 uN", "10 uN", "80 uN"])
+    """Preloads that edges are found for, ascending; over the hardness they are the contact
+    areas."""
+    small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
+    large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
+
+
+class InsightKeys(Keys):
+    """Insight.
+
+    Beyond the paper: what decides the critical band, and how far the method can be trusted; the
+    chapter that `snakemake insight` makes. `small`, `large` and `reach` are of `laws.nc`,
+    `scaling` and `small.pixels` are of `scaling.nc`; `count` and `realizations` are of both and of
+    `closed_form.nc`; all else is of `closed_form.nc` and `statistics.nc`.
+    """
+
+    realizations: Realizations = 3
+    """Random surfaces of each size beside the closed form, scans with masters for other laws, of
+    each substrate; surfaces in repeated contact."""
+    count: Count = 8
+    """Contacts along an edge of the array."""
+    ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
+    """Ranges of adhesion, ascending; `scales.range` is always one of them."""
+    pixels: Pixels = 1024
+    """Pixels along an edge of the random surfaces beside the closed form."""
+    sizes: Lengths = key(["5000 nm", "20000 nm"])
+    """Edges of these surfaces, ascending; repeated contact is on the largest."""
+    reach: Length = key("80 um")
+    """Edge of the window within which these laws attract, at least `contact.window`."""
+    small: LawSmallScaleKeys = LawSmallScaleKeys()
+    large: LawLargeScaleKeys = LawLargeScaleKeys()
+    scaling: ScalingKeys = ScalingKeys()
+
+
+class StudyKeys(Keys):
+    """The study.
+
+    Studies of other names share what is in the store; a new store is filled from nothing.
+    """
+
+    study: StudyName = "paper"
+    """Name; results go to `results/<study>/`."""
+    store: Folder = "results/store"
+    """Folder of the intermediates, which studies may share."""
+    surfaces: TablePath = "config/surfaces.tsv"
+    """Path of the table of surfaces."""
+    scans: ScanNumbers = key("all")
+    """Numbers of the scans used, e.g. `[1, 2]`."""
+    published: Literal["paper", "none"] = "paper"
+    """Published numbers that the study is compared with: those of the `paper`, or `none` in a study
+    of own surfaces, which makes what its scans and forces allow and needs nothing of the paper."""
+    forces: TablePath = "none"
+    """With `published: none`: path of a table of pull-off forces measured on these surfaces, or
+    `none`."""
+    reference_surface: SurfaceId = key("uncd", "Fig. 4b")
+    """With `published: paper`: substrate that ratios of forces are taken to."""
+    seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
+    """Every random number follows from it and from the names of what it is for."""
+    effort: Literal["full", "quick"] = "full"
+    """`quick`: the keys under `quick` replace those above, for a first answer."""
+    quick: dict[Any, Any] = {}
+    """Keys as at the top, which count with `effort: quick`. The names of `study` and `store` then
+    end with `-quick`."""
+    sphere: SphereKeys = SphereKeys()
+    scan: ScanKeys = ScanKeys()
+    contact: ContactKeys = ContactKeys()
+    adhesion: AdhesionKeys = AdhesionKeys()
+    inference: InferenceKeys = InferenceKeys()
+    scales: ScalesKeys = ScalesKeys()
+    elastic: ElasticKeys = ElasticKeys()
+    indent: IndentKeys = IndentKeys()
+    asperities: AsperitiesKeys = AsperitiesKeys()
+    sets: SetsKeys = SetsKeys()
+    robustness: RobustnessKeys = RobustnessKeys()
+    insight: InsightKeys = InsightKeys()
