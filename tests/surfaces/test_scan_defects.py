@@ -8,8 +8,8 @@ from scipy.ndimage import gaussian_filter
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import level_quadratic
 from hardcontact.surfaces.protrusions import Protrusions, add_protrusions
-from hardcontact.surfaces.scan_defects import DEFECTS, told_defects
-from hardcontact.surfaces.scans import flattened, height_map
+from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
+from hardcontact.surfaces.scans import examined, height_map
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128
@@ -29,7 +29,7 @@ def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
 
 
 def defects_of(heights, pixel_size=PIXEL, **options):
-    return flattened(measurement(heights, pixel_size), **options).defects
+    return examined(measurement(heights, pixel_size), **options).defects
 
 
 def with_spikes(seed, share):
@@ -101,10 +101,21 @@ def test_each_kind_is_named_with_its_numbers(case):
     defects = defects_of(heights)
     assert set(defects) == set(expected)
     for code, numbers in expected.items():
-        assert list(defects[code]) == list(DEFECTS[code])
+        assert list(defects[code]) == list(DEFECTS[code].units)
         for number, wanted in zip(defects[code].values(), numbers, strict=True):
             assert wanted is None or number == pytest.approx(wanted, rel=0.05)
-    assert len(list(told_defects(defects))) == len(expected)
+
+
+@pytest.mark.parametrize("code", DEFECTS)
+def test_a_sentence_has_every_number_with_its_unit(code):
+    units = DEFECTS[code].units
+    numbers = {name: 0.25 if name.endswith("_share") else 3100.0 for name in units}
+    sentence = defect_sentence(code, numbers)
+    for name, unit in units.items():
+        assert (
+            "25 %" if name.endswith("_share") else "3.1 µm" if unit == "nm" else "3100"
+        ) in sentence
+    assert "{" not in sentence
 
 
 def test_the_share_of_the_rms_height_without_a_curvature():
@@ -116,7 +127,7 @@ def test_the_share_of_the_rms_height_without_a_curvature():
 
 def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
     scan = measurement(curved(34, 1.0, 30e3, 90e3), PIXEL)
-    flat = flattened(scan, levelling="quadratic")
+    flat = examined(scan, levelling="quadratic")
     plain = level_quadratic(height_map(measurement(rough(34, 1.0), PIXEL)))
     np.testing.assert_allclose(flat.heights, plain.heights, atol=1e-6)
     assert not flat.defects
@@ -128,7 +139,7 @@ def test_no_self_affine_surface_is_alarmed(part):
     rng = generator(100 + part)
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
-        assert not flattened(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
+        assert not examined(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
 
 
 def protruded(seed):

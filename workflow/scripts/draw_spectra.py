@@ -3,7 +3,7 @@
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.joined_spectrum import drawn_spectra
-from hardcontact.surfaces.scans import flat_measurements
+from hardcontact.surfaces.scans import flattened, read_stored
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as job:
@@ -14,7 +14,10 @@ with job(snakemake) as job:
             generator(params["seed"], surface, realization, "drawn spectrum")
             for realization in range(1, len(job.output) + 1)
         ),
-        flat_measurements(job.input.measurements, params["sphere_radius"], params["levelling"]),
+        [
+            flattened(read_stored(file), params["sphere_radius"], params["levelling"])
+            for file in job.input.measurements
+        ],
         params["tip_radii"],
     )
     for output, (spectrum, factors) in enumerate(drawn):

@@ -2,13 +2,14 @@
 
 from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.scans import flat_measurements
+from hardcontact.surfaces.scans import examined, read_stored
 
 with job(snakemake) as job:
     params = job.parameters
-    measurements = flat_measurements(
-        job.input.measurements, params["sphere_radius"], params["levelling"]
-    )
+    measurements = [
+        examined(read_stored(file), params["sphere_radius"], params["levelling"])
+        for file in job.input.measurements
+    ]
     job.write(
         joined_spectrum(measurements, params["tip_radii"]),
         title="power spectral density of a measured surface, joined of its measurements",

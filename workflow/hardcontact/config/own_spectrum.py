@@ -21,9 +21,9 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.scan_defects import told_defects
+from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import LENGTHS
-from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
+from hardcontact.surfaces.scans import examined, list_measurements, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Columns of which a table has one of each pair, each with a column of its unit.
@@ -72,7 +72,7 @@ def own_spectrum(
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
 
     The files are one table, as of `table_spectrum`, or scans, of which a CSV begins with numbers.
-    Scans are read by `read_measurement`, levelled by `flattened` and joined by `joined_spectrum`;
+    Scans are read by `read_measurement`, `examined` and joined by `joined_spectrum`;
     the edge (nm) and the unit are of files that state none. A dataset is the only member of a
     container that counts; the radius of the tip (nm) is of files that state none. The spectrum of
     scans ends where they are reliable. Raises ValueError with a line for each fault.
@@ -88,7 +88,7 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else (), None)
     scans = [
-        flattened(
+        examined(
             read_measurement(path, member, undefined_pixels, unit, edge), sphere_radius, levelling
         )
         for path in files
@@ -113,9 +113,9 @@ def own_spectrum(
     differing = told_contradictions(contradictions(*columns), names)
     notes += [f"take care: {line}" for line in differing]
     notes += [
-        f"take care: {name}: {line}"
+        f"take care: {name}: {defect_sentence(code, numbers)}"
         for name, scan in zip(names, scans, strict=True)
-        for line in told_defects(scan.defects)
+        for code, numbers in scan.defects.items()
     ]
     return OwnSpectrum(reliable, tuple(notes), joined)
 

@@ -16,7 +16,7 @@ from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
 from hardcontact.surfaces.scans import (
     Measurement,
-    flattened,
+    examined,
     list_measurements,
     read_measurement,
 )
@@ -166,7 +166,7 @@ def _entry(
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = flattened(measurement, source.sphere_radius, levelling)
+    flat = examined(measurement, source.sphere_radius, levelling)
     levelled = flat.heights
     if flat.kind != "map":  # A line scan is levelled by its mean line.
         place = np.arange(len(levelled))

@@ -24,7 +24,7 @@ from hardcontact.contact.geometry import window_pixels
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import FILLING, Entry, by_surface, contradicting
 from hardcontact.surfaces.reliable_band import LIMITS
-from hardcontact.surfaces.scan_defects import told_defects
+from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.spectrum import MIN_BINS
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
@@ -120,7 +120,9 @@ def propose(
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
     cautions = [
-        f"{entry.name}: {line}" for entry in entries for line in told_defects(entry.defects)
+        f"{entry.name}: {defect_sentence(code, numbers)}"
+        for entry in entries
+        for code, numbers in entry.defects.items()
     ]
     cautions += _contact_cautions(substrates, probe.range, contact, why, summits)
     cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]

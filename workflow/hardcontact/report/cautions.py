@@ -16,7 +16,7 @@ from hardcontact.report.artificial import measurement_name, measurements, split_
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import bounds_only, number_of
 from hardcontact.surfaces.contradictions import contradictions
-from hardcontact.surfaces.scan_defects import DEFECTS
+from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
 from hardcontact.theory.prediction import HARD
 
 Caution = Mapping[str, Any]
@@ -74,14 +74,21 @@ def _blind_scans(of: Datasets) -> list[dict[str, Any]]:
 
 
 def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]]:
-    """Return the defects of these codes of the measurements of a surface."""
-    return [
-        {"code": code, "measurement": measurement_name(measurement)}
-        | {name: number_of(measurement, name, unit, source="file") for name, unit in units.items()}
-        for measurement in split_measurements(measurements(spectra))
-        for code, units in DEFECTS.items()
-        if code in codes and all(np.isfinite(measurement[name]) for name in units)
-    ]
+    """Return the defects of these codes of the measurements of a surface, with sentences."""
+    defects = []
+    for measurement in split_measurements(measurements(spectra)):
+        for code, defect in DEFECTS.items():
+            numbers = {name: measurement[name].item() for name in defect.units}
+            if code in codes and np.isfinite(list(numbers.values())).all():
+                sentence = f"{measurement_name(measurement)}: {defect_sentence(code, numbers)}"
+                defects.append(
+                    {"code": code, "sentence": sentence}
+                    | {
+                        name: number_of(measurement, name, unit, source="file")
+                        for name, unit in defect.units.items()
+                    }
+                )
+    return defects
 
 
 def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:

@@ -4,27 +4,65 @@ Spikes, lines that were not measured, a clipped range, a curvature that levellin
 edges.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.printing import print_length, print_share
 from hardcontact.surfaces.spectrum import Floats
 
-#: The numbers of each defect with their units, by its code.
+
+class Defect(NamedTuple):
+    """A defect of scans: its numbers with their units, and a sentence that holds them."""
+
+    units: Mapping[str, str]
+    sentence: str  #: Has the numbers in braces; it stands after the name of the scan.
+
+
+#: The defects by their code.
 DEFECTS = {
-    "spikes": {"spike_share": "1", "rms_height_without_spikes": "nm"},
-    "equal_lines": {"equal_line_share": "1"},
-    "highest": {"highest_share": "1"},
-    "lowest": {"lowest_share": "1"},
-    "curvature": {"curvature_radius": "nm", "uncurved_share": "1"},
-    "lay": {"lay_ratio": "1"},
-    "edges": {"edge_slope_share": "1"},
+    "spikes": Defect(
+        {"spike_share": "1", "rms_height_without_spikes": "nm"},
+        "{spike_share} of its pixels are spikes, more than {spike:g} rms heights from those around "
+        "them; without them the rms height is {rms_height_without_spikes}: remove them",
+    ),
+    "equal_lines": Defect(
+        {"equal_line_share": "1"},
+        "{equal_line_share} of its lines are constant or equal to the one before, as of a scan "
+        "that was stopped: crop it",
+    ),
+    "highest": Defect(
+        {"highest_share": "1"},
+        "{highest_share} of its pixels have the highest value, as of a clipped range: the summits "
+        "that touch are cut off",
+    ),
+    "lowest": Defect(
+        {"lowest_share": "1"},
+        "{lowest_share} of its pixels have the lowest value, as of a clipped range",
+    ),
+    "curvature": Defect(
+        {"curvature_radius": "nm", "uncurved_share": "1"},
+        "levelling leaves a curvature of radius {curvature_radius}, as of a ball or the bow of a "
+        "scanner, without which {uncurved_share} of the rms height remains: --levelling quadratic "
+        "(scan.levelling: quadratic) subtracts it",
+    ),
+    "lay": Defect(
+        {"lay_ratio": "1"},
+        "the variance of profiles along one direction is {lay_ratio} times that across (a lay, a "
+        "grating, a step, offset lines): closed forms and roughness beyond the scans are alike in "
+        "all directions",
+    ),
+    "edges": Defect(
+        {"edge_slope_share": "1"},
+        "{edge_slope_share} of its squared slopes lie on {edge_pixels} of its pixels, as of "
+        "pillars or steps: closed forms and roughness beyond the scans have no such edges",
+    ),
 }
 #: The numbers of all defects with their units.
-DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
+DEFECT_UNITS = {name: unit for defect in DEFECTS.values() for name, unit in defect.units.items()}
 
 #: Rms heights between a spike and its neighbours. Gaussian heights exceed six once in 10⁹ pixels.
 SPIKE = 6.0
@@ -82,8 +120,8 @@ def scan_defects(
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["edges"] = _edges(levelled)
     return {
-        code: dict(zip(units, numbers[code], strict=True))
-        for code, units in DEFECTS.items()
+        code: dict(zip(defect.units, numbers[code], strict=True))
+        for code, defect in DEFECTS.items()
         if numbers.get(code)
     }
 
@@ -192,36 +230,15 @@ def _edges(heights: Floats) -> list[float]:
     return [share] if share > EDGE_SHARE else []
 
 
-#: A line on each defect, with its numbers.
-LINES = {
-    "spikes": "{spike_share} of its pixels are spikes, more than {limit:g} rms heights from those "
-    "around them; without them the rms height is {rms_height_without_spikes}: remove them",
-    "equal_lines": "{equal_line_share} of its lines are constant or equal to the one before: was "
-    "the scan stopped? Crop it",
-    "highest": "{highest_share} of its pixels have the highest value: was its range too small? The "
-    "summits that touch are cut off",
-    "lowest": "{lowest_share} of its pixels have the lowest value: was its range too small?",
-    "curvature": "it is curved with a radius of {curvature_radius}, a ball or the bow of a "
-    "scanner, without which {uncurved_share} of the rms height remains: --levelling quadratic "
-    "subtracts it",
-    "lay": "the variance of profiles along one direction is {lay_ratio} times that across (a lay, "
-    "a grating, a step, offset lines): closed forms take surfaces to be alike in all directions",
-    "edges": "{edge_slope_share} of its squared slopes lie on 5 % of its pixels (edges, as of "
-    "pillars or steps): closed forms take random heights, which these are not",
-}
-
-
-def told_defects(defects: Mapping[str, Mapping[str, float]]) -> Iterator[str]:
-    """Yield a line on each defect of a scan."""
-    for code, numbers in defects.items():
-        words = {name: _printed(name, number) for name, number in numbers.items()}
-        yield LINES[code].format(limit=SPIKE, **words)
+def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
+    """Return the sentence on a defect, with its numbers in words and without a full stop."""
+    words = {name: _printed(name, number) for name, number in numbers.items()}
+    return DEFECTS[code].sentence.format(**words, spike=SPIKE, edge_pixels=print_share(EDGE_PIXELS))
 
 
 def _printed(name: str, number: float) -> str:
     """Return a number of a defect with its unit, a share in per cent."""
     if DEFECT_UNITS[name] == "nm":
         return print_length(number)
-    is_share = name.endswith("_share")
-    digits = float(f"{100 * number if is_share else number:.2g}")
-    return f"{digits:g} %" if is_share else f"{digits:g}"
+    number = float(f"{number:.2g}")
+    return print_share(number) if name.endswith("_share") else f"{number:g}"

@@ -1,6 +1,6 @@
 """Reading scans of any microscope, and preparing them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
@@ -27,7 +27,7 @@ class Measurement:
     tip_radius: float | None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...]  #: What was changed or chosen in reading, in words for the user.
     undefined: int  #: Undefined pixels among those kept, before they were filled.
-    #: Of `scan_defects`, once the heights are `flattened`.
+    #: Of `scan_defects`, once the measurement is `examined`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def stored(self) -> xr.Dataset:
@@ -134,28 +134,28 @@ def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
 def flattened(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measurement with its defects: a map without its sphere and levelled.
+    """Return a measurement, a map without its sphere and levelled.
 
     The radius of the sphere is in nm, None for a flat surface. A line scan keeps its heights.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
-    as_read = measurement.heights
     if measurement.kind != "map":
-        from scipy.signal import detrend  # A slow import.
-
-        defects = scan_defects(as_read, detrend(as_read), measurement.pixel_size)
-        return replace(measurement, defects=defects)
-    flat = flat_map(height_map(measurement), sphere_radius, levelling).heights
-    defects = scan_defects(as_read, flat, measurement.pixel_size)
-    return replace(measurement, heights=flat, defects=defects)
+        return measurement
+    flat = flat_map(height_map(measurement), sphere_radius, levelling)
+    return replace(measurement, heights=flat.heights)
 
 
-def flat_measurements(
-    files: Sequence[str], sphere_radius: float | None, levelling: str
-) -> list[Measurement]:
-    """Return the stored measurements of a surface, each as `flattened` makes it."""
-    return [flattened(read_stored(file), sphere_radius, levelling) for file in files]
+def examined(
+    measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
+) -> Measurement:
+    """Return a measurement as `flattened` makes it, with its defects."""
+    from scipy.signal import detrend  # A slow import.
+
+    flat = flattened(measurement, sphere_radius, levelling)
+    levelled = flat.heights if flat.kind == "map" else detrend(flat.heights)
+    defects = scan_defects(measurement.heights, levelled, measurement.pixel_size)
+    return replace(flat, defects=defects)
 
 
 #: Titles of the files that hold what `prepared` returns.
