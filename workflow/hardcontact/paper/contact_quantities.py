@@ -9,7 +9,6 @@ import json
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import bounds
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.paper.numbers import (
     absolute_value,
@@ -132,12 +131,9 @@ def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
     large = scaling.sel(side="large").sel(case, method="nearest")
     large = large.sel(radius=large["radius"] >= LARGE_RADIUS)
     smallest, largest = large.isel(radius=0), large.isel(radius=-1)
-    low, high = bounds(smallest, "edge")
-    largest_low, largest_high = bounds(largest, "edge")
-    ratios = [largest["edge"] / smallest["edge"], largest_low / high, largest_high / low]
+    ratio = quotient(variable_as_number(largest, "edge"), variable_as_number(smallest, "edge"))
     root = (largest["radius"] / smallest["radius"]) ** 0.5
-    exponents = [xr.DataArray(np.log(ratio) / np.log(root)) for ratio in ratios]
-    return number(*(values.median("surface", skipna=False) for values in exponents))
+    return (ratio.map(np.log) / np.log(root)).median("surface", skipna=False)
 
 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:

@@ -38,6 +38,15 @@ Sampled = Sequence[np.ndarray]
 NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
 
 
+class _Aims(NamedTuple):
+    """What the forces of a law are fitted to, over all scans and over samples of them."""
+
+    lengths: np.ndarray  #: (n,) ranges of a law that are tried, in nm.
+    exponential: Sampled  #: (..., surface, 1) forces of Eq. 1 at the published pair, in N.
+    measured: Sampled  #: (surface, 1) measured forces, in N.
+    exponential_errors: Sampled  #: (...) of the best fits of Eq. 1 to the measured forces.
+
+
 class _Fit(NamedTuple):
     """The best length of a law (...), its position, and the work of adhesion and error there."""
 
@@ -93,18 +102,12 @@ def compare_laws(
     ratio = target / target[reference_surface]
     means = mean_forces(forces.pull_off_force, sampling, purpose="laws")
     base = target.index.to_list().index(reference_surface)
+    aims = _aims(forces.rho.values, means, target.to_numpy(), pair)
     parts = []
     for law in LAWS:
         fits = _fit_law(
-            law,
-            forces.rho.values,
-            means,
-            target,
-            pair=pair,
-            spacing=spacing,
-            base=base,
-            sampling=sampling,
-        )
+            law, forces.rho.values, means, aims, spacing=spacing, base=base, sampling=sampling
+        ).assign_coords(surface=target.index.to_list())
         lengths = fits.range_of_law.to_series()
         bands = [_band(law, length, masters, tolerance, sampling) for length in lengths]
         parts.append(fits.merge(xr.concat(bands, lengths.index)))
@@ -123,13 +126,29 @@ def compare_laws(
     )
 
 
+def _aims(ranges: np.ndarray, means: Sampled, measured: np.ndarray, pair: Pair) -> _Aims:
+    """Return what laws are fitted to: measured forces (surface,) and those of Eq. 1.
+
+    The means (..., surface, k) over scans at ranges (k,) in nm are in N. The forces of Eq. 1 are
+    those of the same sample.
+    """
+    rho, work = pair
+    lengths = range_grid(rho, LENGTH_STEP, *LENGTHS)
+    column = measured[:, None]
+    errors = [
+        _best_fit(law_forces(EXPONENTIAL, lengths, ranges, mean) / column, lengths).error
+        for mean in means
+    ]
+    exponential = [law_forces(EXPONENTIAL, [rho], ranges, mean) * work for mean in means]
+    return _Aims(lengths, exponential, [column] * len(means), errors)
+
+
 def _fit_law(
     law: Law,
     ranges: np.ndarray,
     means: Sampled,
-    target: pd.Series,
+    aims: _Aims,
     *,
-    pair: Pair,
     spacing: float,
     base: int,
     sampling: Sampling,
@@ -139,28 +158,24 @@ def _fit_law(
     The means (..., surface, k) over scans at ranges (k,) in nm are in N; base is the index of the
     reference surface.
     """
-    rho, work = pair
-    lengths = range_grid(rho, LENGTH_STEP, *LENGTHS)
+    lengths, measured = aims.lengths, aims.measured
     atomic = np.array([spacing / float(law.spacing(1.0))])
     curves = [law_forces(law, lengths, ranges, mean) for mean in means]
     atomic_forces = [law_forces(law, atomic, ranges, mean) for mean in means]
-    # The forces of Eq. 1 are those of the same sample.
-    paper = [law_forces(EXPONENTIAL, [rho], ranges, mean) * work for mean in means]
-    measured = [target.to_numpy()[:, None]] * 2
-    exponential = [law_forces(EXPONENTIAL, lengths, ranges, mean) for mean in means]
     error_ratio, drawn_ratios = (
-        _best_fit(forces / aim, lengths).error / _best_fit(eq_1 / aim, lengths).error
-        for forces, eq_1, aim in zip(curves, exponential, measured, strict=True)
+        _best_fit(curve / aim, lengths).error / error
+        for curve, aim, error in zip(curves, measured, aims.exponential_errors, strict=True)
     )
     fits = xr.concat(
         [
-            _fit_case(lengths, curves, paper, base, sampling),
+            _fit_case(lengths, curves, aims.exponential, base, sampling),
             _fit_case(lengths, curves, measured, base, sampling),
             _fit_case(atomic, atomic_forces, measured, base, sampling),
         ],
         pd.Index(CASES, name="case"),
     )
-    errors = [fit_work(curves[0] / aim, np.ones(len(target)))[1] for aim in (paper[0], measured[0])]
+    targets = {"Eq. 1": aims.exponential[0], "published": measured[0]}
+    errors = [fit_work(curves[0] / aim, np.ones(len(aim)))[1] for aim in targets.values()]
     implied = implied_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
     return fits.assign(
         sampling.with_interval("error_over_exponential", (), error_ratio, drawn_ratios, ONE)
@@ -168,11 +183,7 @@ def _fit_law(
             "error": (("target", "length"), errors, ONE),
             "implied_over_known": ("case", implied, ONE),
         }
-    ).assign_coords(
-        surface=target.index.to_list(),
-        length=("length", lengths, NM),
-        target=["Eq. 1", "published"],
-    )
+    ).assign_coords(length=("length", lengths, NM), target=list(targets))
 
 
 def _fit_case(
