@@ -6,6 +6,7 @@ from answer_inputs import (
     SURFACES,
     continued,
     datasets,
+    edges,
     force,
     spectra,
 )  # fmt: skip
@@ -109,6 +110,12 @@ def test_roughness_beyond_the_scans_is_named():
     assert tail["hurst"].value == pytest.approx(0.8) and tail["ends_at"].value < 0.33
     (long,) = named("long_waves")
     assert (long["above"].value, long["rolloff"].value) == (25e3, 37.5e3)
+
+
+def test_the_exponent_has_an_interval_of_the_confidence_of_the_study():
+    sure = edges().assign_attrs(confidence=0.6827)  # of one standard error, here 0.1
+    (tail,) = named("tail", edges=sure)
+    assert (tail["hurst"].low, tail["hurst"].high) == pytest.approx((0.7, 0.9), abs=1e-4)
 
 
 def test_more_power_than_scans_show_is_named():

@@ -85,6 +85,19 @@ def test_facts_count_verdicts_that_may_change_with_the_seed(stability, count):
     assert facts["unstable"] == facts["claims"]["first"]["may_change"] == count
 
 
+@pytest.mark.parametrize(
+    ("values", "count"),
+    [
+        ({"basis": "no scan", "verdict": "reproduced"}, 1),
+        ({"basis": "no scan", "verdict": "reproduced", "follows_from": "third"}, 0),
+        ({"basis": "no scan"}, 0),
+        ({"verdict": "reproduced"}, 0),
+    ],
+)
+def test_facts_count_independent_findings_reproduced_without_scans(values, count):
+    assert claim_facts(evaluated(**values))["without_scan"] == count
+
+
 def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     table = all_claims().assign(open_end="")
     shown = Page(made(table)["claims"])

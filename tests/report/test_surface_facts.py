@@ -179,6 +179,9 @@ def test_continued_roughness_has_its_own_force_and_the_verdict_both():
     on_scans, extrapolated = facts.verdict(list(found.values()))["forces"]
     assert (on_scans.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
     assert np.isnan(on_scans.low)
+    unknown = spectra().assign(tail_known=("surface", [0]))
+    told = facts.verdict(list(rows(force=continued(force(), small=0.25), spectra=unknown).values()))
+    assert [one.name for one in told["forces"]] == ["force_mean"] and told["answer"] == "partly"
     alike = facts.verdict(list(rows().values()))
     assert len(alike["forces"]) == 1 and alike["edges"][0].value == 37.0
 

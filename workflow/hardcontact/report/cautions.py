@@ -5,6 +5,7 @@ an edge or a force rests on, and what a measurement cannot see, stands in their 
 """
 
 from collections.abc import Collection, Mapping
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -29,8 +30,6 @@ FEW_PIXELS = 10
 RESOLVED = 2
 #: Added power over that of the scans beyond which it is named.
 MUCH_MORE = 2.0
-#: Standard errors of an interval of 95 %.
-Z_95 = 1.96
 #: Defects of scans that change the highest points, and the force with them.
 MISLEADING = frozenset({"spikes", "equal_lines", "highest"})
 
@@ -208,8 +207,10 @@ def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
     spectra, topography = of.spectra, of.topography
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
     shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
-    hurst, error = spectra["tail_hurst"].item(), Z_95 * spectra["tail_hurst_error"].item()
-    low, high = max(hurst - error, 0.0), min(hurst + error, 1.0)
+    hurst = spectra["tail_hurst"].item()
+    errors = NormalDist().inv_cdf((1 + of.edges.attrs["confidence"]) / 2)
+    half_width = errors * spectra["tail_hurst_error"].item()
+    low, high = max(hurst - half_width, 0.0), min(hurst + half_width, 1.0)
     tail = {
         "code": "tail",
         "hurst": Number("hurst", hurst, "1", low, high, source="extrapolated"),

@@ -138,20 +138,21 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     them does, or if there is no band, else "partly". `band` is "none" if no resolved wavelength
     changes the force, "overlapping" if the short edge is the longer one, else "found". `edges` are
     the short and the long edge. `forces` begin with the force on the scans; forces with
-    extrapolated roughness follow where it matters.
+    extrapolated roughness follow where it matters and they are known.
     """
     facts = [bare(row.fact) for row in rows]
-    forces = [fact for fact in facts if fact.name == "force_mean"]
-    forces += [fact for fact in facts if fact.name == "force_continued"]
+    on_scans = [fact for fact in facts if fact.name == "force_mean"]
+    extrapolated = [fact for fact in facts if fact.name == "force_continued"]
     edges = [fact for fact in facts if fact.name in EDGES.values()]
     short, long = edges
     origins = {row.about["origin"] for row in rows if "origin" in row.about}
     origins |= {fact.source for fact in edges}
-    settled = not any(fact.status for fact in edges) and len(forces) == 1
+    settled = not any(fact.status for fact in edges) and not extrapolated
     band = "overlapping" if short.value >= long.value else "found"
     answer = "yes" if origins == {"measured"} and settled else "partly"
     if np.isnan(short.value):
         band = "none"
     if band == "none" or origins == {"artificial"}:
         answer = "no"
+    forces = on_scans + [force for force in extrapolated if np.isfinite(force.value)]
     return {"answer": answer, "band": band, "edges": edges, "forces": forces}
