@@ -69,12 +69,17 @@ def test_digits_are_as_asked_and_without_exponent():
 @pytest.mark.parametrize(
     ("value", "low", "high", "unit", "boundless"),
     [
-        (5.9, 2.2, 350, "1", False),
+        (5.9, 2.2, 200, "1", False),
+        (5.9, 2.2, 350, "1", True),
+        (-5.9, -350, -2.2, "1", True),
         (5.9, -4e3, 4e3, "1", True),
         (5.9, 0.01, 7, "1", True),
         # A number near zero is bounded by an interval that is narrow beside one, a length is not.
         (0.005, -0.6, 0.6, "1", False),
         (5.0, -1e3, 1e3, "nm", True),
+        (5.0, 0.0, 400.0, "nm", False),
+        (5.0, nan, 600.0, "nm", False),
+        (5.0, 0.1, inf, "nm", True),
     ],
 )
 def test_an_interval_that_reaches_far_beyond_its_number_bounds_nothing(

@@ -20,10 +20,8 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
-#: Intervals of lengths, forces and works whose ends differ by more than this factor bound nothing.
-ENDLESS = 100
-#: An interval that reaches so many times beyond its value says only that there are too few scans.
-BOUNDLESS = 100
+#: An interval whose ends differ by more than this factor says only that there are too few scans.
+MAX_END_RATIO = 100
 
 
 def print_number(value: float, digits: int = 3) -> str:
@@ -70,11 +68,11 @@ def print_quantity(
     are not known, zero and infinity where they bound nothing; the open end, "low" or "high", is a
     bound on it.
     """
-    endless = (low == 0 and math.isinf(high)) or math.inf > high > ENDLESS * low > 0
-    known = math.isfinite(low + high) and not endless
-    interval = (low, high) if known else (math.nan, math.nan)
+    finite = math.isfinite(low + high)
+    boundless = finite and is_boundless(value, low, high, unit)
+    interval = (low, high) if finite and not boundless else (math.nan, math.nan)
     text = _print(value, UNITS[unit], interval, digits, open_end)
-    return f"{text} [not bounded]" if endless else text
+    return f"{text} [not bounded]" if boundless or (low, high) == (0, math.inf) else text
 
 
 def print_length(length: float) -> str:
@@ -101,16 +99,16 @@ def print_as_paper(
 
 
 def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether an interval reaches `BOUNDLESS` times beyond its value; NaN does not.
+    """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; NaN does not.
 
-    All are in `unit`. Exponents and relative changes have no unit and may have either sign: where
-    their interval holds zero, they are compared with one, for their own size says nothing if they
-    are near zero.
+    All are in `unit`. An interval that holds zero has no such ratio: its farther end is compared
+    with the value, or with one if this is larger and there is no unit, as of exponents and relative
+    changes, which may be near zero.
     """
-    scale = abs(value)
-    if unit == "1" and low <= 0 <= high:
-        scale = max(scale, 1.0)
-    return max(abs(low), abs(high)) > BOUNDLESS * scale or 0 < low * BOUNDLESS < value
+    near, far = sorted((abs(low), abs(high)))
+    if low <= 0 <= high:
+        near = max(abs(value), 1.0) if unit == "1" else abs(value)
+    return far > MAX_END_RATIO * near
 
 
 def print_share(share: float, form: str = "g") -> str:
