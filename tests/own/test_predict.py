@@ -209,10 +209,10 @@ SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
     ],
 )
 def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options, cause):
-    report = printed(table(*rows_of(spectrum)), *options, "--work", "2.5 N/m")
+    report = printed(table(*rows_of(spectrum)), *options, "--work", "25 N/m")
     assert_says(report, "error not known", cause)
-    # The work scales the force alone; clean bodies in vacuum may have as much.
-    assert_says(report, "take care: --work 2.5 N/m: did you mean 2.5 mJ/m2? Only clean bodies")
+    # The work scales the force alone.
+    assert_says(report, "take care: --work 25 N/m: did you mean 25 mJ/m2? No known solids")
 
 
 def test_a_compliant_sphere_is_no_hard_contact(table):

@@ -45,6 +45,10 @@ PAPER_MODULUS = effective_modulus(
 #: be ten times as compliant as the paper's.
 SOFT = 2.5e9
 
+#: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
+#: Field, The Properties of Diamond (Academic Press, 1979).
+STRONGEST_WORK = 10.6
+
 
 def assumed_modulus(hardness: float) -> float:
     """Return the effective modulus (Pa) to assume of bodies of a hardness (Pa), NaN if SOFT."""

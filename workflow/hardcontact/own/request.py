@@ -13,6 +13,7 @@ from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import QUICK_NAME, quantity
 from hardcontact.config.selection import LABEL, TIP_RADIUS
+from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import LEVELLING
 
 #: The top folder, whose paths studies are named relative to.
@@ -29,8 +30,6 @@ QUANTITIES = {
     "range": ("scales.range", "range of adhesion"),
     "work": ("adhesion.work", "work of adhesion of the predicted force"),
 }
-#: Work of adhesion in J/m² above which the unit is questioned.
-QUESTIONED_WORK = 1.0
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 TAKEN_IDS = ("pooled", "smooth")
 DESCRIPTION = """\
@@ -151,11 +150,11 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
 
 
 def questioned_work(work: Option) -> Iterator[str]:
-    """Yield a line if the work of adhesion is so large that another unit may be meant."""
-    if work.given and work.number > QUESTIONED_WORK:
+    """Yield a line if the work of adhesion is so large that another unit must be meant."""
+    if work.given and work.number > STRONGEST_WORK:
         yield (
-            f"--work {work.text}: did you mean {work.number:g} mJ/m2? Only clean bodies that bond "
-            f"in vacuum have more than {QUESTIONED_WORK:g} J/m2"
+            f"--work {work.text}: did you mean {work.number:g} mJ/m2? No known solids adhere more "
+            f"strongly than diamond to itself, {STRONGEST_WORK:g} J/m2"
         )
 
 

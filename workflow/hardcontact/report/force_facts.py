@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
 from hardcontact.report.datasets import Datasets, forces_at_range, preferred_model
 from hardcontact.report.quantities import bounds_only, number_of
@@ -15,9 +16,6 @@ from hardcontact.surfaces.synthesis import SIDES
 #: The upper end of an interval is called open where it lies this many times farther, in the
 #: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
 LOPSIDED = 2.0
-#: J/m², to part diamond along (111): no known solids adhere more strongly. Source: J. E. Field, The
-#: Properties of Diamond (Academic Press, 1979).
-STRONGEST = 10.6
 
 
 class Row(NamedTuple):
@@ -180,7 +178,7 @@ def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[Row]:
     )
     rows = [
         Row(force, {"tests": int(fit["tests"].item()), "lopsided": bool(lopsided)}),
-        Row(work, {"beyond_solids": work.value > STRONGEST}),
+        Row(work, {"beyond_solids": work.value > STRONGEST_WORK}),
     ]
     for side in differing_sides(fit):
         start = number_of(fit.sel(side=side), "transition", name="start")
