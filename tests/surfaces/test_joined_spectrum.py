@@ -22,9 +22,9 @@ def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scat
         errors.append(np.log(joined["joined"].values / gentle(wavevector)))
     errors = np.array(errors)
     wavelength = 2 * np.pi / wavevector
-    seen = (wavelength > 16) & (wavelength < 40_000 / 3)
-    known = np.isfinite(errors[:, seen])
-    assert known.mean() > 0.95
+    is_measured = (wavelength > 16) & (wavelength < 40_000 / 3)
+    is_finite = np.isfinite(errors[:, is_measured])
+    assert is_finite.mean() > 0.95
     # The line alone reaches beyond 3 µm, with one wave in a bin, whose logarithm scatters by 1.3.
     assert np.abs(np.nanmean(errors[:, wavelength > 3000])) < 0.4
     few, many = ((wavelength > a) & (wavelength < b) for a, b in ((1300, 3000), (16, 1300)))
@@ -81,16 +81,16 @@ def test_draws_know_calibration_and_exponent_no_better_than_they_are():
     rngs = (generator(26, draw) for draw in range(100))
     spectra, factors = zip(*drawn_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
     # Of the small map alone, which has hundreds of waves there.
-    power = np.log([one(2 * np.pi / 40) for one in spectra]) - 2 * np.log(factors)[:, 0]
+    power = np.log([spectrum(2 * np.pi / 40) for spectrum in spectra]) - 2 * np.log(factors)[:, 0]
     assert power.std() < 0.1 and 2 * np.log(factors).std() == pytest.approx(CALIBRATION, rel=0.2)
-    tails = np.log([one(2 * np.pi / np.array([4.0, 8.0])) for one in spectra])
+    tails = np.log([spectrum(2 * np.pi / np.array([4.0, 8.0])) for spectrum in spectra])
     exponents = (tails[:, 1] - tails[:, 0]) / np.log(2) / 2 - 1
     assert HURST_SCATTER < exponents.std() < 2 * HURST_SCATTER  # with that of the waves fitted to
 
 
 def test_the_radius_given_counts_before_that_of_the_file():
     scan = map_of(generator(15), 128, 5.0, tip_radius=20.0)
-    radii = [joined_spectrum([scan], [given])["tip_radius"].item() for given in (None, 8.0)]
+    radii = [joined_spectrum([scan], [radius])["tip_radius"].item() for radius in (None, 8.0)]
     assert radii == [20.0, 8.0]
 
 
@@ -106,8 +106,8 @@ def test_only_what_is_reliable_is_joined():
     scans[0] = measurement(scans[0].heights + noise, scans[0].pixel_size)
     joined = joined_spectrum(scans, [None] * 3)
     wavelength = 2 * np.pi / joined["bin_wavevector"].values
-    for place, scan in enumerate(scans):
-        band, stored = reliable_band(scan, None), joined.isel(measurement=place)
+    for number, scan in enumerate(scans):
+        band, stored = reliable_band(scan, None), joined.isel(measurement=number)
         within = (wavelength >= band.shortest) & (wavelength <= band.longest)
         np.testing.assert_array_equal(stored["reliable"] == 1, within & np.isfinite(stored["psd"]))
     assert joined["limited_by"].values[0] == "noise"

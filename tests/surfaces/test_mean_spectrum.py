@@ -32,9 +32,9 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
     for seed in range(5):
         scan = pattern(kind, seed)
         joined = joined_spectrum([scan], [1e-3])
-        known = joined["reliable"].values[0] == 1
-        power = BIN_CENTRES[known] ** 2 * joined["psd"].values[0, known]
-        kept = BIN_CENTRES[known] ** 2 * joined["joined"].values[known]
+        is_reliable = joined["reliable"].values[0] == 1
+        power = BIN_CENTRES[is_reliable] ** 2 * joined["psd"].values[0, is_reliable]
+        kept = BIN_CENTRES[is_reliable] ** 2 * joined["joined"].values[is_reliable]
         assert kept.sum() == pytest.approx(power.sum(), rel=0.01)
         if "grating" in kind:  # The line stands where it was measured.
             peak = power.argmax()
@@ -43,15 +43,17 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
 
 def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
     waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
-    known = (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
+    is_measured = (
+        (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
+    )
     points = (
-        np.where(known, gentle(BIN_CENTRES), np.nan),
-        np.where(known, variance_of_log(waves), np.nan),
+        np.where(is_measured, gentle(BIN_CENTRES), np.nan),
+        np.where(is_measured, variance_of_log(waves), np.nan),
     )
     wavevector, mean, variance = smoothed(*points)
     drawn = np.log([smoothed(*points, generator(23, draw))[1] for draw in range(400)])
     np.testing.assert_allclose(drawn.std(axis=0), np.sqrt(variance - CALIBRATION**2), rtol=0.15)
     assert (np.abs(drawn.mean(axis=0) - np.log(mean)) < 0.25 * drawn.std(axis=0)).all()
     # A power law has no bends: it is its own mean.
-    slope = np.where(known, BIN_CENTRES**-3.0, np.nan)
+    slope = np.where(is_measured, BIN_CENTRES**-3.0, np.nan)
     np.testing.assert_allclose(smoothed(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)

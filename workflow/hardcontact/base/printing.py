@@ -43,10 +43,12 @@ def _print(
 ) -> str:
     """Return a number in the unit that fits best, with its interval if both ends are known."""
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
-    least = 1 - 0.5 * 10**-digits
-    fitting = (name for name, size in units.items() if abs(value) >= least * size)
+    threshold = 1 - 0.5 * 10**-digits
+    fitting = (name for name, size in units.items() if abs(value) >= threshold * size)
     name = next(fitting, list(units)[-1])
-    number, low, high = (print_number(bound / units[name], digits) for bound in (value, *interval))
+    number, low, high = (
+        print_number(amount / units[name], digits) for amount in (value, *interval)
+    )
     if any(map(math.isnan, interval)):
         return f"{number} {name}".rstrip()
     low += " or less" * (open_end == "low")

@@ -128,9 +128,9 @@ def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 def _values(field: FieldInfo) -> str:
     """Return which values a field may have, with their unit."""
-    for part in field.metadata:
-        if isinstance(part, Quantity | Matching):
-            return part.expects
+    for annotation in field.metadata:
+        if isinstance(annotation, Quantity | Matching):
+            return annotation.expects
     kind: Any = field.annotation
     if get_origin(kind) is Literal:
         return " or ".join(f"`{value}`" for value in get_args(kind) if value)
@@ -139,10 +139,10 @@ def _values(field: FieldInfo) -> str:
     if kind is bool:
         return "`true` or `false`"
     limits = {
-        name: getattr(part, name)
-        for part in field.metadata
+        name: getattr(annotation, name)
+        for annotation in field.metadata
         for name in ("ge", "le", "multiple_of")
-        if hasattr(part, name)
+        if hasattr(annotation, name)
     }
     multiple = f", a multiple of {limits['multiple_of']}" if "multiple_of" in limits else ""
     return f"{limits['ge']} to {limits['le']}{multiple}"

@@ -66,7 +66,7 @@ def quantity(key: str) -> Quantity:
     """Return the unit and the bounds of a key that is a quantity."""
     *above, name = key.split(".")
     field = section(Study, above).model_fields[name]
-    return next(part for part in field.metadata if isinstance(part, Quantity))
+    return next(annotation for annotation in field.metadata if isinstance(annotation, Quantity))
 
 
 def configuration(config: object, where: str = "") -> dict[str, Any]:

@@ -186,14 +186,14 @@ def _curvature(heights: Floats, pixel_size: float) -> list[float]:
     orders = powers.sum(axis=1)
     power = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
     total = float((points**2).sum()) - power[0] - power[1]
-    rest = max(total - power[2], 0.0)
-    if rest >= UNCURVED**2 * total or power[2] < SECOND_ORDER * (power[3] + power[4]):
+    uncurved_power = max(total - power[2], 0.0)
+    if uncurved_power >= UNCURVED**2 * total or power[2] < SECOND_ORDER * (power[3] + power[4]):
         return []
     terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = terms_of_order[orders == 2]
     half_edge = (len(points) - 1) * step * pixel_size / 2
     curvatures = np.linalg.eigvalsh([[2 * yy, xy], [xy, 2 * xx]]) / half_edge**2
-    return [float(1 / np.abs(curvatures).max()), float(np.sqrt(rest / total))]
+    return [float(1 / np.abs(curvatures).max()), float(np.sqrt(uncurved_power / total))]
 
 
 def _lay(heights: Floats) -> list[float]:
