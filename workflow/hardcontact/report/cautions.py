@@ -43,14 +43,14 @@ def cautions(of: Datasets) -> list[Caution]:
     too_small = of.force["finite_scan_ratio"].values[0] > 1 + tolerance
     cut = forces_at_range(of.force)["window_share"].item() < 1 - tolerance
     one_pixel = of.force.attrs["contact_area"] < of.force["pixel_area"].item()
-    both = [{"code": "window_and_small_scan"}] if cut and too_small else []
+    window_and_scan = [{"code": "window_and_small_scan"}] if cut and too_small else []
     judged = [
         (_blind_scans(of), True),
         (_defects(of.spectra, MISLEADING), True),
         (_soft_bodies(of.force), True),
         (_window(of.force), cut),
         (_scan_size(of), too_small),
-        (both, True),
+        (window_and_scan, True),
         (_pixels(of.force), one_pixel),
         (_intervals(of.force), False),
         (_defects(of.spectra, set(DEFECTS) - MISLEADING), False),
@@ -58,17 +58,17 @@ def cautions(of: Datasets) -> list[Caution]:
         (_more_than_measured(of.spectra), False),
         (_beyond_scans(of), False),
     ]
-    return [one | {"grave": bool(grave)} for some, grave in judged for one in some]
+    return [caution | {"grave": bool(grave)} for group, grave in judged for caution in group]
 
 
 def _blind_scans(of: Datasets) -> list[dict[str, Any]]:
     """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
     all_scans = measurements(of.spectra)
-    of_contact = (all_scans["kind"].values.astype(str) == "map") & np.isclose(
+    makes_contacts = (all_scans["kind"].values.astype(str) == "map") & np.isclose(
         all_scans["pixel_size"].values ** 2, of.force["pixel_area"].item()
     )
     reliable = (all_scans["reliable"].values == 1).any(axis=1)
-    blind = of_contact.any() and not reliable[of_contact].any()
+    blind = makes_contacts.any() and not reliable[makes_contacts].any()
     return [{"code": "blind_scans"}] if blind else []
 
 
@@ -98,20 +98,22 @@ def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:
 
 def _window(force: xr.Dataset) -> list[dict[str, Any]]:
     """Return that the window holds too little of the force, at the range asked for or others."""
-    rho, share, here = force["rho"].values, force["window_share"].values, forces_at_range(force)
-    if here["window_share"] < WHOLE:
-        first, place, held = np.nan, here["rho"].item(), here["window_share"].item()
+    rho, share, asked = force["rho"].values, force["window_share"].values, forces_at_range(force)
+    if asked["window_share"] < WHOLE:
+        shortest_range = np.nan
+        range_shown, share_shown = asked["rho"].item(), asked["window_share"].item()
     elif (share < WHOLE).any():
-        first, place, held = float(rho[share < WHOLE].min()), float(rho.max()), float(share.min())
+        shortest_range = float(rho[share < WHOLE].min())
+        range_shown, share_shown = float(rho.max()), float(share.min())
     else:
         return []
     return [
         {
             "code": "window",
-            "share": Number("share", held),
+            "share": Number("share", share_shown),
             "window": Number("window", float(force.attrs["window"]), "nm"),
-            "at": Number("at", place, "nm"),
-            "from": Number("from", first, "nm"),
+            "at": Number("at", range_shown, "nm"),
+            "from": Number("from", shortest_range, "nm"),
         }
     ]
 
@@ -168,8 +170,8 @@ def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
         {
             "code": "contradiction",
             "measurements": [
-                measurement_name(all_scans.isel(measurement=place))
-                for place in (pair.higher, pair.lower)
+                measurement_name(all_scans.isel(measurement=number))
+                for number in (pair.higher, pair.lower)
             ],
             "band": bounds_only("band", pair.shortest, pair.longest, "nm"),
             "factor": Number("factor", pair.factor),
