@@ -21,7 +21,7 @@ from hardcontact.report.figures.listing import FIGURES, describe
 #: Figures with values of the paper, and the words by which their captions name these.
 PUBLISHED_IN = {
     "fig3": "published mean and median", "fig4": "published range", "fig5": "2 nm and 50 nm",
-    "fig6": "43 nm and 1.8 µm", "fig_sets": "46.3 mJ/m² and 5.6 nm",
+    "fig_fit": "published range", "fig6": "43 nm and 1.8 µm", "fig_sets": "46.3 mJ/m² and 5.6 nm",
     "fig_asperities": "published, 1.8 µm", "fig_classical": "published forces",
     "fig_elastic": "most of the contact area", "fig_robustness": "Dashed: published",
     "fig_scaling": "the published edges", "fig_leave_one_out": "published range",
@@ -136,6 +136,7 @@ def test_a_surface_has_one_colour(drawn, name):
             "fig3",
             "fig5",
             "fig_elastic",
+            "fig_fit",
             "fig_laws",
             "fig_leave_one_out",
             "fig_protruded",
@@ -173,6 +174,8 @@ NUMBERS = [
      "inference", lambda data: data.force_mean.sel(surface="uncd", pair="fitted", **PLASTIC)),
     ("fig4", {"surface": "ncd", "quantity": "ratio", "origin": "computed", "over": "scans"},
      "inference", lambda data: data.ratio.sel(surface="ncd", **PLASTIC)),
+    ("fig_fit", {"panel": "a", "quantity": "best_error_of_set"},
+     "sets", lambda data: data.best_error.sel(PLASTIC)),
     ("fig5", {"quantity": "depth", "origin": "computed", "share": 1.0},
      "indent", lambda data: data.depth.groupby("preload").max(...)),
     ("fig6", {"group": "uncd", "side": "large", "quantity": "ratio"},

@@ -1,6 +1,5 @@
-"""Fig. 4: range and work of adhesion from the computed pull-off forces."""
+"""Fig. 4: computed pull-off forces against the range of adhesion."""
 
-import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.artist import Artist
@@ -9,43 +8,33 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.base.printing import print_formatted, print_share
+from hardcontact.base.printing import print_share
 from hardcontact.paper.inference import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
-TITLE = "Fig. 4: range and work of adhesion"
+TITLE = "Fig. 4: forces against the range of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Adhesive pressure of one contact, the largest in each pixel, and its force against
-separation. (b) Mean force relative to that on the reference substrate, and (c) mean force at
-the published work of adhesion W, against the range ρ. (d) Mean relative error of the forces at
-the best W for each ρ. (e) The same error over ρ and W.
+(a) One contact at the published range ρ and work of adhesion W: its adhesive pressure, and its
+force against separation. (b) Mean pull-off force relative to that on the reference substrate, and
+(c) mean pull-off force at the published W, against ρ. Dotted: published mean forces.
+Dashed: the published range.
 
-Contact is plastic, in (d) also rigid; (a) is at the published ρ and W. (b, c) Bars:
-{{ inference.confidence | percent }} intervals over scans, at most to a decade beyond all values;
-bands: 90 % of many equally good sets of substitute scans; horizontal lines: published means. Cross
-in (b): the ρ that fits all published ratios best. Open symbols in (c): best fit of ρ and W. (d)
-Star and rings: least and other minima with plastic contact; vertical line, and brackets in the
-title: {{ inference.confidence | percent }} interval of the least over scans; grey dots: best fit
-of each set of substitutes, whose spread is the interval that the verdicts take. (e) White dots:
-fits to samples of what the mean forces may be, given the scatter of the scans; black: published
-result with its uncertainty; white line: where the error is below the paper's threshold, if it is
-anywhere. Dashed in (b) to (e): the published range. Drawn from contact.nc, inference.nc and
-sets.nc, published values from parameters.csv and pull_off.csv of resources/paper.
+Contact is plastic. The map in (a) shows the largest pressure in each pixel. Curves in (b, c) are
+means over the study's scans. Bars: {{ inference.confidence | percent }} intervals of these means
+over scans, drawn to a decade beyond all values at most. Bands: 90 % of many sets of substitute
+scans; a set is as good as the study's scans. Cross in (b): the ρ that fits all published ratios
+best, with its interval over scans. Open symbols in (c): forces at the ρ and W that fit the
+published means best. Drawn from contact.nc, inference.nc and sets.nc; published values from
+parameters.csv and pull_off.csv of resources/paper.
 """
 
-MODELS: dict[str, style.Look] = {
-    "plastic": {"color": "black", "ls": "-"},
-    "rigid": {"color": "0.45", "ls": "--"},
-}
 MEGAPASCAL = 1e6
 MAP_PIXELS = 640  # along an edge of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
-FAIR = 0.7  # the map shows the works of adhesion whose error gets below this somewhere
-FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+PUBLISHED_MEAN: style.Look = {"lw": 1.0, "ls": ":"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
 RATIO_FIT: style.Look = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
-ON_MAP: style.Look = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
 
 
 def draw(
@@ -55,14 +44,14 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit.
+    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces.
 
-    The column `x` has the separation (nm, panel a) or the range of adhesion (nm, b to e). Values
+    The column `x` has the separation (nm, panel a) or the range of adhesion (nm, b and c). Values
     over "scans" are means with their interval; values over "sets" are the median and SHARE_OF_SETS.
     """
     fit, set_fits = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
-    figure, ((pressure, separation, key), (ratios, forces), (error_curves, error)) = (
-        drawing.create_rows(7.6, inference, (1, (1.3, 1, 1)), (1.3, (1, 1)), (1.3, (1, 1)))
+    figure, ((pressure, separation, key), (ratios, forces)) = drawing.create_rows(
+        5.6, inference, (1, (1.3, 1, 1)), (1.5, (1, 1))
     )
     _draw_pressure(pressure, contact)
     distances, contact_forces = contact["separation"].values, contact["force"].values
@@ -75,15 +64,13 @@ def draw(
         curve.assign(surface=contact.attrs["surface"]),
         _draw_ratios(ratios, fit, set_fits, published_pull_off["mean_force"]),
         _draw_forces(forces, fit, set_fits, published_constants, published_pull_off["mean_force"]),
-        _draw_least_error(error_curves, inference, set_fits),
-        _draw_error_map(error, fit, published_constants),
     ]
-    separation.set_title(style.print_pair(published_constants["value"]), loc="left")
-    for axes in (ratios, forces, error_curves, error):
+    style.label_panel(separation, "a_2", style.print_pair(published_constants["value"]))
+    for axes in (ratios, forces):
         style.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis, at=(1, 3))
+        style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
     key.set_axis_off()
     key.legend(handles=_legend_handles(fit, published_constants), loc="center")
     return tables.tidy(frames, inference, "over", "x"), figure
@@ -97,9 +84,9 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
     grey: style.Look = {"color": "0.3"}
     return [
         *style.surface_handles(fit),
-        Line2D([], [], lw=0.7, label=f"{confidence} interval over scans (bars)", **grey),
+        Line2D([], [], marker="|", ms=9, ls="none", label=f"{confidence} interval", **grey),
         style.sets_handle(),
-        Line2D([], [], lw=0.9, label="published mean", **grey),
+        Line2D([], [], label="published mean force", **grey, **PUBLISHED_MEAN),
         Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], label="ρ that fits the ratios best", **RATIO_FIT),
         Line2D([], [], marker="o", ls="none", label=fit_label, **grey, **AT_FIT),
@@ -124,8 +111,11 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x (µm)", ylabel="y (µm)")
     axes.set_aspect("equal")
     axes.locator_params(nbins=4)
-    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="adhesive pressure (MPa)")
-    style.label_panel(axes, "a", str(contact.attrs["label"]))
+    bar = axes.figure.colorbar(
+        image, ax=axes, pad=0.02, shrink=0.8, label="adhesive pressure (MPa)"
+    )
+    style.label_logarithmic(bar.ax.yaxis, at=(1,))
+    style.label_panel(axes, "a_1", str(contact.attrs["label"]))
 
 
 def _draw_ratios(
@@ -141,7 +131,7 @@ def _draw_ratios(
     best = tables.value_and_bounds(fit, "range_from_ratios")
     along = [best[name] for name in ("low", "value", "high")]
     axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
-    axes.set_ylabel(f"force / that of {fit['label'].sel(surface=reference).item()}")
+    axes.set_ylabel(f"force relative to {fit['label'].sel(surface=reference).item()}")
     style.label_panel(axes, "b", "ratios of forces, for any $W$")
     rows = rows.assign(panel="b", quantity="ratio", unit="1")
     best_rows = tables.rows_of("b", "range_from_ratios", "nm", over="scans", **best)
@@ -182,7 +172,7 @@ def _draw_curves(
         surface = curve["surface"].item()
         style.fill_interval(axes, set_spread.sel(surface=surface) / unit, "rho", look["color"])
         style.draw_bars(axes, curve["rho"], curve, elinewidth=0.7, ms=2.5, **look)
-        axes.axhline(published[surface] / unit, color=look["color"], lw=0.9)
+        axes.axhline(published[surface] / unit, color=look["color"], **PUBLISHED_MEAN)
     axes.set(xscale="log", yscale="log")
     style.end_near_values([axes])
     published_levels = (
@@ -194,78 +184,3 @@ def _draw_curves(
         published_levels.reset_index().assign(origin="published"),
     ]
     return pd.concat(frames).rename(columns={"rho": "x"})
-
-
-def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -> pd.DataFrame:
-    """Draw the error, least over W, against rho (nm), and the best fit of each set."""
-    fit = inference.sel(contact_model=PLASTIC)
-    threshold = inference.attrs["error_threshold"]
-    set_look: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
-    set_ranges, set_errors = set_fits["range_of_adhesion"].values, set_fits["best_error"].values
-    axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **set_look)
-    frames = [tables.rows_of("d", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
-    for model in [name for name in MODELS if name in inference["contact_model"]]:
-        curve = inference["error_of_range"].sel(contact_model=model)
-        ranges = curve["rho_fine"].values
-        axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODELS[model])
-        name = f"least_error_{model}"
-        frames.append(tables.rows_of("d", name, "1", x=ranges, value=curve.values))
-    best = tables.value_and_bounds(fit, "best_error")
-    axes.plot([fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0)
-    style.draw_fit(axes, fit, "error")
-    axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
-    text, place = f"paper: below {threshold:g}", axes.get_yaxis_transform()
-    axes.text(0.02, threshold, text, transform=place, va="bottom", **style.NOTE)
-    axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
-    errors = [*set_errors, best["low"], best["value"], threshold]
-    axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
-    style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
-    axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
-    over = " over scans" if np.isfinite(best["low"]) else ""
-    style.label_panel(axes, "d", f"smallest error {print_formatted(best, '.2g')}{over}")
-    frames.append(tables.rows_of("d", "best_error", "1", **best))
-    return pd.concat([*frames, _minimum_rows(fit, "d", "error", "1")])
-
-
-def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
-    """Map the mean relative error over rho (nm) and W (mJ/m2), with fit and published values."""
-    error = fit["mean_relative_error"].transpose("work", "rho_fine")
-    rho, work = fit["rho_fine"].values, fit["work"].values / style.MILLIJOULE
-    norm = LogNorm(vmax=max(1.0, 3 * error.min().item()))
-    image = axes.pcolormesh(rho, work, error.values, norm=norm, cmap="cividis", **style.PIXELS)
-    threshold = fit.attrs["error_threshold"]
-    if (error < threshold).any():
-        axes.contour(rho, work, error.values, levels=[threshold], colors="white", linewidths=1.0)
-        axes.plot([], [], color="white", lw=1.0, label=f"error < {threshold:g}")
-    ranges, works = fit["sampled_range"].values, fit["sampled_work"].values
-    axes.plot([], [], "o", color="white", ms=2.5, label="samples of the scans")
-    look: style.Look = {"color": "white", "ms": 2, "alpha": 0.6, "mew": 0, "rasterized": True}
-    axes.plot(ranges, works / style.MILLIJOULE, ".", **look)
-    style.draw_published_fit(axes, published_constants)
-    axes.legend(loc="lower left", **ON_MAP)  # panel d names the marks of the fit
-    style.draw_fit(axes, fit, "work", style.MILLIJOULE)
-    axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
-    fair = work[error.min("rho_fine").values < FAIR]
-    shown = [*fair, published_constants["value"]["work_of_adhesion"] / style.MILLIJOULE]
-    axes.set_ylim(max(work[0], min(shown) / 1.5), min(work[-1], max(shown) * 1.5))
-    style.label_logarithmic(axes.yaxis, at=(1,))
-    bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
-    style.label_logarithmic(bar.ax.yaxis)
-    style.label_panel(axes, "e")
-    frames = [
-        tables.rows_of("e", name, unit, **tables.value_and_bounds(fit, name))
-        for name, unit in FITTED_UNITS.items()
-    ]
-    frames += [
-        tables.rows_of("e", "sampled_work", "J/m2", x=ranges, value=works),
-        _minimum_rows(fit, "e", "work", "J/m2"),
-        tables.published_rows(published_constants, FITTED_UNITS, "e"),
-    ]
-    return pd.concat(frames)
-
-
-def _minimum_rows(fit: xr.Dataset, panel: str, height: str, unit: str) -> pd.DataFrame:
-    """Return work or error at each local minimum of the error along the range."""
-    minima = fit.dropna("minimum", subset=["minimum_range"])
-    name = f"minimum_{height}"
-    return tables.rows_of(panel, name, unit, x=minima["minimum_range"], value=minima[name])

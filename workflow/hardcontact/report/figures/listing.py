@@ -16,6 +16,7 @@ OF_PAPER = (
     "fig5",
     "fig3",
     "fig4",
+    "fig_fit",
     "fig_sets",
     "fig_leave_one_out",
     "fig_standoff",
