@@ -13,9 +13,9 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Fig. 1: surface topography"
 CHAPTER = "1. Surfaces"
 CAPTION = """\
-One levelled scan of each substrate, in the order of the study, then the sphere as scanned and
-with its spherical shape subtracted. Colours: height in nm about the mean of each map, each on
-its own scale. Above: rms height of the map shown; below: side of the scan.
+One levelled scan of each substrate, then the sphere as scanned and with its spherical shape
+subtracted. Colours: height about the mean of each map (nm), each on its own scale. Above: rms
+height of the map shown; below: side of the scan.
 
 The frame has the colour of the surface in all figures. Table 1 has means over all scans of a
 surface. Drawn from topography.nc.
@@ -56,7 +56,7 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         if state != AS_SCANNED:
             values["rms_height_mean"] = surface_data["rms_height_mean"].item()
         name = f"{description['label']}, {state}" if state else description["label"]
-        style.label_panel(axes, letter, f"{name}\nrms {values['map_rms_height']:.3g} nm")
+        style.label_panel(axes, letter, f"{name}\nrms {values['map_rms_height']:.1f} nm")
         for quantity, value in values.items():
             row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **description)
             if quantity == "rms_height_mean":

@@ -22,16 +22,17 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Fig. 3: distribution of the pull-off forces"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-Forces computed with plastic contact for all scans and positions, at the published range ρ and
-work of adhesion W (filled) and at the fitted ones (outlined). Solid black: the log-normal
-distribution that follows from the published mean and median. Dashed, below: the log-normal
-fitted to the computed forces. Grey: forces the experiment could not resolve.
+Distribution of the pull-off forces computed with plastic contact, all scans and positions. Filled:
+at the published range ρ and work of adhesion W; outlined: at the fitted ones. Solid: the
+log-normal distribution of the published mean and median. Dashed: the log-normal fitted to the
+forces at the published pair. Grey: forces below the sensitivity of the experiment.
 
-Above the lower panels stands the shape s of the log-normal, published, s = sqrt(2
-ln(mean/median)), and of the fit, with its {{ inference.confidence | percent }} interval over
-scans; forces below the floor count as censored. The measured forces themselves are not public.
-Above, on linear axes, the published distribution is shown over the same bins as the computed
-ones; below, both axes are logarithmic. Drawn from adhesion.nc and inference.nc, published
+Upper axes are linear and leave out the largest 3 % of the forces at most. Lower axes are
+logarithmic and have all forces. Above the lower panels stands the shape s, the standard deviation
+of the logarithm of the force. Published: s = √(2 ln(mean/median)); here: that of the fit, with its
+{{ inference.confidence | percent }} interval over scans. In the fit, forces below the sensitivity
+count as censored. The measured forces are not public. The upper panels show the published
+distribution over the bins of the computed ones. Drawn from adhesion.nc and inference.nc; published
 values from parameters.csv and pull_off.csv of resources/paper.
 """
 
@@ -120,7 +121,7 @@ def draw(
         Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),
         Line2D([], [], label="published log-normal", **PUBLISHED_LINE),
         Line2D([], [], label="log-normal of the forces at the published pair", **COMPUTED_LINE),
-        Patch(color="0.85", label=f"below {floor * 1e9:.0f} nN"),
+        Patch(color="0.85", label=f"not resolved: below {floor * 1e9:.0f} nN"),
     ]
     style.legend_above(figure, handles, 3)
     return tables.labelled(frames, inference, COLUMNS), figure
@@ -181,6 +182,7 @@ def _draw_logarithmic(
     axes.set(xscale="log", yscale="log", xlim=np.divide(ends, style.MICRONEWTON))
     # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
     axes.set_ylim(bars.min() / 3, bars.max() * 10)
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
     return rows.assign(panel="2")
 
 

@@ -12,17 +12,17 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Fig. 5: indents in the sphere"
 CHAPTER = "2. Contact"
 CAPTION = """\
-(a) How far one plastic contact presses the sphere in; (b, c) height of the sphere along its red
-and blue lines before and after: indents point downwards. (d-f) Share of contacts whose deepest
-point, root of the largest indent's area, and longer side of that indent do not exceed a length.
-Dashed: published, 2 nm and 50 nm.
+(a) Depth of the indents of one plastic contact. (b, c) Height of the sphere along the red and the
+blue line before and after; indents point downwards. (d-f) Share of contacts whose deepest point,
+root of the largest indent's area, and longer side of that indent do not exceed a length. Dashed:
+published, 2 nm and 50 nm.
 
-The contact of (a) is that whose depth at the largest preload is the median of all, at the
-published preload of 20 µN or the nearest one computed. Distributions (d-f) are over all contacts,
-for every computed preload. The paper does not say which of (e) and (f) its edge length is.
-Preload and hardness alone fix the whole area in contact, so (e) cannot exceed its square root. The
-paper's images of a sphere, with indents 2 to 10 nm deep and 150 to 300 nm wide, show the sum of
-400 contacts and are not computed here. Drawn from indent.nc and resources/paper/parameters.csv.
+The preload of (a) is the published 20 µN, or the nearest one computed. The contact of (a) has the
+median depth of all contacts. Distributions (d-f) are over all contacts, one curve for each preload
+computed. The paper does not say which of (e) and (f) its edge length is. Preload and hardness
+alone fix the whole area in contact, so that (e) cannot exceed its square root. The paper's images
+of a sphere show the sum of 400 contacts, which is not computed here. Drawn from indent.nc and
+resources/paper/parameters.csv.
 """
 
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them

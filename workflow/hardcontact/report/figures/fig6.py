@@ -16,21 +16,20 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Fig. 6: the length scales that matter"
 CHAPTER = "6. Scales"
 CAPTION = """\
-Mean pull-off force without all roughness (a) below a short, (b) above a long cutoff, over that
-with all. Middle: how far the ratio is from one; black: mean over all substrates. Lower: the
-cutoff at which this exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
+Mean pull-off force without all roughness (a) below a short, (b) above a long cutoff, relative to
+that with all roughness. Middle: change of the force; black: mean over all substrates. Lower: the
+cutoff at which the change exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
 1.8 µm. Hatched: artificial roughness.
 
-Lines and symbols: mean over realizations; bars: its {{ inference.confidence | percent }}
-interval, at most to a decade beyond all values. Intervals know the realizations on one set of
-scans alone; those of many sets stand in the figure of the sets. Grey: the change that counts as
-none. An edge lies between two cutoffs computed, or between the first of them and the end of the
-unfiltered spectrum; an arrow says that it lies beyond the last cutoff computed. Hatched:
-wavelengths beyond the transitions, {{ scales.small.transition }} and
-{{ scales.large.transition }}, where roughness made from the spectrum replaces the scan's, as in
-the paper, also at wavelengths that a scan holds; all long edges above
-{{ scales.large.transition }} lie there. Drawn from scales.nc, band.nc and
-resources/paper/parameters.csv.
+Lines and symbols: mean over realizations; a realization is one random surface of the spectrum.
+Bars: its {{ inference.confidence | percent }} interval, at most to a decade beyond all values.
+Intervals know the realizations on one set of scans alone; those of many sets stand in the figure
+of the sets. Grey: the change that counts as none. An edge lies between two cutoffs computed, or
+between the first of them and the end of the unfiltered spectrum. An arrow says that it lies beyond
+the last cutoff computed. Hatched: wavelengths below {{ scales.small.transition }} and above
+{{ scales.large.transition }}, where roughness made from the spectrum replaces that of the scan, as
+in the paper. Long edges above {{ scales.large.transition }} rest on it alone. Drawn from
+scales.nc, band.nc and resources/paper/parameters.csv.
 """
 
 PUBLISHED: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
@@ -120,7 +119,7 @@ def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
         axes.plot(cutoffs, percent["value"].sel(group=surface), color=look["color"], lw=0.8)
     style.draw_bars(axes, cutoffs, percent.sel(group=POOLED), elinewidth=0.9, lw=1.8, **pooled_look)
     axes.axhline(band.attrs["scale_tolerance"] / style.PERCENT, color="0.6", lw=0.8, zorder=0)
-    axes.set(yscale="log", ylabel="|ratio − 1| (%)")
+    axes.set(yscale="log", ylabel="change (%)")
 
 
 def _draw_critical(
@@ -150,7 +149,7 @@ def _legend_handles(band: xr.Dataset, short: float, long: float) -> list[Artist]
     tolerance = print_share(band.attrs["scale_tolerance"])
     return [
         *style.surface_handles(band),
-        Line2D([], [], lw=1.8, label="mean |ratio − 1| of all", **_looks(band)[POOLED]),
+        Line2D([], [], lw=1.8, label="mean change of all", **_looks(band)[POOLED]),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(color="0.88", lw=0, label=f"change below {tolerance}"),
         Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED),

@@ -14,18 +14,18 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "The asperities that carry the force"
 CHAPTER = "5. Asperities"
 CAPTION = """\
-The pixels that carry most of the pull-off force form patches. Against the range of adhesion ρ,
-with plastic contact: (a) share of the whole force on the largest patch, (b) on the two largest,
-(c) number of patches, (d) diameter of the circle that holds as much of the force. Symbols:
-median over contacts; bands: between quartiles.
+The pixels that carry most of the pull-off force form patches. (a) Share of the force on the
+largest patch, (b) on the two largest. (c) Number of patches, (d) diameter of the circle that holds
+as much of the force. Symbols: median over contacts; bands: between quartiles. Dashed in (d):
+published, 1.8 µm.
 
-Pixels that touch at an edge or a corner belong to one patch; contacts are a sample on all scans;
-the circle of (d) is about the centre of force. Dotted: half of the force; the paper says that on
-MCD and NCD most of it comes from just one or two asperities. Black lines in (d): the same diameter
-for a smooth sphere on a smooth plane (solid), and the radius √(2Rρ) (dash-dotted) of the disk that
-the paper compares with the long critical wavelength. Grey line and band: the computed critical
-wavelength of all substrates at the range of Fig. 6, with its {{ inference.confidence | percent }}
-interval; dashed: published, 1.8 µm. Drawn from asperities.nc, band.nc and
+Contact is plastic; contacts are a sample on all scans. Pixels that touch at an edge or a corner
+belong to one patch. Dotted: half of the force; the paper says that on MCD and NCD most of it comes
+from one or two asperities. The circle of (d) is about the centre of force. Black lines in (d): the
+same diameter for a smooth sphere on a plane (solid), and √(2Rρ) (dash-dotted). The paper compares
+√(2Rρ), the radius within which the sphere attracts, with the long critical wavelength. Grey line
+and band: this wavelength as computed for all substrates at the range of Fig. 6, with its
+{{ inference.confidence | percent }} interval. Drawn from asperities.nc, band.nc and
 resources/paper/parameters.csv.
 """
 

@@ -14,19 +14,19 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Classical models of rough adhesion"
 CHAPTER = "4. Classical models"
 CAPTION = """\
-(a) Mean pull-off forces, published, computed, and of classical models from the roughness of
-Table 1, of AFM scans alone (filled) or all scales (open). (b) Least mean relative error of each
-model, its work of adhesion fitted.
+(a) Mean pull-off forces: published, computed, and of classical models. The models take the
+roughness of Table 1, from AFM scans alone (filled) or from all scales (open). (b) Least mean
+relative error of each model, its work of adhesion fitted to the published (black) or the computed
+forces (grey).
 
-Computed forces are of plastic contact at the published range and work of adhesion, models at
-the published work. Bars: of published forces their rounding, of computed ones the
-{{ inference.confidence | percent }} interval over scans, of models the central
-{{ inference.confidence | percent }} of forces that the printed uncertainties of Table 1 allow;
-bars too long for a panel end at its frame. Horizontal lines repeat the published forces; symbols
-in the grey strip of (a): less than 1 pN. (b) Fitted to the published forces of all surfaces
-(black) or to the computed ones (grey); grey strip: below the paper's threshold. What each model
-calls roughness and what its formula was checked against stand in the table. Drawn from
-classical.nc and resources/paper/parameters.csv.
+Computed forces are of plastic contact at the published range and work of adhesion, models at the
+published work. Bars of published forces: their rounding. Bars of computed forces:
+{{ inference.confidence | percent }} interval over scans. Bars of models: what the printed
+uncertainties of Table 1 allow, {{ inference.confidence | percent }}. Bars too long for a panel end
+at its frame. Horizontal lines repeat the published forces. Symbols in the grey strip of (a): less
+than 1 pN. Grey strip of (b): errors below the paper's threshold. The table says what each model
+calls roughness and what its formula was checked against. Drawn from classical.nc and
+resources/paper/parameters.csv.
 """
 
 VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all

@@ -10,18 +10,17 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "The pull-off force in closed form"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-(a) Forces computed on the largest random surfaces (symbols), the closed form (solid) and the
-mean over all points alone (dotted). (b) Closed form over computed force. (c) (σ/ρ)/(m/σ): above
-one single peaks decide, below one many points do.
+The mean pull-off force of a random surface from its power spectrum alone. (a) Computed forces
+(symbols), the closed form (solid) and its part from all points that do not touch (dotted). (b)
+Closed form relative to computed force. (c) (σ/ρ)/(m/σ): above one single peaks attract, below one
+many points do.
 
-For a random surface whose heights are normally distributed the mean pull-off force follows from
-the power spectrum alone: exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force on a smooth surface for
-all points that do not touch, less where these lie on rough summits, and the forces of the summits
-that touch and of the plastic contact area; σ is the rms height, ρ the range of adhesion and m the
-height of closest approach. Bars in (a): {{ inference.confidence | percent }} intervals over the
-surfaces. In (b) the closest approach is that which the spectrum lets expect (solid) or that
-computed (dashed); grey: within a factor of two. Where (σ/ρ)/(m/σ) exceeds one, the attraction
-comes from heights that only single peaks reach. Drawn from closed_form.nc.
+σ is the rms height, ρ the range of adhesion, m the height of closest approach. Heights are
+normally distributed. All points that do not touch give exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force
+on a smooth surface. The closed form corrects this for rough summits, and adds the summits that
+touch and the plastic contact area. Bars in (a): {{ inference.confidence | percent }} intervals
+over the surfaces. In (b) the closest approach is that expected from the spectrum (solid) or that
+computed (dashed); grey: within a factor of two. Drawn from closed_form.nc.
 """
 
 #: Where closest approach comes from: its line, and as it is printed.
@@ -32,13 +31,13 @@ SOURCES = {
 
 
 def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing.
+    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) what attracts.
 
     Rows without a panel are both edges of the band.
     """
     figure = drawing.create(3.3, closed_form)
     panels = figure.subplots(1, 3)
-    forces, errors, freezing = panels
+    forces, errors, regimes = panels
     largest = closed_form.isel(map_size=-1)
     for look, surface_data in style.by_surface(largest):
         rho = surface_data["rho"]
@@ -49,26 +48,26 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             forces.plot(rho, predicted, color=look["color"], lw=0.9, ls=dashes)
         for source, (dashes, _) in SOURCES.items():
             errors.plot(rho, surface_data["error"].sel(source=source), ls=dashes, **look)
-        freezing.plot(rho, surface_data["whole_freezing"], **look)
+        regimes.plot(rho, surface_data["whole_freezing"], **look)
     forces.set(ylabel="pull-off force (µN)", yscale="log", ylim=(1e-3, None))
     errors.set(ylabel="closed form / computed", yscale="log", ylim=(0.3, 3))
-    freezing.set(ylabel="(σ/ρ) / (m/σ)", yscale="log")
+    regimes.set(ylabel="(σ/ρ) / (m/σ)", yscale="log")
     for axes in panels:
         axes.set(xscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.label_panel(forces, "a", f"on maps of {largest['map_size'].item() / 1000:g} µm")
-    style.label_panel(errors, "b", "its error")
-    style.label_panel(freezing, "c", "freezing, all scales")
+    style.label_panel(errors, "b", "error of the closed form")
+    style.label_panel(regimes, "c", "what attracts")
     errors.axhspan(0.5, 2, color="0.93", zorder=0)
-    for axes in (errors, freezing):
+    for axes in (errors, regimes):
         axes.axhline(1, color="0.4", lw=0.8, ls=":")
-    freezing.annotate("single peaks", (0.97, 0.95), xycoords="axes fraction", ha="right", va="top")
-    freezing.annotate("many points", (0.03, 0.05), xycoords="axes fraction")
+    regimes.annotate("single peaks", (0.97, 0.95), xycoords="axes fraction", ha="right", va="top")
+    regimes.annotate("many points", (0.03, 0.05), xycoords="axes fraction")
     handles = [
         *style.surface_handles(closed_form),
         Line2D([], [], color="0.3", ls="none", marker="o", label="computed"),
         *(Line2D([], [], color="0.3", ls=ls, label=label) for ls, label in SOURCES.values()),
-        Line2D([], [], color="0.3", ls=":", label="mean over all points"),
+        Line2D([], [], color="0.3", ls=":", label="points that do not touch"),
     ]
     style.legend_above(figure, handles)
     forces_drawn = (("a", f"{name}_force", "N") for name in ("computed", "predicted", "first_term"))

@@ -12,18 +12,17 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Elastic contact"
 CHAPTER = "2. Contact"
 CAPTION = """\
-(a) Pressure of one elastic contact on each substrate at the preload, around its peak; from blue
-to red at the hardness. (b) Share of the contact area whose pressure exceeds the hardness. (c)
-Peak pressure beside the hardness (solid) and a smooth sphere's (dashed). (d) Change of the
-pull-off force from rigid to elastic bodies.
+(a) Pressure of one elastic contact on each substrate, around its peak; white: the hardness. (b)
+Share of the contact area whose pressure exceeds the hardness. (c) Peak pressure beside the
+hardness (solid) and the peak on a smooth sphere (dashed). (d) Change of the pull-off force from
+rigid to elastic bodies.
 
-All stands at the pixels of the scans; shorter waves have higher slopes and pressures. Grey in
-(a): no contact; pressures beyond the scale have its end colours. Published: in (b), grey, "in
-most of the contact area"; in (c) 135 MPa for the smooth sphere by Hertz; in (d) "virtually
-indistinguishable", and no numbers. Forces of (d) are computed in the same window for both, at
-the published range and work of adhesion. In (b-d) each dot is one contact, those of a scan
-stand in one column, and the bar is the median over all contacts of a substrate. Drawn from
-elastic.nc.
+In (b-d) each dot is one contact. The contacts of one scan stand in one column. The bar is the
+median over all contacts of a substrate. Published values: in (b) "in most of the contact area"
+(grey), in (c) 135 MPa for the smooth sphere (Hertz), in (d) "virtually indistinguishable". All
+pressures are those at the pixels of the scans; shorter waves have higher slopes and pressures.
+Grey in (a): no contact. Pressures beyond the scale have the colours of its ends. Forces of (d) are
+at the published range and work of adhesion. Drawn from elastic.nc.
 """
 
 GIGAPASCAL = 1e9

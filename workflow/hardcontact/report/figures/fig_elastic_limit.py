@@ -6,15 +6,16 @@ from matplotlib.figure import Figure
 
 from hardcontact.report.figures import drawing, style, tables
 
-TITLE = "Which waves make contacts yield"
+TITLE = "Down to which wavelength contacts stay elastic"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-Mean pressure of elastic contact over the hardness, E* h'/(1.67 H), with the rms slope h' of all
-waves of a surface down to a shortest one; from 1 (line) on contacts yield.
+Mean pressure of elastic contact relative to the hardness H, against the shortest wavelength that
+the roughness has. The pressure is E* h'/1.67: E* is the contact modulus, h' the rms slope of all
+longer waves. Above the black line contacts yield.
 
-The bearing area, preload over hardness, takes every contact as plastic. A surface whose curve
-is below 1 at the pixels of its scans yields with shorter waves, where the curve passes 1; below
-1 nm these are waves of a few atoms. Drawn from elastic_limit.nc.
+The study takes every contact as plastic: its area is preload over hardness. On a surface whose
+curve is below 1 at the pixels of its scans, only shorter waves make contacts yield. They do where
+the curve passes 1. Below 1 nm these are waves of a few atoms. Drawn from elastic_limit.nc.
 """
 
 MIN_INDEX = 0.01  # that is drawn
@@ -30,8 +31,9 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         label, index = str(surface["label"].item()), surface["slope_index"]
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
-    axes.set(xscale="log", yscale="log", xlabel="shortest wavelength (nm)")
-    axes.set_ylabel("elastic pressure / hardness, E*h'/(1.67 H)")
+    axes.set(xscale="log", yscale="log", xlabel="shortest wavelength of the roughness (nm)")
+    axes.set_ylabel("elastic pressure / hardness")
+    axes.text(0.99, 1.1, "contacts yield", transform=axes.get_yaxis_transform(), ha="right")
     axes.legend(loc="lower left")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
     rows = tables.drawn_rows(visible, ("", "slope_index", "1"))

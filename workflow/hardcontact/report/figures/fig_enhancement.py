@@ -9,19 +9,21 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.band.critical_band import POOLED
+from hardcontact.base.printing import print_share
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "The short edge with and without plasticity and a long range"
 CHAPTER = "6. Scales"
 CAPTION = """\
-Fig. 6a for rigid and plastic contact at a short and at the published range of adhesion ρ. Below:
-the short edge of the band.
+Force without roughness below a cutoff, relative to that with all roughness. Contact is rigid (a,
+b) or plastic (c, d), at a short (a, c) or the published (b, d) range of adhesion ρ. Below: the
+short edge of the critical band, where the force has changed by {{ scales.tolerance | percent }}.
 
-At the edge the force has changed by {{ scales.tolerance | percent }}. The paper argues that a long
-range and plasticity enhance each other, so that wavelengths below 43 nm (dashed) do not matter. A
-rigid sphere touches in one pixel. Bars: {{ inference.confidence | percent }} interval over
-realizations; arrows: no edge above the shortest cutoff. Contacts and pixels are those of the sets.
-Drawn from enhancement.nc and resources/paper/parameters.csv.
+Dashed: 43 nm, published. The paper argues that a long range and plasticity enhance each other, so
+that shorter wavelengths do not matter. A rigid sphere touches in one pixel. Bars:
+{{ inference.confidence | percent }} interval over realizations, random surfaces of one spectrum.
+Arrows: no edge above the shortest cutoff. Contacts and pixels are those of the sets of
+substitutes. Drawn from enhancement.nc and resources/paper/parameters.csv.
 """
 
 COLUMNS = [
@@ -62,9 +64,9 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
     grid[0, 0].set_ylabel("pull-off force / unfiltered")
     handles = [
         *style.surface_handles(enhancement),
-        Line2D([], [], color="black", marker="h", label="mean |ratio − 1| of all"),
+        Line2D([], [], color="black", marker="h", label="mean change of all"),
         Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
-        Patch(color="0.88", label=f"change below {enhancement.attrs['tolerance']:.0%}"),
+        Patch(color="0.88", label=f"change below {print_share(enhancement.attrs['tolerance'])}"),
     ]
     style.legend_above(figure, handles)
     return tables.labelled(frames, enhancement, COLUMNS, "group"), figure

@@ -14,10 +14,9 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Fit of range and work of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-Mean relative error between computed and published mean forces of all substrates, (a) against the
-range of adhesion ρ, each at the work of adhesion W that fits best, and (b) over ρ and W. Star:
-least error of the study; rings: its other minima. Dashed: the published range. Black point:
-published ρ and W.
+Mean relative error between computed and published mean forces of all substrates. (a) Against the
+range of adhesion ρ, at the work of adhesion W that fits best. (b) Over ρ and W. Star: least error
+of the study; rings: its other minima. Dashed: the published range. Black point: published ρ and W.
 
 Contact is plastic, in (a) also rigid. Vertical line and brackets in (a):
 {{ inference.confidence | percent }} interval of the least error over scans. Grey dots: best fit of

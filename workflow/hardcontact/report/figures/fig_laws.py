@@ -1,4 +1,4 @@
-"""Other laws of attraction: their pressure, and edges of the critical band by each."""
+"""Other interaction laws: their pressure, and edges of the critical band by each."""
 
 from itertools import cycle
 
@@ -12,18 +12,18 @@ from matplotlib.lines import Line2D
 from hardcontact.report.figures import drawing, style, tables
 from hardcontact.theory.interaction_laws import LAWS, pressure
 
-TITLE = "Other laws of attraction"
+TITLE = "Other interaction laws"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-(a) Attraction against the gap by other laws than Eq. 1 of the paper, each with the range and
-the work of adhesion that come nearest to the forces of Eq. 1 at the published pair. (b) Short
-and (c) long edge of the critical band by each law.
+(a) Attraction against the gap by other interaction laws than Eq. 1 of the paper. Range and work of
+each law come nearest to the forces of Eq. 1 at the published range and work. (b) Short and (c)
+long edge of the critical band by each law, of each surface and of their mean.
 
-The force of any law that decays steadily is a mixture of the forces of exponential laws (Eq. 1);
-its range is work of adhesion over attraction at contact. Edges are those of each surface and of
-their mean, at the range that comes nearest to Eq. 1 (full) and at an atomic spacing (open). Where
-a symbol is missing, the edge lies beyond the last cutoff. Bars:
-{{ inference.confidence | percent }} intervals over scans and their masters. Drawn from laws.nc.
+Full symbols: the range that comes nearest to Eq. 1; open symbols: a range of an atomic spacing.
+Where a symbol is missing, the edge lies beyond the last cutoff. Bars:
+{{ inference.confidence | percent }} intervals over realizations, random surfaces of one spectrum.
+The range of a law is its work of adhesion over its attraction at contact. The force of any law
+that decays steadily is a mixture of the forces of exponential laws (Eq. 1). Drawn from laws.nc.
 """
 
 # Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published. More laws begin again.
@@ -56,7 +56,7 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     ]
     mark: style.Look = {"ls": "none", "marker": "o", "color": "0.3"}
     handles += [
-        Line2D([], [], label="range that comes nearest to Eq. 1", **mark),
+        Line2D([], [], label="range nearest to Eq. 1", **mark),
         Line2D([], [], label="range of an atomic spacing", mfc="white", **mark),
     ]
     style.legend_above(figure, handles, 6)
@@ -74,7 +74,7 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
     axes.set_ylim(bottom=1e-7)
     style.label_logarithmic(axes.xaxis, at=(1,))
-    style.label_panel(axes, "a", "laws of like force")
+    style.label_panel(axes, "a", "interaction laws")
 
 
 def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:

@@ -13,13 +13,13 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Which surface decides range and work of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Range and (b) work of adhesion that fit the forces of all surfaces or all but one best, and (c)
-the error that is left.
+(a) Range of adhesion ρ and (b) work of adhesion W that fit the forces of all surfaces, or of all
+but one, best. (c) Mean relative error of the fit. Stars: the study's own scans. Dots and bars:
+median and 90 % of many equally good sets of substitute scans.
 
-Contact is plastic. Dots: median of many equally good sets of substitute scans; bars: 90 % of them.
-Stars: the study's own scans. Dashed: the published range, work and bound of the error; grey: the
-published uncertainty. A fit of two numbers to three forces has one force left to test it, that to
-four has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
+Contact is plastic. Dashed: the published range, work and bound of the error; grey: the published
+uncertainty. A fit of two numbers to three forces has one force left to test it. A fit to four
+forces has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
 """
 
 PANELS = {  # by variable: title, unit as printed, unit drawn, unit of the table, published constant

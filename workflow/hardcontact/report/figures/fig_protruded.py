@@ -15,20 +15,20 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "If one coating or the sphere had rare protrusions"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Mean and median force on one coating with rare protrusions on it (dots) or on the sphere
-(triangles). (b, c) Best range and work of adhesion of sets with them; filled: both forces are
-within a factor of two of the published ones.
+(a) Mean and median force on one coating with rare protrusions, on the coating (dots) or on the
+sphere (triangles). (b, c) Best range ρ and work of adhesion W of sets of scans with such
+protrusions. Filled: mean and median force are within a factor of two of the published ones. Black:
+published.
 
-The coating is {{ robustness.heights.surface }}, in place of its Gaussian scans, (a) at the
-published range and work, (b, c) at those that fit the mean forces of all surfaces best. Black:
-published. Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms
-heights of the coating high (colour) and 30 to 100 nm wide; a quarter of the variants has none
+The coating is {{ robustness.heights.surface | replace("_", " ") }}; other coatings have no
+protrusions. Forces of (a) are at the published ρ and W, those of (b, c) at the best fit.
+Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm². They are 3 to 8 rms
+heights of the coating high (colour) and 30 to 100 nm wide. A quarter of the variants has none
 (dark). (b) The coating is scaled to its rms height of Table 1, and its rms slope stays within its
-uncertainty there. (c) The protrusions of the sphere, which all coatings feel, have an rms height
-below the published 1 nm; nothing is scaled. The factor of two is the only condition, and it is not
-on range or work. Pairs that are chosen by the forces test no pair that follows from the same
-forces: where they lie about the published one (with its uncertainty), they are consistent with it.
-Drawn from protruded.nc, protruded_sphere.nc and resources/paper/parameters.csv and pull_off.csv.
+uncertainty there. (c) All coatings feel the protrusions of the sphere, whose rms height stays
+below the published 1 nm. The factor of two is the only condition; it is not on ρ or W. Sets that
+meet it and lie near the published pair are consistent with the paper, but do not test it. Drawn
+from protruded.nc, protruded_sphere.nc and resources/paper/parameters.csv and pull_off.csv.
 """
 
 COLOURS = "viridis"
@@ -69,7 +69,7 @@ def draw(
         *(Line2D([], [], ls="none", marker=symbol, color="0.4", label=f"on the {name} (a)")
           for name, symbol in SYMBOLS.items()),
         Line2D([], [], ls="none", marker="o", color="0.4", label="forces agree (b, c)"),
-        Line2D([], [], ls="none", marker="o", mfc="none", color="0.4", label="they do not"),
+        Line2D([], [], ls="none", marker="o", mfc="none", color="0.4", label="they differ (b, c)"),
         Line2D([], [], ls="none", marker="s", color="black", label="published"),
     ]  # fmt: skip
     style.legend_above(figure, handles, most=5)
@@ -108,7 +108,7 @@ def _draw_forces(
     axes.plot(ends, ends, color="0.7", lw=0.6, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="mean force (µN)", ylabel="median force (µN)")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 2, 5))
-    style.label_panel(axes, "a", "at the published pair")
+    style.label_panel(axes, "a", "at the published ρ and $W$")
 
 
 def _draw_fits(axes: Axes, fits: xr.Dataset, norm: Normalize) -> float:
@@ -125,5 +125,5 @@ def _draw_fits(axes: Axes, fits: xr.Dataset, norm: Normalize) -> float:
         xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)",
         ylabel="work of adhesion $W$ (mJ/m²)",
     )  # fmt: skip
-    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
     return float(inside.mean()) if inside.size else 0.0

@@ -18,19 +18,18 @@ TITLE = "How far the results depend on choices"
 CHAPTER = "7. Robustness"
 CAPTION = """\
 (a) Range of adhesion, (b) work of adhesion, (c) short and (d) long critical wavelength of all
-substrates, each computed again with one choice changed, with fewer contacts and pixels than the
-study. Compare with the top row and its dotted line: the study's own choices at this smaller
-size. Diamond: the study itself. Dashed: published.
+substrates, each with one choice changed. Variants have fewer contacts and pixels than the study.
+Compare them with the top row and its dotted line, the study's own choices at this smaller size.
+Diamond: the study itself. Dashed: published.
 
-Contact is plastic. The choices: what curvature in Table 1 means to the substitutes; how the
-heights of {{ robustness.heights.surface }} are distributed (the study: Gaussian; skewness
-otherwise, the rms height of each scan kept, by a construction that was fitted to one public AFM
-scan of UNCD: no skewness is known of the other surfaces); a rough sphere in Fig. 6; the preload;
-the hardness. Variants have the first scan of the sphere alone. Small open circles: other local
-minima of the error along the range of adhesion, to which a fit may jump. Bars:
-{{ inference.confidence | percent }} intervals, from Student's t on logarithms over scans (a, b)
-or realizations (c, d); an interval that ends at the largest or smallest range computed is open
-there. Grey: the published uncertainty. "Not affected": the choice concerns Fig. 6 alone; "never
+Contact is plastic; variants have the first scan of the sphere alone. The choices: the definition
+of curvature in Table 1, heights of {{ robustness.heights.surface | replace("_", " ") }}, a rough
+sphere in Fig. 6, the preload, the hardness. Heights of the study are Gaussian. Skewed heights keep
+the rms height of each scan, by a construction that was fitted to one public AFM scan of UNCD.
+Small open circles: other local minima of the error, to which a fit may jump. Bars:
+{{ inference.confidence | percent }} intervals over scans (a, b) or realizations, random surfaces
+of one spectrum (c, d). An interval that ends at the largest or smallest range computed is open
+there. Grey: the published uncertainty. "Not affected": the choice concerns Fig. 6 alone. "Never
 reached": the force stays within the band at all cutoffs. Drawn from robustness.nc, inference.nc,
 band.nc and resources/paper/parameters.csv.
 """
@@ -49,8 +48,8 @@ COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.V
 QUANTITIES = {
     "range_of_adhesion": ("nm", 1, "range of adhesion", "ρ (nm)"),
     "work_of_adhesion": ("J/m2", 1e-3, "work of adhesion", "$W$ (mJ/m²)"),
-    "critical_wavelength_small": ("nm", 1, "short cutoff", "$λ_S$ (nm)"),
-    "critical_wavelength_large": ("nm", 1000, "long cutoff", "$λ_L$ (µm)"),
+    "critical_wavelength_small": ("nm", 1, "short edge", "$λ_S$ (nm)"),
+    "critical_wavelength_large": ("nm", 1000, "long edge", "$λ_L$ (µm)"),
 }
 #: Values of a quantity at all local minima of the error of the fit.
 MINIMA = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}

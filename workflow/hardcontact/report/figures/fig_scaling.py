@@ -15,20 +15,21 @@ from hardcontact.theory.edge_scaling import FORMULA
 TITLE = "Scaling of the band: surface, attraction or contact?"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-(a) Short edge of the critical band against the range of adhesion ρ, (b) long edge against the
-reach √(2Rρ) of the attraction along the surface, (c) computed edges over those of the formulas
-on random surfaces that were designed for this, (d) all surfaces among the regimes.
+(a) Short edge of the critical band against the range of adhesion ρ. (b) Long edge against the
+reach √(2Rρ) of the attraction, R the radius of the sphere. Lines: the formulas; dashed: the
+published edges. (c) Computed edges relative to the formulas on designed random surfaces. (d)
+Surfaces where many points or single peaks attract.
 
-In (a) and (b) symbols are computed edges of spheres of several radii R, with their
-{{ inference.confidence | percent }} intervals over realizations, lines the formulas, one a
-sphere; dashed: the published edges. Where no cutoff changes the force by more than the tolerance
-of Fig. 6, no edge is shown. In (c) are the surfaces that were held out; open: the edge is a bound,
-the last cutoff; grey: within a factor of two. In (d) σ is the rms height, m the height of closest
-approach over the mean plane, ρ the range; line: σ/ρ = m/σ, where many points (left) give way to
-single peaks, with the transition in grey. Marks: the surfaces at the sphere, range and load of the
-paper; crosses: two chromium nitride coatings there, from published spectra; pale: the designed
-surfaces. λ_r is the wavelength whose octave holds most of the variance of heights. Drawn from
-scaling.nc and resources/paper/parameters.csv.
+(a, b) One line a sphere; bars: {{ inference.confidence | percent }} intervals over realizations,
+random surfaces of one spectrum. Where no cutoff changes the force by more than the tolerance of
+Fig. 6, no edge is shown. F/H, preload over hardness, is the contact area. (c) Surfaces held out:
+not used to make the formulas. Open: a bound, the last cutoff; grey: within a factor of two. (d) σ
+is the rms height, m the height of closest approach over the mean plane. Line: σ/ρ = m/σ, where
+many points (left) give way to single peaks; grey: the transition. Coloured marks: the study's
+surfaces at the paper's sphere, range and load. Pale: the designed surfaces. Crosses: two chromium
+nitride coatings, from published spectra. The area of a mark is √(F/H) over the roll-off λ_r. λ_r
+is the wavelength whose octave holds most of the variance of heights. Drawn from scaling.nc and
+resources/paper/parameters.csv.
 """
 
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}

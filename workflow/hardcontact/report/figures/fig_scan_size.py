@@ -13,20 +13,20 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "How large a scan must be"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-(a) Mean force on mirrored windows over that on the random surfaces they were cut out of,
-against the side of the window; lines: the rule. (b) Side of a scan on which the force is too
-large by a factor. (c) Long edge of the band, from mirrored windows (filled) and from whole
-surfaces (hollow).
+(a) Mean force on windows cut out of large random surfaces, relative to that on the whole surfaces;
+lines: the rule. (b) Side of a scan on which the force is too large by the factor in the title, by
+the rule. (c) Long edge of the critical band on windows (filled) and on whole surfaces (open).
+Dashed: the scans of the paper.
 
-Computed once, with the settings of the paper (resources/validation). Windows are cut out of
-large random surfaces, levelled, mirrored and brought into contact as the paper does with its
-scans. The rule is a power law of 2√(2Rσ) over the side of the scan, of the roll-off over it, and
-of σ/ρ, σ the rms height, R the radius of the sphere and ρ the range of adhesion. It was fitted to
-random self-affine surfaces, not to these; bars in (a): 95 % intervals over realizations. The long
-edge is the wavelength above which removing roughness changes the mean force by 10 %; bars: 95 %
-intervals, where open drawn to the shortest cutoff or to the longest wave of the surface; an open
-edge stands at its bound. Grey: longest wave of a mirrored window. In (a) and (c) surfaces of one
-size stand side by side. Dashed: the scans of the paper. Drawn from scan_size.nc.
+Windows are levelled, mirrored and brought into contact as the paper does with its scans. Computed
+once, with the settings of the paper (resources/validation). The rule is a power law of 2√(2Rσ) and
+of the roll-off, each over the side of the scan, and of σ/ρ. σ is the rms height, R the radius of
+the sphere and ρ the range of adhesion. The rule was fitted to other random self-affine surfaces.
+The long edge is the wavelength above which removing roughness changes the mean force by 10 %.
+Bars: 95 % intervals over realizations, random surfaces of one spectrum. An interval without an end
+reaches to the shortest cutoff or the longest wave. An edge without a value stands at its bound.
+Grey: longest wave of a mirrored window. In (a, c) surfaces stand side by side. Drawn from
+scan_size.nc.
 """
 
 BETWEEN = ("scan_size", "rho", "predicted", "mirrored", "status")  # columns
@@ -49,8 +49,8 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             scan_size["rho"], surface_data["size_needed"] / MICROMETRE, ms=3, lw=0.6, **look
         )
     needed.axhline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
-    needed.set(xlabel="range of adhesion ρ (nm)", ylabel="scan needed (µm)")
-    style.label_panel(needed, "b", f"for {allowed:g} times the force")
+    needed.set(xlabel="range of adhesion ρ (nm)", ylabel="side of the scan needed (µm)")
+    style.label_panel(needed, "b", f"scan for {allowed:g} times the force")
     for axes in (sizes, edges):
         axes.axvline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
         axes.set_xlabel("side of the scan (µm)")
@@ -69,8 +69,8 @@ def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
     for look, surface_data, factor in _side_by_side(excess):
         style.draw_bars(axes, factor * sizes, surface_data, ls="none", ms=3, elinewidth=0.6, **look)
         axes.plot(sizes, surface_data["predicted"], color=look["color"], lw=0.7)
-    axes.set_ylabel("force over that on a large surface")
-    style.label_panel(axes, "a", f"windows, ρ = {section['rho']:g} nm")
+    axes.set_ylabel("force relative to a large surface")
+    style.label_panel(axes, "a", f"force on windows, ρ = {section['rho']:g} nm")
     return tables.computed_rows(excess, panel="a", quantity="excess", unit="1")
 
 

@@ -15,18 +15,18 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Many sets of substitutes"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-Sets of substitute scans as good as the study's. (a) Range of adhesion ρ that fits the published
-forces best. (b) Best ρ and work of adhesion W of each set; star: the study's own. (c, d)
-Pull-off force without roughness below or above a cutoff, over that with all, of 90 % of the
-sets.
+Each set holds substitute scans as good as the study's. (a) Range of adhesion ρ that fits the
+published forces best. (b) Best ρ and work of adhesion W of each set; star: the study's own. (c, d)
+Pull-off force without roughness below or above a cutoff, relative to that with all roughness;
+bands: 90 % of the sets.
 
-Each set has as many scans as the study, drawn at random from a pool, with exactly the mean and
-standard deviation of the rms height of Table 1. (a) Plastic (filled) and rigid contact (dashed
-line). (b) Plastic contact; rings: further ranges at which the error has a minimum; purple ring:
+Each set has as many scans as the study, drawn at random from a pool. Its rms heights have the mean
+and standard deviation of Table 1. (a) Plastic (filled) and rigid contact (dashed line). (b)
+Plastic contact. Grey rings: further ranges at which the error of a set has a minimum. Purple ring:
 other minima of the study's own scans. Black: published result, 46.3 mJ/m² and 5.6 nm, with its
-uncertainty. (c, d) Lines: medians; dashed: the published edges of the critical band. The table
-has the edge of each surface, too. Dashed in (a) and (b): the published range. Drawn from sets.nc,
-inference.nc and resources/paper/parameters.csv.
+uncertainty. (c, d) Lines: medians. Dashed: the published range, in (c, d) the published edges of
+the critical band. The table has the edge of each surface, too. Drawn from sets.nc, inference.nc
+and resources/paper/parameters.csv.
 """
 
 MODELS: dict[str, style.Look] = {

@@ -13,16 +13,16 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "How high measured forces put the sphere"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-How much higher the published mean (solid) and median force (dashed) put the sphere's apex than the
-computed ones, in rms heights, at (a) the published work of adhesion W, (b) the best W.
+How much higher the published forces put the apex of the sphere than the computed forces do, in rms
+heights. (a) At the published work of adhesion W; (b) at the W that fits the four mean forces best
+at each range ρ. Solid: from mean forces; dashed: from median forces. Vertical line: the published
+range.
 
-The height is that above the mean planes, the rms height that of sphere and substrate together. The
-best W fits the four mean forces at each range ρ. At zero a substitute lets the sphere as close as
-the measured surface did; above, the measured surface holds it off, as by protrusions that are
-higher than those of a Gaussian surface. Both heights follow from the attraction of all points of a
-Gaussian surface below a sphere at this height (Eq. 2), so that the formula's error for few points
-cancels in part. Contact is plastic. Vertical line: the published range. Drawn from standoff.nc and
-resources/paper/parameters.csv.
+The height is that of the apex above the mean planes. The rms height is that of sphere and
+substrate together. At zero the substitute lets the sphere as close as the measured surface did.
+Above zero the measured surface holds the sphere off, as rare high protrusions would. Both heights
+follow from Eq. 2 for a Gaussian surface, so that the formula's error cancels in part. Contact is
+plastic. Drawn from standoff.nc and resources/paper/parameters.csv.
 """
 
 TITLES = {"published": "published $W$", "fitted": "$W$ that fits best at each ρ"}

@@ -1,4 +1,4 @@
-"""Scatter of pull-off forces: the law compared with designed surfaces, the study and the paper."""
+"""Scatter of pull-off forces: predicted, on designed surfaces, of the study and of the paper."""
 
 import numpy as np
 import pandas as pd
@@ -13,34 +13,36 @@ from hardcontact.theory.pull_off_statistics import CHANCE, LEAST_LEVEL, held_bac
 TITLE = "How pull-off forces scatter"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
-(a) Standard deviation of ln F over 400 independent places of designed surfaces, computed,
-against that of the law. (b) Distances of Kolmogorov and Smirnov between computed forces and
-three distributions, by the modulus k = ρm/σ². (c) The four coatings.
+How the logarithm of the pull-off force F scatters. (a) Its standard deviation over 400 independent
+places of designed surfaces, computed and predicted. (b) Largest difference between the
+probabilities of computed forces and of three distributions, by the modulus k = ρm/σ². (c) The four
+coatings; black: published.
 
-Contact in (a) and (b) is rigid and plastic, the sphere smooth. Nothing is fitted but the mean of
-each surface; the log-normal is fitted to each. Filled: surfaces that were not looked at while the
-law was made; only these are in (b). Crosses: skewed heights (skewness ±0.6), on which the law of
-Gaussian surfaces fails. Grey in (a): contacts below two rms heights above the mean plane, left out
-of (b). Dotted in (b): the distance that one in twenty samples of 400 from the law itself exceeds.
-(c) shows the law at the range of adhesion ρ of {{ scales.range }} in plastic contact, over places
-and over places and scans, whose rms heights are taken to differ by the uncertainties of Table 1;
-crosses: what mean and median of the latter tell, √(2 ln(mean/median)), as of the published forces;
-and the computed values of the study with {{ inference.confidence | percent }} intervals, an arrow
-where they leave the frame. Drawn from statistics.nc.
+ρ is the range of adhesion, m the height of closest approach, σ the rms height. The prediction
+follows from them; only the mean force of each surface is fitted. The log-normal is fitted to each
+surface. Contact in (a, b) is rigid and plastic, the sphere smooth. Held out: surfaces not looked
+at while the prediction was made; only these are in (b). Crosses in (a): skewed heights (skewness
+±0.6), on which the prediction fails. Grey in (a): contacts below two rms heights above the mean
+plane, left out of (b). Dotted in (b): one in twenty samples of 400 from the predicted distribution
+exceeds it. (c) is at a range of {{ scales.range }} in plastic contact. Rms heights of scans are
+taken to differ by the uncertainties of Table 1. Black lines in (c): √(2 ln(mean/median)) of the
+published forces, as only their mean and median are published. Crosses: the same of the prediction.
+Bars: {{ inference.confidence | percent }} intervals over scans; an arrow where they leave the
+frame. Drawn from statistics.nc.
 """
 
 #: Distributions by their names in the dataset, as they are drawn and printed.
 DISTANCES: dict[str, tuple[style.Look, str]] = {
-    "law": ({"color": "black", "marker": "o"}, "law"),
+    "law": ({"color": "black", "marker": "o"}, "predicted"),
     "lognormal_fitted": ({"color": style.FIT, "marker": "^"}, "log-normal, fitted"),
     "weibull": ({"color": "0.6", "marker": "s"}, "Weibull of modulus k"),
 }
 #: Spreads of a coating: how each is drawn, and its name.
 SPREADS: dict[str, tuple[style.Look, str]] = {
-    "spread": ({"mfc": "none"}, "law: places"),
-    "total_spread": ({}, "law: places and scans"),
-    "total_shape": ({"marker": "x"}, "the same, mean and median"),
-    "computed_spread": ({"alpha": 0.5, "ms": 2.5}, "study"),
+    "spread": ({"mfc": "none"}, "predicted: places"),
+    "total_spread": ({}, "predicted: places and scans"),
+    "total_shape": ({"marker": "x"}, "predicted: √(2 ln(mean/median))"),
+    "computed_spread": ({"alpha": 0.5, "ms": 2.5}, "computed"),
 }
 #: That the panel holds, over the highest published or predicted spread.
 ROOM = 1.6
@@ -75,7 +77,7 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
         (low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
-        (fair & ~held_out, "used for the law", black | {"mfc": "none"}),
+        (fair & ~held_out, "used for the prediction", black | {"mfc": "none"}),
         (fair & held_out, "held out", black),
     ]
     for group, label, look in groups:
@@ -85,7 +87,10 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     ends = [0.05, 1.5]
     axes.plot(ends, ends, color="0.4", lw=0.8, ls=":")
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
-    axes.set(xlabel="standard deviation of ln F, law", ylabel="computed")
+    axes.set(
+        xlabel="standard deviation of ln F, predicted",
+        ylabel="standard deviation of ln F, computed",
+    )
     axes.legend(loc="upper left")
     style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.label_panel(axes, "a", "scatter over places")
@@ -122,7 +127,7 @@ def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
         axes.plot([position - 0.3, position + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
     axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
     axes.set_xticks(range(section.sizes["surface"]), section["label"].values)
-    handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published, mean and median")]
+    handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published")]
     marks: style.Look = {"color": "0.3", "marker": "o", "ls": "none"}
     handles += [Line2D([], [], **marks | marker, label=label) for marker, label in SPREADS.values()]
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5))
