@@ -24,8 +24,11 @@ from answer_inputs import (
 from browser import WIDTHS, needs_browser, shown, used
 from html_page import Page
 from matplotlib.text import Text
+from paper_study import svg
 
 from hardcontact.report import own_figures as figures
+from hardcontact.report.figures import style
+from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
 from hardcontact.report.own_answer import own_answer, own_headline, own_page
 
 FORCES = "two substitutes, forces"
@@ -44,8 +47,11 @@ PHONE = 358  # pixels that a figure is wide on a screen of 390
 MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
 
 
+PICTURES = {name: svg(f"#{place:03}") for place, name in enumerate(OF_OWN_SURFACES)}
+
+
 def page_of(answer):
-    return own_page(answer, own_headline(answer))
+    return own_page(answer, own_headline(answer), PICTURES)
 
 
 @cache
@@ -128,16 +134,34 @@ def lines_of(figure):
 
 def test_ratios_are_those_of_the_cutoffs_of_their_side():
     data = edges().sel(FIRST)
-    curves = lines_of(figures.ratio_figure(data, spectra().sel(FIRST)))
-    for side, label in figures.REMOVED.items():
+    table, figure = figures.draw_cutoffs(datasets())
+    curves = lines_of(figure)
+    for side, (label, _) in figures.SIDES.items():
         known = data["scale_ratio"].sel(side=side).dropna("cutoff_wavelength")
         x, y = curves[label].get_data()
         assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == known.values.tolist()
+        rows = table[(table["side"] == side) & (table["quantity"] == "scale_ratio")]
+        assert sorted(rows["value"]) == sorted(known.values)
+
+
+@pytest.mark.parametrize(("largest", "scale"), [(1.5, "linear"), (2000.0, "log")])
+def test_all_ratios_are_shown_on_a_logarithmic_axis_if_they_differ_tenfold(largest, scale):
+    data = edges()
+    data["scale_ratio"] = data["scale_ratio"].clip(max=1.2)
+    data["scale_ratio_interval"] = data["scale_ratio_interval"].clip(0.9, 1.4)
+    data["scale_ratio"].loc[{"side": "small", "cutoff_wavelength": 160}] = largest
+    _, figure = figures.draw_cutoffs(datasets(edges=data))
+    (axes,) = figure.axes
+    low, high = axes.get_ylim()
+    for line in lines_of(figure).values():
+        assert ((low < line.get_ydata()) & (line.get_ydata() < high)).all()
+    assert axes.get_yscale() == scale
 
 
 def test_spectra_are_shown_where_they_are_reliable_and_else_apart():
     data = spectra().sel(FIRST)
-    curves = lines_of(figures.spectrum_figure(data))
+    table, figure = figures.draw_spectra(datasets())
+    curves = lines_of(figure)
     for place, name in enumerate(("fine.spm", "coarse.spm", "line.txt")):
         x, density = curves[name].get_data()
         inside = x[np.isfinite(density)]
@@ -146,34 +170,50 @@ def test_spectra_are_shown_where_they_are_reliable_and_else_apart():
         apart = np.isfinite(curves[f"{name}, not reliable"].get_ydata())
         assert apart.any() and not (apart & np.isfinite(density)).any()
     assert {"joined", "used"} <= set(curves)
+    measured = table[table["quantity"] == "psd"]
+    assert len(measured) == np.isfinite(data["psd"]).sum()
 
 
 def test_forces_of_every_model_stand_over_the_range():
-    curves = lines_of(figures.force_figure(force(), LABEL))
+    _, figure = figures.draw_forces(datasets())
+    curves = lines_of(figure)
     for model in ("plastic", "rigid"):
         x, y = curves[f"my coating, {model}"].get_data()
         expected = 1e6 * force().sel(FIRST).sel(contact_model=model)["force"].values
         assert x.tolist() == RHOS.tolist()
         np.testing.assert_allclose(y, expected)
-    (band,) = figures.force_figure(without_interval(force()), LABEL).axes[0].collections
+    _, unbounded = figures.draw_forces(datasets(force=without_interval(force())))
+    (band,) = unbounded.axes[0].collections
     assert not [path for path in band.get_paths() if len(path.vertices)]
 
 
-def test_texts_of_figures_are_readable_on_a_phone_and_bytes_the_same_each_time():
-    made = [
-        lambda: figures.ratio_figure(open_edges().sel(FIRST), spectra().sel(FIRST)),
-        lambda: figures.work_figure(
-            fit(2).sel(contact_model="plastic"), dict(zip(SURFACES, LABELS, strict=True))
-        ),
-        lambda: figures.map_figure(topography().sel(FIRST)),
-    ]
-    for draw in made:
-        figure = draw()
-        texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
-        points = PHONE / (72 * figure.get_figwidth())
-        assert min(text.get_fontsize() for text in texts) * points >= MIN_TEXT
-        first, second = (figures.svg(figure, "a figure") for figure in (draw(), draw()))
-        assert first == second and b"<svg" in first and len(first) < 150_000
+@pytest.mark.parametrize("name", OF_OWN_SURFACES)
+def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name):
+    with style.print_style():
+        table, figure = figures.FIGURES[name](CASES[FORCES][0])
+        figure.draw_without_rendering()
+    texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
+    points = PHONE / (72 * figure.get_figwidth())
+    assert min(text.get_fontsize() for text in texts) * points >= MIN_TEXT
+    shown = " ".join(text.get_text() for text in texts)
+    assert all(f"{label} (substitute)" in shown for label in LABELS)
+    assert set(table["surface"]) == set(SURFACES)
+    assert table[["quantity", "value", "unit", "origin"]].notna().all(axis=None)
+
+
+def test_files_of_figures_are_the_same_each_time_and_small(tmp_path):
+    given = CASES[FORCES][0]
+    made = []
+    for folder in (tmp_path / "first", tmp_path / "second"):
+        folder.mkdir()
+        paths = {kind: [str(folder / f"{name}.{kind}") for name in OF_OWN_SURFACES]
+                 for kind in KINDS}  # fmt: skip
+        pictures = figures.write_figures(given, paths)
+        made.append({path.name: path.read_bytes() for path in folder.iterdir()})
+    assert made[0] == made[1] and len(made[0]) == len(OF_OWN_SURFACES) * len(KINDS)
+    for name, picture in pictures.items():
+        assert picture == made[0][f"{name}.svg"] and b"<svg" in picture
+        assert len(picture) < 150_000
 
 
 @needs_browser

@@ -14,6 +14,7 @@ from refusals import assert_says
 from repository import ROOT
 from scipy import stats
 
+from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
 from hardcontact.theory.closed_form import gaussian_share
 
 pytestmark = pytest.mark.study
@@ -36,11 +37,13 @@ def assert_honest(results, fitted=False):
     answer, page = numbers(results), page_of(results)
     schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
-    figures = {figure["id"] for figure in page.attributes["figure"]}
+    figures = {figure["id"].removesuffix("-figure") for figure in page.attributes["figure"]}
+    assert figures == set(OF_OWN_SURFACES) - (set() if fitted else {"works"})
+    drawn = {path.name for path in (results / "figures").glob("*.*")}
+    assert drawn >= {f"{name}.{kind}" for name in figures for kind in KINDS}
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
     for name, surface in quantities(results).items():
         if name:
-            assert {f"cutoffs-{name}", f"map-{name}", f"spectrum-{name}"} <= figures
             assert surface["force_mean"]["value"] > 0
             for side in ("small", "large"):
                 assert_bounded(edges.sel(surface=name, side=side))
@@ -49,7 +52,7 @@ def assert_honest(results, fitted=False):
     assert left_out >= LEFT_OUT | (set() if fitted else {"fit"})
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
     files = {path.name for path in results.iterdir()}
-    assert not files & {"claims.csv", "figures", "inference.nc", "band.nc", "report"}
+    assert not files & {"claims.csv", "inference.nc", "band.nc", "report"}
 
 
 def assert_bounded(side):

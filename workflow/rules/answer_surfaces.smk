@@ -1,11 +1,14 @@
-# The page that answers for own surfaces.
+# The page that answers for own surfaces, and its figures.
 
 from hardcontact.config.configuration import contact_words, left_out, of_paper, read_yaml
 from hardcontact.config.model import NONE
+from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
+
+OWN_FIGURES = [name for name in OF_OWN_SURFACES if name != "works" or STUDY["forces"] != NONE]
 
 
 rule answer_surfaces:
-    """Write the page that answers for own surfaces, and its numbers."""
+    """Write the page that answers for own surfaces, its numbers and its figures."""
     input:
         **{name: PATTERNS.dataset(name) for name in ("topography", "spectra", "edges", "force")},
         fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
@@ -14,6 +17,7 @@ rule answer_surfaces:
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:
+        **{kind: [PATTERNS.figure(name, kind) for name in OWN_FIGURES] for kind in KINDS},
         page=report(
             PATTERNS.result("answer.html"),
             caption="../report/answer.rst",

@@ -1,7 +1,7 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
 from hardcontact.config.configuration import PAGES, available_targets, left_out
-from hardcontact.report.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
+from hardcontact.report.figures.listing import FIGURES, KINDS, OF_INSIGHT, OF_PAPER
 
 #: The datasets of each target that makes some.
 DATASETS_OF_TARGETS = {
@@ -18,10 +18,7 @@ DATASETS_OF_TARGETS = {
     "fit": ["fit"],
 }
 PAGES_OF_STUDY = [PATTERNS.page(page) for page in PAGES] if COMPARED else []
-FIGURE_FILES = {
-    figure: [PATTERNS.figure(figure, kind) for kind in ("pdf", "png", "svg", "csv")]
-    for figure in FIGURES
-}
+FIGURE_FILES = {figure: [PATTERNS.figure(figure, kind) for kind in KINDS] for figure in FIGURES}
 FILES_OF_TARGETS = {
     **{
         target: [PATTERNS.dataset(name) for name in names]
@@ -30,7 +27,10 @@ FILES_OF_TARGETS = {
     "claims": [PATTERNS.result("claims.csv")],
     "figures": [FIGURE_FILES[figure] for figure in OF_PAPER],
     "pages": PAGES_OF_STUDY,
-    "answer": [PATTERNS.result("answer.html"), PATTERNS.result("answer.json"), *PAGES_OF_STUDY],
+    "answer": [
+        *(rules.answer_paper.output if COMPARED else rules.answer_surfaces.output),
+        *PAGES_OF_STUDY,
+    ],
     "insight": [PATTERNS.result("insight.html"), *(FIGURE_FILES[name] for name in OF_INSIGHT)],
 }
 

@@ -5,6 +5,7 @@ import pandas as pd
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.report.datasets import Datasets, Setting
+from hardcontact.report.figures.listing import KINDS
 from hardcontact.report.own_answer import (
     own_answer,
     own_head,
@@ -12,6 +13,7 @@ from hardcontact.report.own_answer import (
     own_page,
     own_quantities,
 )
+from hardcontact.report.own_figures import write_figures
 from hardcontact.report.quantities import answer_json
 
 with job(snakemake) as job:
@@ -23,5 +25,6 @@ with job(snakemake) as job:
     setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(datasets, setting)
     headline = own_headline(answer)
-    job.write_text(own_page(answer, headline), "page")
+    pictures = write_figures(datasets, {kind: job.output[kind] for kind in KINDS})
+    job.write_text(own_page(answer, headline, pictures), "page")
     job.write_text(answer_json(own_head(setting, headline), own_quantities(answer)), "json")

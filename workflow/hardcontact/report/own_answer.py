@@ -4,10 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report import own_figures as figures
 from hardcontact.report.artificial import (
     LENGTHS,
     measurement_name,
@@ -15,8 +13,9 @@ from hardcontact.report.artificial import (
     split_measurements,
 )
 from hardcontact.report.cautions import Caution, cautions
-from hardcontact.report.datasets import Datasets, Setting, tabor_number
+from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
 from hardcontact.report.force_facts import Row, fit_facts, preferred_fit
+from hardcontact.report.own_figures import heights_shown
 from hardcontact.report.quantities import Quantity, number_of, numbers_within, quantity
 from hardcontact.report.surface_facts import (
     answer_rows,
@@ -163,10 +162,9 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
         yield from numbers_within(f"measurement_{place}", lengths)
 
 
-def own_page(answer: OwnAnswer, headline: Sequence[str]) -> str:
-    """Return the page, HTML."""
+def own_page(answer: OwnAnswer, headline: Sequence[str], pictures: Mapping[str, bytes]) -> str:
+    """Return the page, HTML, with pictures (SVG) by the name of their figure."""
     datasets, setting, surfaces = answer
-    labels = {name: surface.label for name, surface in surfaces.items()}
     return rendered(
         "own.html",
         headline=headline,
@@ -176,37 +174,26 @@ def own_page(answer: OwnAnswer, headline: Sequence[str]) -> str:
         left_out=setting.left_out,
         tolerance=float(datasets.edges.attrs["tolerance"]),
         confidence=float(datasets.edges.attrs["confidence"]),
-        surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
+        surfaces=[_shown(surface) for surface in surfaces.values()],
         contact=setting.contact,
         of_paper=setting.of_paper,
         tabor=tabor_number(datasets.force),
-        forces=figures.svg(figures.force_figure(datasets.force, labels), "pull-off forces"),
+        pictures=pictures,
         fit=answer.fit,
-        works=None if datasets.fit is None else _works(datasets.fit, labels),
+        fit_model=None if datasets.fit is None else preferred_model(datasets.fit),
     )
 
 
-def _works(fit: xr.Dataset, labels: Mapping[str, str]) -> dict[str, Any]:
-    """Return the figure of works of adhesion that fit own forces, and its contact model."""
-    model_fit = preferred_fit(fit)
-    svg = figures.svg(figures.work_figure(model_fit, labels), "works of adhesion")
-    return {"svg": svg, "model": str(model_fit["contact_model"].item())}
-
-
-def _shown(name: str, surface: OwnSurface) -> dict[str, Any]:
+def _shown(surface: OwnSurface) -> dict[str, Any]:
     """Return what the page shows of one surface."""
     data = surface.data
-    heights = figures.heights_shown(data.topography)
+    heights = heights_shown(data.topography)
     lengths = zip(split_measurements(measurements(data.spectra)), surface.scan_lengths, strict=True)
     return surface._asdict() | {
-        "id": name,
         "basis": surface.basis,
         "heights": [float(heights.min()), float(heights.max())],
         "size": float(data.topography["scan_size"]),
         "pixel": float(data.topography["pixel_size"]),
-        "map": figures.svg(figures.map_figure(data.topography), "height map"),
-        "ratio": figures.svg(figures.ratio_figure(data.edges, data.spectra), "force ratios"),
-        "spectrum": figures.svg(figures.spectrum_figure(data.spectra), "spectra"),
         "roughness": surface.roughness,
         "measurements": [
             {"name": measurement_name(measurement), "reliable": bool(measurement["reliable"].any())}

@@ -1,13 +1,14 @@
-"""Figures of the page of own surfaces: force ratios, spectra, forces, fits and height maps."""
+"""Figures of own surfaces: force ratios, height maps, spectra, forces and fits, with their tables.
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from itertools import cycle
-from pathlib import PurePath
+Each has a panel for every surface, or a curve.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path, PurePath
 from typing import Any
 
-import matplotlib as mpl
 import numpy as np
+import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -20,37 +21,54 @@ from hardcontact.report.artificial import (
     measurements,
     split_measurements,
 )
-from hardcontact.report.datasets import preferred_model
-from hardcontact.report.figures import drawing, style
+from hardcontact.report.datasets import Datasets, preferred_model
+from hardcontact.report.figures import drawing, style, tables
+from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
 
-REMOVED = {"small": "without shorter wavelengths", "large": "without longer wavelengths"}
-SIDE_COLOURS = {"small": "#0072b2", "large": "#d55e00"}
-KIND_COLOURS = {"map": "#0072b2", "profile": "#009e73", "description": "#d55e00"}
-UNRELIABLE, JOINED, USED, FITS_ALL = "#999999", "#e69f00", "#cc79a7", "#555555"
+#: What is removed on each side of the band, and how its curve is drawn.
+SIDES: dict[str, tuple[str, style.Look]] = {
+    "small": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
+    "large": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
+}
+#: How curves of the contact model of the answer, and of others, are drawn.
+MODELS: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
+KIND_COLOURS = {"map": "#332288", "profile": "#882255", "description": "#999933"}
+UNRELIABLE: style.Look = {"color": "#999999"}
+JOINED: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
+FITS_ALL = "0.3"
 #: Measurements up to which unreliable parts of spectra are drawn: more hide each other.
 MAX_UNRELIABLE_CURVES = 3
 MAX_MARKED_POINTS = 30  # on a line
-#: A cutoff whose force ratio is larger lies above the panel.
-MAX_RATIO = 10.0
-RESOLUTION = 72  # dots per inch of height maps, which are most of a page
-WIDTH = 4.2  # inch: 360 pixels of a phone show 9 points as 11 pixels
+RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
+WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
+
+Drawn = tuple[pd.DataFrame, Figure]
 
 
-@contextmanager
-def page_style() -> Iterator[None]:
-    """Set the style of print with text that can be read on a phone."""
-    names = ("font.size", "axes.titlesize", "axes.labelsize", "xtick.labelsize", "ytick.labelsize",
-             "legend.fontsize")  # fmt: skip
-    sizes: dict[Any, Any] = dict.fromkeys(names, 9.0)
-    with style.print_style(), mpl.rc_context(sizes):
-        yield
+def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
+    """Write the figures of own surfaces and their tables, and return the SVG of each.
 
+    Parameters
+    ----------
+    datasets : Datasets
+        The datasets of the study.
+    outputs : dict
+        Paths by kind of file, of all figures in one order. A file has the name of its figure.
 
-def svg(figure: Figure, title: str) -> bytes:
-    """Return a figure as SVG, the same bytes each time."""
-    with page_style():
-        style.freeze_layout(figure)
-        return drawing.svg_bytes(figure, title, RESOLUTION)
+    Returns
+    -------
+    dict
+        SVG by the name of the figure.
+    """
+    pictures = {}
+    for paths in zip(*(outputs[kind] for kind in KINDS), strict=True):
+        files = dict(zip(KINDS, paths, strict=True))
+        name = PurePath(files["svg"]).stem
+        with style.print_style():
+            table, figure = FIGURES[name](datasets)
+            drawing.save(figure, table, OF_OWN_SURFACES[name], files, RESOLUTION)
+        pictures[name] = Path(files["svg"]).read_bytes()
+    return pictures
 
 
 def heights_shown(topography: xr.Dataset) -> np.ndarray:
@@ -60,122 +78,189 @@ def heights_shown(topography: xr.Dataset) -> np.ndarray:
     return heights
 
 
-@page_style()
-def map_figure(topography: xr.Dataset) -> Figure:
-    """Draw the first levelled scan of one surface."""
-    figure = Figure(figsize=(WIDTH, 3.7), layout="constrained")
-    style.draw_map(figure.subplots(), heights_shown(topography), topography["scan_size"].item())
-    return figure
+def draw_maps(datasets: Datasets) -> Drawn:
+    """Draw the first levelled scan of each surface; the table has its heights in short."""
+    figure, panels = _panels(datasets, 3.3)
+    frames = []
+    for axes, colour, data in panels:
+        heights = heights_shown(data.topography)
+        style.draw_map(axes, heights, data.topography["scan_size"].item())
+        axes.spines[:].set(edgecolor=colour, linewidth=1.5)
+        values = {"map_rms_height": heights.std(), "map_peak_to_valley": np.ptp(heights)}
+        shown = xr.Dataset(values, data.topography["surface"].coords).expand_dims("surface")
+        frames.append(_rows(shown, dict.fromkeys(values, "nm")))
+    return pd.concat(frames), figure
 
 
-@page_style()
-def ratio_figure(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
-    """Draw the force relative to the unfiltered one against the cutoff, of one surface."""
-    cutoffs = computed_cutoffs(edges["scale_ratio"])
-    at_cutoffs = edges.sel(cutoff_wavelength=cutoffs)
-    figure, axes = _sheet(len(REMOVED))
-    for side, label in REMOVED.items():
-        of_side = at_cutoffs.sel(side=side)
-        ends = bounds(of_side, "scale_ratio")
-        _draw_curve(axes, cutoffs, of_side["scale_ratio"], ends, label, SIDE_COLOURS[side])
-    ratios, tolerance = at_cutoffs["scale_ratio"], edges.attrs["tolerance"]
-    low = min(float(ratios.min()), 1 - 2 * tolerance) / 1.1
-    high = min(MAX_RATIO, max(float(ratios.max()), 1 + 2 * tolerance) * 1.1)
-    axes.axhspan(1 - tolerance, 1 + tolerance, color="0.82", lw=0, zorder=0.5)
-    _mark(axes, edges["edge"].values)
-    _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
-    axes.set_ylim(low, high)
-    style.label_logarithmic(axes.yaxis)
-    style.shade_artificial(axes, artificial_bands(spectra))
-    return _with_legend(figure)
+def draw_cutoffs(datasets: Datasets) -> Drawn:
+    """Draw the force relative to the unfiltered one against the cutoff, of each surface.
+
+    The axis of the ratio is logarithmic where it reaches over more than a factor of ten.
+    """
+    figure, panels = _panels(datasets)
+    tolerance = datasets.edges.attrs["tolerance"]
+    for axes, colour, data in panels:
+        cutoffs = computed_cutoffs(data.edges["scale_ratio"])
+        at_cutoffs = data.edges.sel(cutoff_wavelength=cutoffs)
+        for side, (label, look) in SIDES.items():
+            side_data = at_cutoffs.sel(side=side)
+            ends = bounds(side_data, "scale_ratio")
+            look = look | {"color": colour, "label": label}
+            _draw_curve(axes, cutoffs, side_data["scale_ratio"], ends, look)
+        axes.axhspan(1 - tolerance, 1 + tolerance, color="0.82", lw=0, zorder=0.5)
+        _mark(axes, data.edges["edge"].values)
+        _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
+        style.end_near_values([axes])
+        low, high = axes.get_ylim()
+        if high > 10 * low:
+            style.label_logarithmic(axes.yaxis)
+        else:
+            axes.set_yscale("linear")
+        style.shade_artificial(axes, artificial_bands(data.spectra))
+    _add_legend(figure)
+    return _rows(datasets.edges, {"scale_ratio": "1", "edge": "nm"}), figure
 
 
-@page_style()
-def spectrum_figure(spectra: xr.Dataset) -> Figure:
-    """Draw the isotropic PSD of each measurement of one surface, the joined and the used one."""
-    wavelengths = 2 * np.pi / spectra["bin_wavevector"].values
-    measured = measurements(spectra)
-    shown = np.isfinite(measured["psd"].values).any(axis=0)
-    few = measured.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
-    figure, axes = _sheet(measured.sizes["measurement"] * (1 + few) + 2)
-    for measurement in split_measurements(measured):
-        density, reliable = measurement["psd"].values, measurement["reliable"].values == 1
-        name = PurePath(measurement_name(measurement)).name
-        colour = KIND_COLOURS[str(measurement["kind"].item())]
-        axes.plot(wavelengths, np.where(reliable, density, np.nan), color=colour, label=name)
-        if few and np.isfinite(density[~reliable]).any():
-            unreliable = np.where(reliable, np.nan, density)
-            axes.plot(wavelengths, unreliable, color=UNRELIABLE, label=f"{name}, not reliable")
-    with np.errstate(divide="ignore"):
-        logarithm = np.log(spectra["spectrum"].values)
-    used = np.exp(np.interp(np.log(spectra["bin_wavevector"]), np.log(spectra["wavevector"]),
-                            logarithm))  # fmt: skip
-    known = np.where(used > 0, used, np.nan)
-    axes.plot(wavelengths[shown], spectra["joined"].values[shown], color=JOINED, label="joined")
-    axes.plot(wavelengths[shown], known[shown], color=USED, label="used")
-    _scale(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[shown])
-    style.shade_artificial(axes, artificial_bands(spectra))
-    return _with_legend(figure)
+def draw_spectra(datasets: Datasets) -> Drawn:
+    """Draw the isotropic PSD of each measurement of each surface, the joined and the used one."""
+    figure, panels = _panels(datasets, 3.6)
+    frames = []
+    for axes, colour, data in panels:
+        used = _used_spectrum(data.spectra)
+        known = measurements(data.spectra)
+        wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
+        shown = np.isfinite(known["psd"].values).any(axis=0)
+        few = known.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
+        for measurement in split_measurements(known):
+            density, reliable = measurement["psd"].values, measurement["reliable"].values == 1
+            name = PurePath(measurement_name(measurement)).name
+            look: style.Look = {
+                "color": KIND_COLOURS[str(measurement["kind"].item())],
+                "label": name,
+            }
+            axes.plot(wavelengths, np.where(reliable, density, np.nan), **look)
+            if few and np.isfinite(density[~reliable]).any():
+                look = UNRELIABLE | {"label": f"{name}, not reliable"}
+                axes.plot(wavelengths, np.where(reliable, np.nan, density), **look)
+            rows = measurement[["reliable"]].assign(value=measurement["psd"])
+            columns = {"quantity": "psd", "measurement": measurement_name(measurement)}
+            frames.append(tables.computed_rows(rows, unit="nm4", **columns))
+        joined = data.spectra["joined"].values
+        axes.plot(wavelengths[shown], used.values[shown], color=colour, label="used")
+        axes.plot(wavelengths[shown], joined[shown], **JOINED, label="joined")
+        _scale(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[shown])
+        style.shade_artificial(axes, artificial_bands(data.spectra))
+        axes.legend(loc="lower right")
+        both = data.spectra[["joined"]].assign(used=used)
+        frames.append(_rows(both, {"joined": "nm4", "used": "nm4"}))
+    return pd.concat(frames), figure
 
 
-@page_style()
-def force_figure(force: xr.Dataset, labels: Mapping[str, str]) -> Figure:
+def draw_forces(datasets: Datasets) -> Drawn:
     """Draw the mean force of all surfaces and contact models against the range of adhesion.
 
-    Labels are the names of the surfaces in print; intervals are those of the model of the answer.
+    Intervals are those of the model of the answer.
     """
+    force, labels = datasets.force, datasets.labels()
     chosen = preferred_model(force)
     models = sorted(map(str, force["contact_model"].values), key=lambda model: model != chosen)
-    curves = [(surface, model) for surface in labels for model in models]
-    figure, axes = _sheet(len(curves))
-    for (surface, model), colour in zip(curves, cycle(style.SUBSTRATES), strict=False):
-        curve = force.sel(surface=surface, contact_model=model)
-        ends = [1e6 * end for end in bounds(curve, "force")] if model == chosen else []
-        label = f"{labels[surface]}, {model}"
-        _draw_curve(axes, force["rho"].values, 1e6 * curve["force"], ends, label, colour)
+    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    axes = figure.subplots()
+    for surface, colour in style.colours(labels).items():
+        for model, look in zip(models, MODELS, strict=False):
+            curve = force.sel(surface=surface, contact_model=model)
+            ends = [end / style.MICRONEWTON for end in bounds(curve, "force")]
+            look = look | {"color": colour, "label": f"{labels[surface]}, {model}"}
+            values = curve["force"] / style.MICRONEWTON
+            _draw_curve(axes, force["rho"].values, values, ends if model == chosen else [], look)
     _mark(axes, [force.attrs["range_of_adhesion"]])
     _scale(axes, "range of adhesion (nm)", "pull-off force (µN)", force["rho"].values)
-    return _with_legend(figure)
+    style.label_logarithmic(axes.yaxis)
+    _add_legend(figure)
+    return _rows(force, {"force": "N"}), figure
 
 
-@page_style()
-def work_figure(fit: xr.Dataset, labels: Mapping[str, str]) -> Figure:
+def draw_works(datasets: Datasets) -> Drawn:
     """Draw the work of adhesion that fits the force of each surface, against the range.
 
-    The fit is of one contact model; of several surfaces also what fits all of them is drawn.
+    The fit is of the contact model of the answer. Of several surfaces, the figure also shows the
+    works that fit all of them.
     """
+    assert datasets.fit is not None
+    fit, labels = datasets.fit.sel(contact_model=preferred_model(datasets.fit)), datasets.labels()
     names, rho = [str(name) for name in fit["surface"].values], fit["rho"].values
-    figure, axes = _sheet(len(names) + 1)
-    for name, colour in zip(names, cycle(style.SUBSTRATES), strict=False):
+    colours = style.colours(labels)
+    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    axes = figure.subplots()
+    for name in names:
         curve = fit.sel(surface=name)
-        ends = [1e3 * end for end in bounds(curve, "work_of_adhesion")]
-        _draw_curve(axes, rho, 1e3 * curve["work_of_adhesion"], ends, labels[name], colour)
-    region = 1e3 * fit["region"].values
+        ends = [end / style.MILLIJOULE for end in bounds(curve, "work_of_adhesion")]
+        look = {"color": colours[name], "label": labels[name]}
+        _draw_curve(axes, rho, curve["work_of_adhesion"] / style.MILLIJOULE, ends, look)
+    region = fit["region"].values / style.MILLIJOULE
     if len(names) > 1 and np.isfinite(region).any():
         middle = np.sqrt(region[:, 0] * region[:, 1])
-        _draw_curve(axes, rho, middle, list(region.T), "fits all", FITS_ALL)
+        _draw_curve(axes, rho, middle, list(region.T), {"color": FITS_ALL, "label": "fits all"})
     _mark(axes, [fit.attrs["range_of_adhesion"]])
     _scale(axes, "range of adhesion (nm)", "work of adhesion (mJ/m²)", rho)
-    return _with_legend(figure)
+    style.label_logarithmic(axes.yaxis)
+    _add_legend(figure)
+    return _rows(fit, {"work_of_adhesion": "J/m2"}), figure
 
 
-def _sheet(curves: int) -> tuple[Figure, Axes]:
-    """Return an empty figure with room for the legend of so many curves."""
-    figure = Figure(figsize=(WIDTH, 3.4 + 0.16 * curves), layout="constrained")
-    return figure, figure.subplots()
+FIGURES: dict[str, Callable[[Datasets], Drawn]] = {
+    "cutoffs": draw_cutoffs,
+    "maps": draw_maps,
+    "spectra": draw_spectra,
+    "forces": draw_forces,
+    "works": draw_works,
+}
+
+
+def _panels(
+    datasets: Datasets, height: float = 3.0
+) -> tuple[Figure, Iterator[tuple[Axes, str, Datasets]]]:
+    """Return a figure, and for each surface its panel of this height (inch), colour and data."""
+    labels = datasets.labels()
+    figure = Figure(figsize=(WIDTH, height * len(labels) + 0.4), layout="constrained")
+    panels = figure.subplots(len(labels), squeeze=False)[:, 0]
+    for axes, label in zip(panels, labels.values(), strict=True):
+        axes.set_title(label, loc="left")
+    colours = style.colours(labels)
+    data = map(datasets.select_surface, labels)
+    return figure, zip(panels, colours.values(), data, strict=True)
+
+
+def _rows(data: xr.Dataset, units: Mapping[str, str]) -> pd.DataFrame:
+    """Return a row for each number of these variables, with its interval and its unit."""
+    return pd.concat(
+        tables.computed_rows(tables.bounded(data, name), quantity=name, unit=unit)
+        for name, unit in units.items()
+    )
+
+
+def _used_spectrum(spectra: xr.Dataset) -> xr.DataArray:
+    """Return the spectrum (nm⁴) of added roughness at the bins of the measurements, NaN beyond."""
+    with np.errstate(divide="ignore"):
+        logarithm = np.log(spectra["spectrum"].values)
+    bins = np.log(spectra["bin_wavevector"])
+    used = np.exp(np.interp(bins, np.log(spectra["wavevector"]), logarithm))
+    return spectra["joined"].copy(data=np.where(used > 0, used, np.nan))
 
 
 def _draw_curve(
-    axes: Axes, x: np.ndarray, values: Any, ends: Sequence[Any], label: str, colour: str
+    axes: Axes, x: np.ndarray, values: Any, ends: Sequence[Any], look: style.Look
 ) -> None:
     """Draw known values, with a band between the ends of their intervals if these bound them."""
     values = np.asarray(values, float)
     known = np.isfinite(values)
-    mark = "." if known.sum() < MAX_MARKED_POINTS else ""
-    axes.plot(x[known], values[known], mark + "-", color=colour, label=label)
+    marker = look.get("marker", "o") if known.sum() < MAX_MARKED_POINTS else ""
+    marked: style.Look = look | {"marker": marker, "ms": 2.5}
+    axes.plot(x[known], values[known], **marked)
     for low, high in [np.asarray(ends, float)[:, known]] if len(ends) else []:
         bounded = (low > 0) & (high < np.inf)
-        axes.fill_between(x[known], low, high, where=bounded, color=colour, alpha=0.2, lw=0)
+        band: style.Look = {"color": look["color"], "alpha": style.OPACITY, "lw": 0}
+        axes.fill_between(x[known], low, high, where=bounded, **band)
 
 
 def _mark(axes: Axes, places: Sequence[float] | np.ndarray) -> None:
@@ -187,8 +272,10 @@ def _mark(axes: Axes, places: Sequence[float] | np.ndarray) -> None:
 def _scale(axes: Axes, x_label: str, y_label: str, x: np.ndarray) -> None:
     """Make both axes logarithmic, with their labels; the x axis ends with the values."""
     axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label, xlim=(x.min(), x.max()))
+    style.label_logarithmic(axes.xaxis, at=(1, 3))
 
 
-def _with_legend(figure: Figure) -> Figure:
-    figure.legend(loc="outside upper center", ncols=1)
-    return figure
+def _add_legend(figure: Figure) -> None:
+    """Write each label above the panels once, in as many columns as fit."""
+    handles = style.legend_entries(figure.axes).values()
+    style.legend_above(figure, list(handles), most=2)

@@ -21,6 +21,7 @@ from matplotlib.lines import Line2D
 from hardcontact.base import dataset, published
 from hardcontact.base.whole_file import whole_file
 from hardcontact.report.figures import style
+from hardcontact.report.figures.listing import KINDS
 
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
@@ -28,7 +29,6 @@ RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
 SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
 MAX_VECTOR_POINTS = 1000  # of a curve or of symbols that the SVG holds as such
 SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of the same widths, whichever a reader has
-KINDS = ("pdf", "png", "svg", "csv")
 READERS = {
     "published_constants": published.constants,
     "published_pull_off": published.pull_off,
@@ -51,7 +51,13 @@ def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
         save(figure, table, module.TITLE, outputs)
 
 
-def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:
+def save(
+    figure: Figure,
+    table: pd.DataFrame,
+    title: str,
+    outputs: Mapping[str, str],
+    svg_resolution: float = SVG_RESOLUTION,
+) -> None:
     """Write a figure and the table of its numbers, with its title.
 
     Outputs are the paths of "pdf", "png", "svg" and "csv". The bytes are the same each time, and
@@ -68,10 +74,10 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
         figure.savefig(
             paths["pdf"], format="pdf", dpi=RESOLUTION, metadata=metadata | {"CreationDate": None}
         )
-        Path(paths["svg"]).write_bytes(svg_bytes(figure, title))
+        Path(paths["svg"]).write_bytes(svg_bytes(figure, title, svg_resolution))
 
 
-def svg_bytes(figure: Figure, title: str, resolution: float = SVG_RESOLUTION) -> bytes:
+def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
     """Return a figure as SVG for pages.
 
     Its text is text, which is a third of the size of drawn letters. Curves and symbols of many

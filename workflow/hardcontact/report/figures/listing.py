@@ -37,6 +37,16 @@ OF_INSIGHT = (
     "fig_elastic_limit",
 )
 FIGURES = OF_PAPER + OF_INSIGHT
+#: Figures of own surfaces by their titles; works need own forces.
+OF_OWN_SURFACES = {
+    "cutoffs": "Pull-off force without parts of the roughness",
+    "maps": "Height maps",
+    "spectra": "Power spectral densities",
+    "forces": "Pull-off force against the range of adhesion",
+    "works": "Work of adhesion that fits measured forces",
+}
+#: Files of each figure.
+KINDS = ("pdf", "png", "svg", "csv")
 
 
 class Description(NamedTuple):
