@@ -10,15 +10,15 @@ from hardcontact.base.statistics import Sampling, bounds, student_log_interval
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 SMALL = [1.0, 1.2, np.nan, np.nan]
 LARGE = [np.nan, np.nan, 3.0, 1.0]
-SHARES = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SMALL) and ln(LARGE) cross ln(1.1)
-LEAVES = {
-    "a": {"small": 10 ** (1 + SHARES[0]), "large": 10 ** (4 - SHARES[1])},
-    "pooled": {"small": 10**1.5, "large": 10**3.95},  # of |ratio - 1|
+CROSSINGS = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SMALL) and ln(LARGE) cross ln(1.1)
+EDGES = {
+    "a": {"small": 10 ** (1 + CROSSINGS[0]), "large": 10 ** (4 - CROSSINGS[1])},
+    "pooled": {"small": 10**1.5, "large": 10**3.95},  # where the mean of |ratio - 1| crosses 0.1
 }
 
 
 def scales(ratios):
-    """ratios: (surface, realization, side, cutoff)."""
+    """Scales with these ratios (surface, realization, side, cutoff)."""
     ratios = np.asarray(ratios)
     surfaces = ["a", "b"][: len(ratios)]
     return xr.Dataset(
@@ -46,50 +46,52 @@ def test_critical_wavelength_interpolates_in_log_wavelength():
 
 
 def test_each_side_is_read_from_its_unfiltered_end():
-    computed = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
-    for group, sides in LEAVES.items():
-        for side, expected in sides.items():
-            chosen = computed.sel(side=side, group=group)
-            assert float(chosen.critical_wavelength) == pytest.approx(expected)
-            np.testing.assert_allclose(chosen.critical_wavelength_interval, expected)
+    bands = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
+    for group, sides in EDGES.items():
+        for side, wavelength in sides.items():
+            selected = bands.sel(side=side, group=group)
+            assert float(selected.critical_wavelength) == pytest.approx(wavelength)
+            np.testing.assert_allclose(selected.critical_wavelength_interval, wavelength)
 
 
 def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
-    up = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
-    down = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
-    computed = band.critical_band(scales([[up], [down]]), 0.1, Sampling(0, 0, 0.95))
+    increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
+    decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
+    bands = band.critical_band(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
     np.testing.assert_allclose(
-        computed.scale_change.sel(group="pooled"),
+        bands.scale_change.sel(group="pooled"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
     )
-    assert computed.scale_ratio.dims == ("side", "surface", "cutoff_wavelength")
-    np.testing.assert_allclose(computed.scale_ratio.sel(surface="b"), down)
-    down = 10 ** (1 + np.log(0.9) / np.log(0.8))
+    assert bands.scale_ratio.dims == ("side", "surface", "cutoff_wavelength")
+    np.testing.assert_allclose(bands.scale_ratio.sel(surface="b"), decreasing)
+    edge_of_b = 10 ** (1 + np.log(0.9) / np.log(0.8))
     np.testing.assert_allclose(
-        computed.critical_wavelength.sel(side="small"), [LEAVES["a"]["small"], down, 10**1.5]
+        bands.critical_wavelength.sel(side="small"), [EDGES["a"]["small"], edge_of_b, 10**1.5]
     )
-    assert computed.critical_wavelength_interval.isnull().all()
+    assert bands.critical_wavelength_interval.isnull().all()
 
 
 FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
 
 
 def test_curves_that_never_leave_bound_the_interval_by_the_last_cutoff_of_their_side():
-    computed = band.critical_band(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
-    assert computed.critical_wavelength.isnull().all()
-    np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="small"), 100.0)
-    np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="large"), 1000.0)
+    bands = band.critical_band(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
+    assert bands.critical_wavelength.isnull().all()
+    np.testing.assert_allclose(bands.critical_wavelength_interval.sel(side="small"), 100.0)
+    np.testing.assert_allclose(bands.critical_wavelength_interval.sel(side="large"), 1000.0)
 
 
 def test_intervals_are_over_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
-    computed = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
-    small = computed.sel(side="small", cutoff_wavelength=100.0)
-    expected = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
-    np.testing.assert_allclose(small.scale_ratio_interval[0], expected, rtol=0.03)
-    np.testing.assert_allclose(small.scale_change_interval.sel(group="a"), expected - 1, rtol=0.2)
-    low, high = bounds(computed.sel(side="small", group="a"), "critical_wavelength")
-    # Ends of the change are those of the wavelength, the other way round.
-    near = 10 ** (1 + np.log(1.1) / np.log(expected.values))
-    np.testing.assert_allclose([high, low], near, rtol=0.3)
-    assert computed.critical_wavelength_interval.attrs["confidence"] == 0.9
+    bands = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
+    small = bands.sel(side="small", cutoff_wavelength=100.0)
+    ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
+    np.testing.assert_allclose(small.scale_ratio_interval[0], ratio_interval, rtol=0.03)
+    np.testing.assert_allclose(
+        small.scale_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
+    )
+    low, high = bounds(bands.sel(side="small", group="a"), "critical_wavelength")
+    # The upper end of the change gives the lower end of the wavelength.
+    edge_interval = 10 ** (1 + np.log(1.1) / np.log(ratio_interval.values))
+    np.testing.assert_allclose([high, low], edge_interval, rtol=0.3)
+    assert bands.critical_wavelength_interval.attrs["confidence"] == 0.9

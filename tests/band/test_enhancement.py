@@ -1,4 +1,4 @@
-"""Bands of plastic and rigid contact: each of the load and the range that it is named by."""
+"""Bands of plastic and rigid contact: each has the load and the range of its name."""
 
 import numpy as np
 import xarray as xr
@@ -10,7 +10,7 @@ CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 
 
 def test_every_contact_has_the_edge_of_its_own_forces():
-    """Forces that grow in proportion to the cutoff reach 10 % at an edge that is put in."""
+    """Forces that grow in proportion to the cutoff reach 10 % at a prescribed edge."""
     edges = xr.DataArray(
         [[100.0, 50.0], [30.0, 25.0]], {"area": ("load", [400.0, 1.0]), "rho": [5.6, 1.0]},
         ["load", "rho"],
@@ -25,13 +25,13 @@ def test_every_contact_has_the_edge_of_its_own_forces():
         }
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = bands_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
-    found = bands["critical_wavelength"].sel(group="a", side="small")
+    critical = bands["critical_wavelength"].sel(group="a", side="small")
     assert bands["contact_model"].values.tolist() == CONTACTS
-    for model, expected in {"plastic": edges[0], "rigid": edges[1]}.items():
-        np.testing.assert_allclose(found.sel(contact_model=model), expected, rtol=1e-9)
+    for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
+        np.testing.assert_allclose(critical.sel(contact_model=model), edge, rtol=1e-9)
     ratio = bands["edge_ratio"].sel(group="a", side="small")
-    expected = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
-    np.testing.assert_allclose(ratio.sel(without=["plasticity", "long_range"]), expected)
+    edge_ratios = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
+    np.testing.assert_allclose(ratio.sel(without=["plasticity", "long_range"]), edge_ratios)
 
 
 def test_edges_that_scatter_alike_have_a_ratio_that_is_known():

@@ -27,21 +27,21 @@ def curves(side):
 
 
 @pytest.mark.parametrize(
-    ("side", "kept", "end"), [("small", [1, 1, 0, 0], 20.0), ("large", [0, 0, 1, 1], 640.0)]
+    ("side", "remaining", "end"), [("small", [1, 1, 0, 0], 20.0), ("large", [0, 0, 1, 1], 640.0)]
 )
-def test_a_wave_is_kept_on_its_side_of_the_cutoffs(side, kept, end):
-    found = curves(side)
-    force = found["pull_off_force"]
+def test_a_wave_is_kept_on_its_side_of_the_cutoffs(side, remaining, end):
+    forces = curves(side)
+    force = forces["pull_off_force"]
     # The mean of cos² is 1/2, that of cos⁴ is 3/8.
-    whole = np.array([AMPLITUDE**2 / 2, 3 * AMPLITUDE**4 / 8])
+    unfiltered = np.array([AMPLITUDE**2 / 2, 3 * AMPLITUDE**4 / 8])
     assert force.dims == ("cutoff_wavelength", "moment") and force.attrs["units"] == "N"
-    np.testing.assert_allclose(force, np.outer(kept, whole), atol=1e-4)
-    np.testing.assert_allclose(found["unfiltered_pull_off_force"].values, whole, rtol=1e-6)
-    assert found["unfiltered_wavelength"].values == end
-    assert list(found["cutoff_wavelength"].values) == CUTOFFS
+    np.testing.assert_allclose(force, np.outer(remaining, unfiltered), atol=1e-4)
+    np.testing.assert_allclose(forces["unfiltered_pull_off_force"].values, unfiltered, rtol=1e-6)
+    assert forces["unfiltered_wavelength"].values == end
+    assert list(forces["cutoff_wavelength"].values) == CUTOFFS
 
 
-def of_master(forces, whole, cutoffs, end):
+def master_forces(forces, unfiltered, cutoffs, end):
     """Forces (cutoff, load, contact, contact), the same at all contacts but for their spread."""
     spread = np.array([[0.5, 1.5], [1.0, 1.0]])
     return xr.Dataset(
@@ -52,7 +52,7 @@ def of_master(forces, whole, cutoffs, end):
             ),
             "unfiltered_pull_off_force": (
                 ("load", "contact_y", "contact_x"),
-                np.multiply.outer(whole, spread),
+                np.multiply.outer(unfiltered, spread),
             ),
             "unfiltered_wavelength": ((), end),
         },
@@ -62,7 +62,7 @@ def of_master(forces, whole, cutoffs, end):
 
 def test_ratios_of_masters_are_those_of_means_over_contacts_each_in_its_place():
     masters = {
-        (surface, realization, side): of_master(
+        (surface, realization, side): master_forces(
             [[2.0, 9.0], [realization, 9.0]], [4.0, 1.0], cutoffs, end
         )
         for surface, count in (("a", 1), ("b", 2))
@@ -71,13 +71,13 @@ def test_ratios_of_masters_are_those_of_means_over_contacts_each_in_its_place():
     }
     scales = stacked_forces(masters)
     assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
-    missing = [np.nan, np.nan]
-    of_b = scales.ratio.sel(surface="b", load="light").transpose("side", "realization", ...)
+    empty = [np.nan, np.nan]
+    ratios_of_b = scales.ratio.sel(surface="b", load="light").transpose("side", "realization", ...)
     np.testing.assert_array_equal(
-        of_b.sel(side="small"), [[0.25, 0.5, *missing], [0.5, 0.5, *missing]]
+        ratios_of_b.sel(side="small"), [[0.25, 0.5, *empty], [0.5, 0.5, *empty]]
     )
     np.testing.assert_array_equal(
-        of_b.sel(side="large"), [[*missing, 0.5, 0.25], [*missing, 0.5, 0.5]]
+        ratios_of_b.sel(side="large"), [[*empty, 0.5, 0.25], [*empty, 0.5, 0.5]]
     )
     np.testing.assert_array_equal(scales.ratio.sel(load="heavy").max(), 9.0)
     assert scales.ratio.sel(surface="a", realization=2).isnull().all()

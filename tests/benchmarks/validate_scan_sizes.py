@@ -288,7 +288,7 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     The forces are of `filtered_window_forces`, by surface. With intervals: ``long_ratio`` (surface,
     edge_size, cutoff_wavelength), the mean over realizations of the force without longer waves
     relative to that with all, and ``force_over_largest`` (surface, edge_size), the force relative
-    to that on the larger whole surface. What `described_edge` says of each edge size has names that
+    to that on the larger whole surface. What `describe_edge` says of each edge size has names that
     begin with ``long_``. ``period`` and ``mirrored`` are those of the forces.
     """
     windows = next(iter(forces.values()))[["period", "mirrored"]]

@@ -14,58 +14,107 @@ AXES = ("side", "surface", "cutoff_wavelength")
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
-    """Return the cutoffs (nm), growing, where any value (..., cutoff_wavelength) is finite."""
+    """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is finite."""
     dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
     cutoffs = values["cutoff_wavelength"].values[values.notnull().any(dimensions).values]
     return np.sort(cutoffs)
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff (nm) of a side that removes most."""
+    """Return the cutoff (nm) of a side that removes most of the roughness.
+
+    Parameters
+    ----------
+    values : xarray.DataArray
+        Any values (..., cutoff_wavelength) of this side, NaN at the cutoffs of the other side.
+    side : str
+        ``"small"`` or ``"large"``.
+
+    Returns
+    -------
+    float
+        The longest cutoff of the small side, the shortest cutoff of the large side.
+    """
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
 
 def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
-    """Return the critical wavelengths (..., side, group) in nm, the last cutoff of a side for NaN.
+    """Return the critical wavelengths, with the last cutoff of a side in place of NaN.
 
-    The band has the variables of `critical_band` without intervals.
+    Parameters
+    ----------
+    band : xarray.Dataset
+        ``critical_wavelength`` and ``scale_change`` of `critical_band`.
+
+    Returns
+    -------
+    xarray.DataArray
+        Critical wavelengths (..., side, group) in nm.
     """
     cutoffs = band["cutoff_wavelength"].where(band["scale_change"].notnull())
-    last = cutoffs.max("cutoff_wavelength").where(
+    last_cutoffs = cutoffs.max("cutoff_wavelength").where(
         band["side"] == "small", cutoffs.min("cutoff_wavelength")
     )
-    return band["critical_wavelength"].fillna(last)
+    return band["critical_wavelength"].fillna(last_cutoffs)
 
 
 def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return ratio curves, changes of the force and critical wavelengths, by side.
 
-    `scales` has ``ratio`` (surface, realization, side, cutoff_wavelength), NaN at cutoffs of the
-    other side, and ``unfiltered_wavelength`` (surface, side) in nm; the tolerance is a relative
-    change of the force. Mean ratios over realizations are sampled, each surface by itself.
+    Mean ratios over realizations are sampled independently for each surface. The force on a surface
+    leaves the tolerance where ln(ratio) does. A sample whose force never leaves the tolerance gets
+    the last cutoff of its side.
 
-    With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
-    group, cutoff_wavelength), |ratio - 1|, and its mean over surfaces for the group POOLED; and
-    ``critical_wavelength`` (side, group) in nm. A surface leaves the tolerance where ln(ratio)
-    does. A sampled change that never does gets the last cutoff of its side.
+    Parameters
+    ----------
+    scales : xarray.Dataset
+        ``ratio`` (surface, realization, side, cutoff_wavelength), the filtered force relative to
+        the unfiltered force, NaN at cutoffs of the other side; ``unfiltered_wavelength`` (surface,
+        side) in nm.
+    tolerance : float
+        Relative change of the force that counts.
+    sampling : Sampling
+        Random numbers and confidence of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
+        group, cutoff_wavelength), |ratio - 1|, and its mean over surfaces for the group POOLED; and
+        ``critical_wavelength`` (side, group) in nm.
     """
-    return with_intervals(sampled_band(scales, tolerance, sampling), scales, sampling)
+    return add_intervals(sampled_band(scales, tolerance, sampling), scales, sampling)
 
 
-class Sampled(NamedTuple):
-    """A variable of all data, and of samples of them."""
+class SampledVariable(NamedTuple):
+    """A variable computed from all data, and from samples of the data."""
 
     dimensions: tuple[str, ...]
-    value: np.ndarray  #: Over the dimensions.
-    samples: np.ndarray  #: The sample is the first axis.
+    value: np.ndarray  #: Has these dimensions.
+    samples: np.ndarray  #: Has the sample as first axis, then these dimensions.
     units: str
     long_name: str
 
 
-def with_intervals(
-    variables: Mapping[str, Sampled], scales: xr.Dataset, sampling: Sampling
+def add_intervals(
+    variables: Mapping[str, SampledVariable], scales: xr.Dataset, sampling: Sampling
 ) -> xr.Dataset:
-    """Return the variables of `sampled_band`, with their intervals and the axes of the scales."""
+    """Return a dataset of the variables of `sampled_band` with their intervals.
+
+    Parameters
+    ----------
+    variables : mapping of str to SampledVariable
+        Variables of `sampled_band`.
+    scales : xarray.Dataset
+        The scales from which they were computed; their coordinates become those of the dataset.
+    sampling : Sampling
+        Its confidence is the confidence of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        As from `critical_band`.
+    """
     bands: dict[str, Any] = {}
     for name, variable in variables.items():
         attributes = {"units": variable.units, "long_name": variable.long_name}
@@ -81,14 +130,16 @@ def with_intervals(
     return xr.Dataset(bands, coordinates)
 
 
-def sampled_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> dict[str, Sampled]:
-    """Return the variables of `critical_band`, to which the arguments belong, with their samples.
+def sampled_band(
+    scales: xr.Dataset, tolerance: float, sampling: Sampling
+) -> dict[str, SampledVariable]:
+    """Return the variables of `critical_band` with their samples; the arguments are the same.
 
-    Samples of other forces on the same masters are drawn with the same random numbers.
+    Other forces on the same masters are sampled with the same random numbers.
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
-    samples_of_ratio = np.stack(
+    ratio_samples = np.stack(
         [
             student_log_samples(
                 sampling.generator("scales", str(surface)),
@@ -99,29 +150,30 @@ def sampled_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> di
         ],
         axis=2,
     )
-    change, changes = _changes(ratio), _changes(samples_of_ratio)
+    change = _changes(ratio)
+    change_samples = _changes(ratio_samples)
     cutoffs = scales.cutoff_wavelength.values
-    ends = scales.unfiltered_wavelength.transpose("side", "surface").values
-    ends = np.concatenate([ends, ends.mean(axis=1, keepdims=True)], axis=1)
-    critical = _critical_wavelengths(ends, cutoffs, ratio[None], tolerance)[0]
+    unfiltered = scales.unfiltered_wavelength.transpose("side", "surface").values
+    unfiltered = np.concatenate([unfiltered, unfiltered.mean(axis=1, keepdims=True)], axis=1)
+    critical = _critical_wavelengths(unfiltered, cutoffs, ratio[None], tolerance)[0]
     finite = np.isfinite(change)
-    last = np.where(
-        ends < cutoffs[0],
+    last_cutoffs = np.where(
+        unfiltered < cutoffs[0],
         np.where(finite, cutoffs, -np.inf).max(axis=-1),
         np.where(finite, cutoffs, np.inf).min(axis=-1),
     )
-    critical_samples = _critical_wavelengths(ends, cutoffs, samples_of_ratio, tolerance)
-    stays = np.isnan(critical_samples) & np.isfinite(changes).any(axis=-1)
-    critical_samples = np.where(stays, last, critical_samples)
+    critical_samples = _critical_wavelengths(unfiltered, cutoffs, ratio_samples, tolerance)
+    never_leaves = np.isnan(critical_samples) & np.isfinite(change_samples).any(axis=-1)
+    critical_samples = np.where(never_leaves, last_cutoffs, critical_samples)
     return {
-        "scale_ratio": Sampled(
-            AXES, ratio, samples_of_ratio, "1", "pull-off force over that unfiltered"
+        "scale_ratio": SampledVariable(
+            AXES, ratio, ratio_samples, "1", "pull-off force over that unfiltered"
         ),
-        "scale_change": Sampled(
-            ("side", "group", "cutoff_wavelength"), change, changes,
+        "scale_change": SampledVariable(
+            ("side", "group", "cutoff_wavelength"), change, change_samples,
             "1", "relative change of the pull-off force, up or down",
         ),
-        "critical_wavelength": Sampled(
+        "critical_wavelength": SampledVariable(
             ("side", "group"), critical, critical_samples,
             "nm", "cutoff where the force leaves its tolerance",
         ),
@@ -129,110 +181,153 @@ def sampled_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> di
 
 
 def _changes(ratios: np.ndarray) -> np.ndarray:
-    """Return |ratio - 1| (..., group, cutoff) of ratios (..., surface, cutoff), the mean last."""
+    """Return |ratio - 1| (..., group, cutoff) of ratios (..., surface, cutoff).
+
+    The last group is the mean over surfaces.
+    """
     changes = np.abs(ratios - 1)
     return np.concatenate([changes, changes.mean(axis=-2, keepdims=True)], axis=-2)
 
 
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
-    """Return the limits of ln(ratio) between which the force counts as unchanged."""
+    """Return the limits of ln(ratio) between which the force counts as unchanged.
+
+    The tolerance is a relative change of the force.
+    """
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
 def critical_wavelength(
     cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]
 ) -> float:
-    """Return the cutoff (nm) where a curve leaves its limits, coming from no filter; NaN if never.
+    """Return the cutoff at which a curve first leaves its limits.
 
-    Linear in the curve and in log wavelength; the cutoffs (k,) are in the order of growing effect.
-    The curve (k,) begins within the limits. A single surface has ln(ratio), which passes through
-    zero where the ratio crosses one, as |ratio - 1| does not; several have the mean of |ratio - 1|.
+    The curve is interpolated linearly in the logarithm of the wavelength. The curve of a single
+    surface is ln(ratio), which passes through zero where the ratio crosses one; |ratio - 1| does
+    not. The curve of several surfaces is the mean of |ratio - 1|.
+
+    Parameters
+    ----------
+    cutoffs : numpy.ndarray
+        Cutoffs (k,) in nm, in the order of growing effect.
+    curve : numpy.ndarray
+        Change (k,) of the force; the first value is within the limits.
+    limits : tuple of float
+        Lower and upper limit of the curve.
+
+    Returns
+    -------
+    float
+        The cutoff in nm, NaN if the curve never leaves its limits.
     """
     lower, upper = limits
-    outside = np.flatnonzero((curve < lower) | (curve > upper))
-    if not len(outside):
+    is_outside = (curve < lower) | (curve > upper)
+    if not is_outside.any():
         return np.nan
-    before, after = outside[0] - 1, outside[0]
-    limit = upper if curve[after] > upper else lower
-    share = (limit - curve[before]) / (curve[after] - curve[before])
-    return float(np.exp(np.log(cutoffs[before]) + share * np.log(cutoffs[after] / cutoffs[before])))
+    crossing = is_outside.argmax()
+    limit = upper if curve[crossing] > upper else lower
+    share = (limit - curve[crossing - 1]) / (curve[crossing] - curve[crossing - 1])
+    step = np.log(cutoffs[crossing] / cutoffs[crossing - 1])
+    return float(np.exp(np.log(cutoffs[crossing - 1]) + share * step))
 
 
 def _critical_wavelengths(
-    ends: np.ndarray, cutoffs: np.ndarray, ratios: np.ndarray, tolerance: float
+    unfiltered: np.ndarray, cutoffs: np.ndarray, ratios: np.ndarray, tolerance: float
 ) -> np.ndarray:
     """Return critical wavelengths (n, side, group) of ratios (n, side, surface, cutoff)."""
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
     limits = [logarithmic_limits(tolerance)] * ratios.shape[2] + [(-np.inf, tolerance)]
     wavelengths = np.full(curves.shape[:3], np.nan)
-    for n, s, g in np.ndindex(wavelengths.shape):
-        finite = np.flatnonzero(np.isfinite(curves[n, s, g]))
-        order = finite if ends[s, g] < cutoffs[0] else finite[::-1]
+    for sample, side, group in np.ndindex(wavelengths.shape):
+        finite = np.flatnonzero(np.isfinite(curves[sample, side, group]))
+        order = finite if unfiltered[side, group] < cutoffs[0] else finite[::-1]
         # Without a filter the curve is zero.
-        curve = np.append(0.0, curves[n, s, g, order])
-        wavelengths_from_end = np.append(ends[s, g], cutoffs[order])
-        wavelengths[n, s, g] = critical_wavelength(wavelengths_from_end, curve, limits[g])
+        curve = np.append(0.0, curves[sample, side, group, order])
+        wavelengths_from_end = np.append(unfiltered[side, group], cutoffs[order])
+        wavelengths[sample, side, group] = critical_wavelength(
+            wavelengths_from_end, curve, limits[group]
+        )
     return wavelengths
 
 
 class Curve(NamedTuple):
     """A measure of the change of the force on one side, zero without a filter."""
 
-    side: str  #: small: wavelengths below the cutoff are removed; large: those above.
+    side: str  #: small: wavelengths below the cutoff are removed; large: wavelengths above it.
     cell: float  #: Longest wavelength of the filtered surfaces in nm.
-    #: (k,) nm, in the order of growing effect: growing on the small side, falling on the large.
+    #: (k,) in nm, in the order of growing effect: ascending on the small side, descending on the
+    #: large side.
     cutoffs: np.ndarray
-    #: (3, k): as computed, the least and the greatest within the interval; the latter NaN where
-    #: there is no interval. Of one surface ln(ratio), of several the mean of |ratio - 1|.
+    #: (3, k): the computed value, and both ends of its interval, NaN if there is no interval.
+    #: ln(ratio) for a single surface, the mean of |ratio - 1| for several.
     values: np.ndarray
-    limits: tuple[float, float]  #: Lower and upper; within them a change counts as none.
+    limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
 
 
-def described_edge(curve: Curve) -> dict[str, Any]:
-    """Return the edge of a curve with its interval, and status.
+def describe_edge(curve: Curve) -> dict[str, Any]:
+    """Return the edge of a curve with its interval and status.
 
-    An edge is a `critical_wavelength` between two computed cutoffs. Where the curve has left its
-    limits before the first one, or does not leave them up to the last, the edge is open, and only a
-    bound is known. The ends of its interval are cutoffs too: the last one before any value within
-    the intervals leaves the limits, and the first one at which all have left. This assumes nothing
-    but that the curve has no further crossing between two cutoffs.
+    An edge is a `critical_wavelength` between two computed cutoffs. The edge is open if the curve
+    is outside its limits at the first cutoff already, or within them up to the last cutoff. Only a
+    bound of an open edge is known. The ends of the interval are cutoffs, too. One end is the last
+    cutoff before any value within the intervals leaves the limits. The other end is the first
+    cutoff at which all values have left the limits. The only assumption is that the curve does not
+    cross its limits twice between two cutoffs.
 
-    ``edge``, ``edge_bound`` and ``edge_interval`` (2,) are in nm, NaN where they are open;
-    ``edge_at_least`` is 1 where the edge is longer than its bound; ``edge_status`` and
-    ``interval_status`` (2,) are ``"found"``, or name the end that the edge lies beyond.
+    Parameters
+    ----------
+    curve : Curve
+        The change of the force by cutoff, with its interval.
+
+    Returns
+    -------
+    dict
+        ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
+        ``edge_at_least``, 1 if the edge is longer than its bound, else 0; ``edge_status`` and
+        ``interval_status`` (2,), ``"found"`` or the end of the cutoffs that the edge lies beyond.
     """
-    cutoffs, small = curve.cutoffs, curve.side == "small"
+    cutoffs = curve.cutoffs
+    small = curve.side == "small"
     value, low, high = curve.values
-    edge, bound, at_least, status = np.nan, np.nan, False, "found"
-    crossing = _first_outside(curve, value, value)
+    edge = bound = np.nan
+    is_lower_bound = False
+    status = "found"
+    crossing = _index_of_first_outside(curve, value, value)
     if 0 < crossing < len(cutoffs):
         edge = critical_wavelength(cutoffs, value, curve.limits)
     else:
         bound = float(cutoffs[0] if crossing == 0 else cutoffs[-1])
-        at_least = small == (crossing > 0)
-        # Cutoffs between cell/sqrt(2) and the cell all act on its longest waves alone: beyond a
-        # bound there, no other cutoff could tell more.
-        at_end = at_least and bound > curve.cell / np.sqrt(2)
-        status = "beyond the cell" if at_end else "beyond the cutoffs"
-    # Before the first cutoff and after the last one an end is open.
+        is_lower_bound = small == (crossing > 0)
+        # Cutoffs between cell/sqrt(2) and the cell act only on its longest waves: no cutoff could
+        # resolve an edge beyond such a bound.
+        is_beyond_cell = is_lower_bound and bound > curve.cell / np.sqrt(2)
+        status = "beyond the cell" if is_beyond_cell else "beyond the cutoffs"
+    # An end of the interval before the first or after the last cutoff is open.
     bounds = np.concatenate([[np.nan], cutoffs, [np.nan]])
-    begins, ends = _first_outside(curve, high, low), _first_outside(curve, low, high)
-    interval = np.array([bounds[begins], bounds[ends + 1] if ends else np.nan])
+    first_possible = _index_of_first_outside(curve, high, low)
+    last_possible = _index_of_first_outside(curve, low, high)
+    interval = np.array(
+        [bounds[first_possible], bounds[last_possible + 1] if last_possible else np.nan]
+    )
     if np.isnan(curve.values).any():
         interval = np.full(2, np.nan)
     interval = interval if small else interval[::-1]
     return {
         "edge": edge,
         "edge_bound": bound,
-        "edge_at_least": int(at_least),
+        "edge_at_least": int(is_lower_bound),
         "edge_status": status,
         "edge_interval": interval,
         "interval_status": np.where(np.isfinite(interval), "found", "open"),
     }
 
 
-def _first_outside(curve: Curve, above: np.ndarray, below: np.ndarray) -> int:
-    """Return the place of the first cutoff beyond the limits, the number of cutoffs if none is."""
+def _index_of_first_outside(curve: Curve, highest: np.ndarray, lowest: np.ndarray) -> int:
+    """Return the index of the first cutoff at which the curve is outside its limits.
+
+    The number of cutoffs if the curve is never outside. The highest values are compared with the
+    upper limit, the lowest values with the lower limit.
+    """
     lower, upper = curve.limits
-    outside = np.flatnonzero((above > upper) | (below < lower))
-    return int(outside[0]) if len(outside) else len(curve.cutoffs)
+    is_outside = (highest > upper) | (lowest < lower)
+    return int(is_outside.argmax()) if is_outside.any() else len(curve.cutoffs)

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import Sampled, sampled_band, with_intervals
+from hardcontact.band.critical_band import SampledVariable, add_intervals, sampled_band
 from hardcontact.base.statistics import Sampling
 
 #: Contacts in the order of their areas, the smallest first.
@@ -22,44 +22,47 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     Parameters
     ----------
     forces : xarray.Dataset
-        As from `stacked_forces`, over a single radius, two loads and rho. The rigid load is the one
-        that a single pixel carries.
+        From `stacked_forces`, with a single radius, two loads and rho. A single pixel carries the
+        load of rigid contact.
     tolerance : float
         Relative change of the force that counts.
     sampling : Sampling
-        Of the intervals.
+        Random numbers and confidence of the intervals.
 
     Returns
     -------
     xarray.Dataset
-        `critical_band` over contact_model (CONTACTS) and rho, and ``edge_ratio`` (without, side,
-        group) with its interval: the edge of plastic contact at the longest range over that without
-        plasticity, at the same range, or without the long range, in plastic contact.
+        `critical_band` by contact_model (CONTACTS) and rho, and ``edge_ratio`` (without, side,
+        group) with its interval: the edge in plastic contact at the longest range, relative to the
+        edge in rigid contact at this range (``"plasticity"``) or to the edge in plastic contact at
+        the shortest range (``"long_range"``).
     """
-    by_area = forces.squeeze("radius", drop=True).sortby("area")
+    sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
     models = []
     edges = {}
     for load, model in enumerate(CONTACTS):
-        ranges = []
-        for column, rho in enumerate(by_area["rho"].values):
-            contact = by_area.isel(load=load, rho=column, drop=True)
+        bands_by_range = []
+        for column, rho in enumerate(sorted_forces["rho"].values):
+            contact = sorted_forces.isel(load=load, rho=column, drop=True)
             variables = sampled_band(contact, tolerance, sampling)
-            ranges.append(with_intervals(variables, contact, sampling))
+            bands_by_range.append(add_intervals(variables, contact, sampling))
             edges[model, rho] = variables["critical_wavelength"]
-        models.append(xr.concat(ranges, by_area["rho"]))
+        models.append(xr.concat(bands_by_range, sorted_forces["rho"]))
     bands = xr.concat(models, pd.Index(CONTACTS, name="contact_model"))
     return bands.merge(_edge_ratios(edges, sampling))
 
 
-def _edge_ratios(edges: Mapping[tuple[str, float], Sampled], sampling: Sampling) -> xr.Dataset:
-    """Return the variables of ``edge_ratio``, of edges by contact model and range of adhesion."""
+def _edge_ratios(
+    edges: Mapping[tuple[str, float], SampledVariable], sampling: Sampling
+) -> xr.Dataset:
+    """Return ``edge_ratio`` and its interval, from edges by contact model and range of adhesion."""
     short, *_, long = sorted({rho for _, rho in edges})
     complete = edges["plastic", long]
-    without = {"plasticity": edges["rigid", long], "long_range": edges["plastic", short]}
-    values = np.stack([complete.value / edge.value for edge in without.values()])
-    samples = np.stack([complete.samples / edge.samples for edge in without.values()], axis=1)
+    reduced_edges = {"plasticity": edges["rigid", long], "long_range": edges["plastic", short]}
+    values = np.stack([complete.value / edge.value for edge in reduced_edges.values()])
+    samples = np.stack([complete.samples / edge.samples for edge in reduced_edges.values()], axis=1)
     attributes = {"units": "1", "long_name": "edge of the band over that without a cause"}
     variables = sampling.with_interval(
         "edge_ratio", ("without", *complete.dimensions), values, samples, attributes
     )
-    return xr.Dataset(variables, {"without": list(without)})
+    return xr.Dataset(variables, {"without": list(reduced_edges)})

@@ -1,6 +1,6 @@
-"""Forces on a master, whole and filtered below or above every cutoff wavelength.
+"""Forces on a master, unfiltered and filtered below or above every cutoff wavelength.
 
-The side ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
+The side ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -32,9 +32,9 @@ from hardcontact.surfaces.synthesis import synthesized_master
 
 
 class Filters(NamedTuple):
-    """The cutoffs of one side, each of which filters a master alone."""
+    """The cutoffs of one side; each cutoff filters the unfiltered master."""
 
-    side: str  #: "small": wavelengths below the cutoff are removed; "large": those above.
+    side: str  #: small: wavelengths below the cutoff are removed; large: wavelengths above it.
     pixels: int  #: Along an edge of the filtered surfaces.
     cutoffs: Sequence[float]  #: In nm.
 
@@ -45,12 +45,24 @@ def forces_at_cutoffs(
     forces: Callable[[HeightMap], NDArray[np.float64]],
     axes: Mapping[str, Axis],
 ) -> xr.Dataset:
-    """Return the forces on a periodic master, whole and filtered at every cutoff of a side.
+    """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
 
-    `forces` takes a filtered surface and returns its forces (...) in N at 1 J/m², whose dimensions
-    and coordinates are the axes. ``pull_off_force`` (cutoff_wavelength, ...) and
-    ``unfiltered_pull_off_force`` (...) stand beside ``unfiltered_wavelength``, the end of the
-    unfiltered spectrum in nm.
+    Parameters
+    ----------
+    master : HeightMap
+        A periodic surface.
+    filters : Filters
+        The cutoffs.
+    forces : callable
+        Takes a filtered surface and returns its forces (...) in N at 1 J/m².
+    axes : mapping of str to Axis
+        Dimensions and coordinates of the forces.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``pull_off_force`` (cutoff_wavelength, ...) and ``unfiltered_pull_off_force`` (...) in N;
+        ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
@@ -83,24 +95,25 @@ def filtered_pull_off(
     Parameters
     ----------
     master : HeightMap
-        Periodic.
+        A periodic surface.
     filters : Filters
         The cutoffs.
     contacts : sequence of Contact
-        They differ in their load alone.
+        Contacts that differ only in their load.
     sphere : HeightMap or None
         Roughness of the sphere; None for a smooth sphere.
     radii, ranges : sequence of float or None
-        In nm; None for those of the first contact.
+        In nm; None for the radius and the range of the first contact.
 
     Returns
     -------
     xarray.Dataset
-        Forces at 1 J/m² over cutoff_wavelength, radius, load, rho, contact_y and contact_x, where
-        contacts are numbered. ``contact_area`` (load) is that of the pixels that touch and the
-        coordinate ``area`` (load) the preload over the hardness, both in nm².
+        Forces at 1 J/m² by cutoff_wavelength, radius, load, rho, contact_y and contact_x; the last
+        two number the contacts. ``contact_area`` (load) is the area of the touching pixels, and the
+        coordinate ``area`` (load) is the preload divided by the hardness, both in nm².
     """
-    contact, pixel_size = contacts[0], master.size / filters.pixels
+    contact = contacts[0]
+    pixel_size = master.size / filters.pixels
     spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
     rhos = list(ranges or [contact.range])
 
@@ -108,10 +121,10 @@ def filtered_pull_off(
         pairs = [bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
         return np.array([plastic_forces(pair, contacts, rhos) for pair in pairs])
 
-    nm, places = {"units": "nm"}, np.arange(contact.count)
+    nm = {"units": "nm"}
     axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}
     axes |= load_axis(contacts) | range_axis(rhos)
-    axes |= {axis: ((axis,), places, {}) for axis in CONTACT_AXES}
+    axes |= {axis: ((axis,), np.arange(contact.count), {}) for axis in CONTACT_AXES}
     areas = ("load", [load.area for load in contacts], {"units": "nm2"})
     touching = [load.pixels(pixel_size) * pixel_size**2 for load in contacts]
     contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
@@ -122,12 +135,29 @@ def filtered_pull_off(
 def varied_master(
     side: str, key: tuple[Any, ...], scan: str, spectrum: str, scales: Mapping[str, Any]
 ) -> HeightMap:
-    """Return the master of one side of a scan, of their files, with a spectrum that may be drawn.
+    """Return the master of one side, from the files of a scan and of its spectrum.
 
-    The heights of the scan are multiplied by the factor of a drawn spectrum. The scales are the
-    argument of `synthesized_master`, the key selects the random numbers.
+    Parameters
+    ----------
+    side : str
+        ``"small"`` or ``"large"``.
+    key : tuple
+        Selects the random numbers.
+    scan : str
+        Path of a stitched scan.
+    spectrum : str
+        Path of its spectrum. A spectrum drawn within its uncertainty has the attribute
+        ``height_factor``, by which the heights of the scan are multiplied.
+    scales : mapping
+        Argument of `synthesized_master`.
+
+    Returns
+    -------
+    HeightMap
+        The periodic master.
     """
-    density, stitched = dataset.read(spectrum), read_height_map(scan)
+    density = dataset.read(spectrum)
+    stitched = read_height_map(scan)
     if "height_factor" in density.attrs:
         heights = stitched.heights * density.attrs["height_factor"]
         stitched = replace(stitched, heights=heights)
