@@ -25,7 +25,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, va
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.closed_form_errors import spectrum_of_grid
-from hardcontact.theory.prediction import coordinates
+from hardcontact.theory.prediction import table_coordinates
 
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
@@ -185,7 +185,7 @@ def predicted(row: dict[str, Any]) -> dict[str, Any]:
         "predicted_force": found.force,
         "predicted_short_edge": short,
         "predicted_long_edge": long,
-        **coordinates(waves, contact, found),
+        **table_coordinates(waves, contact, found),
         "waves_height": found.rms_height,
         "approach": found.closest_approach,
     }

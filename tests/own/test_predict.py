@@ -22,7 +22,7 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
 from hardcontact.theory.closed_form import closed_form, edges
-from hardcontact.theory.prediction import coordinates, nearest_errors, rough_part
+from hardcontact.theory.prediction import nearest_errors, table_coordinates, trim_spectrum
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
@@ -135,7 +135,7 @@ def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_pat
     force = numbers["pull_off_force"]
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
     assert force["unit"] == "N" and force["status"] == "inside"
-    place = coordinates(rough_part(spectrum), contact, prediction)
+    place = table_coordinates(trim_spectrum(spectrum), contact, prediction)
     expected = prediction.force * np.array(nearest_errors(place, "force"))
     assert force["interval"] == pytest.approx(expected, rel=1e-5)
     for name, edge in zip(("short_edge", "long_edge"), edges(spectrum, contact, 0.1), strict=True):

@@ -31,7 +31,7 @@ from hardcontact.surfaces.spectrum import (
 )
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import closed_form
-from hardcontact.theory.prediction import rough_part
+from hardcontact.theory.prediction import trim_spectrum
 
 SIZE, PIXELS = 5000.0, 128
 KNOWN_TIP = [1e-3]
@@ -141,7 +141,7 @@ def test_coarse_maps_tell_exponent_and_force_within_their_intervals():
     contact = contact_of_area(250e3, 5.6, 0.05, 400.0)
 
     def log_force(spectrum):
-        return np.log(closed_form(rough_part(spectrum), contact).force)
+        return np.log(closed_form(trim_spectrum(spectrum), contact).force)
 
     errors, held_exponents, held_forces = [], 0, 0
     for number in range(40):

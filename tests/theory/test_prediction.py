@@ -43,7 +43,7 @@ def test_a_surface_computed_again_has_the_numbers_of_the_table():
     pd.testing.assert_frame_equal(row, pd.DataFrame([found]), rtol=1e-3)
 
 
-@pytest.mark.parametrize("name", prediction.VALIDATED)
+@pytest.mark.parametrize("name", prediction.VALIDATED_QUANTITIES)
 def test_intervals_hold_what_they_should_on_the_other_half(name):
     """Nine of ten, but for chance and what lies at the rim of the set: three quarters or more."""
     table = TABLE[TABLE["held_back"] == 0]
@@ -69,16 +69,16 @@ COATINGS = [
 @pytest.mark.parametrize(("rolloff", "plateau", "hurst", "change"), COATINGS)
 def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst, change):
     density = varying_hurst(WAVEVECTORS, plateau, rolloff, hurst, change)
-    spectrum = prediction.rough_part(Spectrum(WAVEVECTORS, density))
+    spectrum = prediction.trim_spectrum(Spectrum(WAVEVECTORS, density))
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0)
     decades = np.log10(rolloff / 20)
     expected = hurst + change * decades / 2, change
     assert prediction.hurst_and_bend(spectrum, 20.0) == pytest.approx(expected, abs=0.01)
-    assert prediction.is_tried(spectrum, contact, closed_form(spectrum, contact))
+    assert prediction.is_validated(spectrum, contact, closed_form(spectrum, contact))
 
 
 def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
     spectrum = Spectrum(WAVEVECTORS, varying_hurst(WAVEVECTORS, 1e6, 300, 0.8, 0.0))
     assert np.isnan(prediction.hurst_and_bend(spectrum, 400.0)).all()
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0**2)
-    assert not prediction.is_tried(spectrum, contact, closed_form(spectrum, contact))
+    assert not prediction.is_validated(spectrum, contact, closed_form(spectrum, contact))

@@ -33,7 +33,7 @@ from hardcontact.surfaces.scans import flattened, height_map, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.theory.prediction import prediction, too_wide
+from hardcontact.theory.prediction import prediction, wide_contact_message
 
 
 def read_scan(
@@ -317,7 +317,7 @@ def predict(
             f"spectrum: expected that of hc.read_spectrum(FILE), found {type(spectrum).__name__}"
         )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
-    refuse_lines(filter(None, [too_wide(contact)]))
+    refuse_lines(filter(None, [wide_contact_message(contact)]))
     return prediction(spectrum, contact, tolerance)
 
 

@@ -19,7 +19,12 @@ from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.request import QUANTITIES, add_shared, options, questioned_work
-from hardcontact.theory.prediction import CHANGE, prediction, tabor, too_wide
+from hardcontact.theory.prediction import (
+    MAX_NEGLIGIBLE_CHANGE,
+    prediction,
+    tabor,
+    wide_contact_message,
+)
 
 DESCRIPTION = """\
 Predict the pull-off force of a smooth sphere from the power spectral density of a
@@ -70,7 +75,7 @@ def predict(arguments: Namespace) -> str:
         quantities[name].number for name in ("radius", "range", "work", "preload", "hardness")
     )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
-    wide = too_wide(contact)
+    wide = wide_contact_message(contact)
     if wide and not faults:
         faults.append(f"--{wide}")
     if arguments.json == arguments.csv == "-":
@@ -155,6 +160,6 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(
-        numbers=numbers, texts=texts, meanings=meanings, change_that_matters=CHANGE
+        numbers=numbers, texts=texts, meanings=meanings, change_that_matters=MAX_NEGLIGIBLE_CHANGE
     )
     return report.rstrip()

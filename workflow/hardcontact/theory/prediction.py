@@ -1,7 +1,7 @@
-"""What the closed form predicts from a spectrum: numbers with units, intervals and statuses.
+"""Predictions of the closed form for a spectrum: numbers with units, intervals and statuses.
 
-Errors are those on designed surfaces whose forces and edges were computed (`validation`), in the
-half of them that nobody looked at while the closed form was made.
+The errors come from designed surfaces with computed forces and edges (`validation`). Only the half
+of these surfaces counts that was held out while the closed form was developed.
 """
 
 import math
@@ -45,15 +45,16 @@ from hardcontact.theory.pull_off_statistics import force_statistics
 
 #: Designed surfaces with computed and predicted numbers; its README describes the columns.
 VALIDATION = LIBRARY.parents[1] / "resources/validation/prediction.csv"
-#: Surfaces nearest to an input whose errors count. The least and the greatest of n errors hold one
-#: more, drawn alike, with the probability (n - 1)/(n + 1): nine of ten.
-NEAREST = 19
-#: Below this a modulus, 0 where the sphere goes below the mean plane, is as good as any.
-LEAST_MODULUS = 1e-3
-#: What is predicted and computed: columns of the table.
-VALIDATED = ("force", "short_edge", "long_edge")
-#: What an error depends on, whose range in the table an input must lie in, and the unit.
-TRIED = {
+#: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
+#: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
+NEAREST_SURFACES = 19
+#: A smaller modulus counts as this one. It is 0 where the sphere goes below the mean plane.
+MIN_MODULUS = 1e-3
+#: Predicted and computed quantities: columns of the table.
+VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
+#: Parameters on which an error depends, with their units. An input must lie within their ranges in
+#: the table.
+VALIDATED_PARAMETERS = {
     "rho": "nm",
     "radius": "nm",
     "modulus": "1",
@@ -63,14 +64,14 @@ TRIED = {
 }
 #: Points of a spectrum to which a Hurst exponent and its change are fitted.
 FITTED_POINTS = 40
-#: Rms height in nm below which there is no surface: a tenth of an atom.
-LEAST_HEIGHT = 0.01
-#: Change of the force by waves that a spectrum lacks, or by elasticity, beyond which they matter.
-CHANGE = 0.1
-#: Factor between neighbouring wavelengths of a spectrum beyond which a bend may hide between them.
-GAP = 4.0
-#: Statuses: within what the error was measured on, or not; whether what a spectrum lacks matters;
-#: edges; whether the bodies are as good as rigid.
+#: Smallest accepted rms height in nm: a tenth of an atom.
+MIN_RMS_HEIGHT = 0.01
+#: Largest relative change of the force, by missing waves or by elasticity, that is negligible.
+MAX_NEGLIGIBLE_CHANGE = 0.1
+#: Largest ratio of neighbouring wavelengths: the spectrum may bend unnoticed in a wider gap.
+MAX_WAVELENGTH_RATIO = 4.0
+#: Statuses: inside or outside the validated ranges; whether missing waves matter; whether an edge
+#: exists; whether the bodies are practically rigid.
 INSIDE, OUTSIDE = "inside", "outside"
 MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
 FOUND, NONE = "found", "none"
@@ -79,84 +80,128 @@ HARD, SOFT = "hard", "soft"
 
 @cache
 def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
-    """Return the surfaces of the table that were held out, with ``<name>_error`` of VALIDATED.
+    """Return the surfaces of the table that were held out, with their errors.
 
-    An error is computed over predicted, NaN where an edge is open or none is predicted.
+    Parameters
+    ----------
+    path : str or Path
+        The table, resources/validation/prediction.csv by default.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
+        computed value relative to the predicted value, NaN if an edge is open or not predicted.
     """
     table = pd.read_csv(path)
-    held_back = table[table["held_back"] == 1].copy()
-    for name in VALIDATED:
-        error = held_back[name] / held_back[f"predicted_{name}"]
-        if f"{name}_is" in held_back:
-            error = error.where(held_back[f"{name}_is"] == FOUND)
-        held_back[f"{name}_error"] = error
-    return held_back
+    held_out = table[table["held_back"] == 1].copy()
+    for name in VALIDATED_QUANTITIES:
+        error = held_out[name] / held_out[f"predicted_{name}"]
+        if f"{name}_is" in held_out:
+            error = error.where(held_out[f"{name}_is"] == FOUND)
+        held_out[f"{name}_error"] = error
+    return held_out
 
 
 def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, int]]:
-    """Return computed over predicted, by name of VALIDATED and regime, and on how many surfaces.
+    """Return the errors of the closed form by quantity and regime.
 
-    The path is that of the table as in VALIDATION. The number is the median, its interval holds
-    nine tenths.
+    Parameters
+    ----------
+    path : str or Path
+        The table, as for `validation`.
+
+    Returns
+    -------
+    dict of tuple to tuple
+        By name (VALIDATED_QUANTITIES) and regime: the computed value relative to the predicted
+        value, and the number of surfaces. The value is the median over these surfaces; nine tenths
+        of them lie within its interval.
     """
-    found = {}
-    for name, (regime, table) in product(VALIDATED, validation(path).groupby("regime")):
-        errors = table[f"{name}_error"].dropna()
-        low, median, high = errors.quantile([0.05, 0.5, 0.95])
-        found[name, str(regime)] = Number(name, median, "1", low, high), len(errors)
-    return found
+    errors_by_regime = {}
+    for name, (regime, table) in product(VALIDATED_QUANTITIES, validation(path).groupby("regime")):
+        ratios = table[f"{name}_error"].dropna()
+        low, median, high = ratios.quantile([0.05, 0.5, 0.95])
+        errors_by_regime[name, str(regime)] = Number(name, median, "1", low, high), len(ratios)
+    return errors_by_regime
 
 
-def coordinates(waves: Spectrum, contact: Contact, found: ClosedForm) -> dict[str, Any]:
-    """Return where a spectrum and a contact lie among those of the table.
+def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
+    """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
 
-    The modulus k = rho m/sigma² is the inverse of the freezing, infinite without roughness.
+    Parameters
+    ----------
+    waves : Spectrum
+        Trimmed by `trim_spectrum`.
+    contact : Contact
+        The sphere, the attraction and the area in contact.
+    form : ClosedForm
+        The closed form of both.
+
+    Returns
+    -------
+    dict
+        ``modulus``, k = rho m/sigma², the inverse of the freezing, infinite without roughness;
+        ``contact_over_rolloff``, ``mean_hurst``, ``bend`` and ``regime``.
     """
     mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
     return {
-        "modulus": 1 / found.freezing if found.freezing else math.inf,
+        "modulus": 1 / form.freezing if form.freezing else math.inf,
         "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
         "mean_hurst": mean_hurst,
         "bend": bend,
-        "regime": found.regime,
+        "regime": form.regime,
     }
 
 
 def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float]:
-    """Return the mean Hurst exponent of a spectrum, and its change a decade of wavevector.
+    """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
 
-    A parabola is fitted to log C_iso against log q, between the roll-off and the length of the
-    contact (nm) or the shortest wave. Both are NaN if there are no waves between them.
+    A parabola is fitted to log C_iso against log q. The fit begins at the roll-off and ends at the
+    length of the contact (nm), or at the shortest wave if that is longer. Both numbers are NaN if
+    the roll-off is shorter than the length of the contact.
     """
-    first, last = 2 * np.pi / roll_off(waves), waves.wavevector[-1]
-    decades = math.log10(min(last, 2 * np.pi / contact_length) / first)
+    lowest, highest = 2 * np.pi / roll_off(waves), waves.wavevector[-1]
+    decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
     if decades <= 0:
         return math.nan, math.nan
-    middle = np.linspace(-decades / 2, decades / 2, FITTED_POINTS)
-    density = waves(np.minimum(first * 10 ** (middle + decades / 2), last))
-    curvature, slope, _ = np.polyfit(middle, np.log10(density), 2)
+    log_wavevectors = np.linspace(-decades / 2, decades / 2, FITTED_POINTS)
+    density = waves(np.minimum(lowest * 10 ** (log_wavevectors + decades / 2), highest))
+    curvature, slope, _ = np.polyfit(log_wavevectors, np.log10(density), 2)
     return float(-1 - slope / 2), float(-curvature)
 
 
-def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place.
+def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
+    """Return the smallest and the largest error among the nearest surfaces of the table.
 
-    The distance is that of the logarithms of both `coordinates`; another regime is one further.
-    A place beyond the table counts as at its border.
+    Distances are those between the logarithms of modulus and contact_over_rolloff. A surface of
+    another regime is farther by one. A point outside the table is moved to its border.
+
+    Parameters
+    ----------
+    point : mapping
+        `table_coordinates` of an input.
+    name : str
+        One of VALIDATED_QUANTITIES.
+
+    Returns
+    -------
+    tuple of float
+        Computed value relative to the predicted value, smallest and largest.
     """
-    known = validation().dropna(subset=f"{name}_error")
+    surfaces = validation().dropna(subset=f"{name}_error")
     axes = ["modulus", "contact_over_rolloff"]
-    rows = known[axes].to_numpy()
-    here = np.clip([place[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
-    apart = np.log(np.maximum(rows, LEAST_MODULUS) / np.maximum(here, LEAST_MODULUS))
-    distance = np.hypot(*apart.T) + (known["regime"] != place["regime"]).to_numpy()
-    errors = known[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST]]
+    rows = surfaces[axes].to_numpy()
+    nearest_inside = np.clip([point[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
+    log_distances = np.log(np.maximum(rows, MIN_MODULUS) / np.maximum(nearest_inside, MIN_MODULUS))
+    distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
+    errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
     return float(errors.min()), float(errors.max())
 
 
-def is_tried(waves: Spectrum, contact: Contact, found: ClosedForm) -> bool:
-    """Return whether the error of a closed form is known: its contact lies within the table."""
-    return all(one.status == INSIDE for one in _tried(waves, contact, found))
+def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
+    """Return whether the table covers a contact, so that the error of its closed form is known."""
+    return all(number.status == INSIDE for number in _validated_ranges(waves, contact, form))
 
 
 def prediction(
@@ -166,45 +211,71 @@ def prediction(
     name: str = "spectrum",
     joined: xr.Dataset | None = None,
 ) -> dict[str, Number]:
-    """Return all that the closed form says of a sphere on a surface of a spectrum, by name.
+    """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    Without the roughness beyond an edge the force changes by the tolerance, a relative change.
-    Intervals are those of `nearest_errors` where contact and spectrum lie within the table;
-    otherwise there are none and the force has the status ``"outside"``. The ``continued_force`` is
-    that of the spectrum continued as in the study: that of scans, `joined` as by
-    `joined_spectrum`, rises above its longest wavelength as their rms height says; a table is level
-    there, and does not go on below a density of zero at its end. What is no spectrum is refused as
-    by `rough_part`, with the name.
+    Parameters
+    ----------
+    spectrum : Spectrum
+        C_iso in nm⁴ of the surface.
+    contact : Contact
+        The sphere, the attraction and the area in contact.
+    tolerance : float
+        Relative change of the force that defines an edge.
+    name : str
+        Name of the spectrum in messages.
+    joined : xarray.Dataset or None
+        From `joined_spectrum`, for a spectrum of scans. Its extrapolation rises above the longest
+        wavelength as the rms height of the scans requires. None for a table: its extrapolation is
+        level there, and ends at a density of zero at the end of the table.
+
+    Returns
+    -------
+    dict of str to Number
+        By name. Intervals follow from `nearest_errors` if the table covers contact and spectrum.
+        Otherwise there are none, and the force has the status ``"outside"``. ``continued_force`` is
+        the force with the extrapolated spectrum.
+
+    Raises
+    ------
+    ValueError
+        If `trim_spectrum` refuses the spectrum.
     """
-    waves = rough_part(spectrum, name)
+    waves = trim_spectrum(spectrum, name)
     height, gradient, _ = map(float, all_scales_moments(waves))
     longest, shortest = map(float, 2 * np.pi / waves.wavevector[[0, -1]])
-    found, smooth = closed_form(waves, contact), smooth_force(contact)
-    gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
+    form = closed_form(waves, contact)
+    smooth = smooth_force(contact)
+    widest_gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
     checks = [
-        _longest_octave(waves, contact, found),
-        Number("widest_gap", gap, status=UNKNOWN if gap > GAP else NEGLIGIBLE),
+        _longest_octave(waves, contact, form),
+        Number(
+            "widest_gap",
+            widest_gap,
+            status=UNKNOWN if widest_gap > MAX_WAVELENGTH_RATIO else NEGLIGIBLE,
+        ),
     ]
-    known = all(one.status == NEGLIGIBLE for one in checks)
-    *of_tail, change = _continued(spectrum, joined, contact, (found.force, tolerance), known)
-    checks += [change, *_tried(waves, contact, found)]
-    sure = all(one.status in (NEGLIGIBLE, INSIDE) for one in checks)
-    place = coordinates(waves, contact, found)
-    ends = zip(VALIDATED[1:], edges(waves, contact, tolerance), strict=True)
+    enough_waves = all(number.status == NEGLIGIBLE for number in checks)
+    *extrapolated, change = _extrapolated_numbers(
+        spectrum, joined, contact, form.force, tolerance, enough_waves
+    )
+    checks += [change, *_validated_ranges(waves, contact, form)]
+    validated = all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
+    point = table_coordinates(waves, contact, form)
+    ends = zip(VALIDATED_QUANTITIES[1:], edges(waves, contact, tolerance), strict=True)
     numbers = [
         Number("shortest_wavelength", shortest, "nm"),
         Number("longest_wavelength", longest, "nm"),
         Number("rms_height", height, "nm"),
         Number("rms_gradient", gradient),
-        _force("pull_off_force", found, place, sure),
-        *of_tail,
+        _force_number("pull_off_force", form, point, validated),
+        *extrapolated,
         Number("force_scatter", force_statistics(waves, contact).spread),
         Number("smooth_force", smooth, "N"),
-        Number("force_ratio", found.force / smooth),
-        Number("closest_approach", found.closest_approach, "nm"),
-        Number("freezing", found.freezing, status=found.regime.replace(" ", "_")),
+        Number("force_ratio", form.force / smooth),
+        Number("closest_approach", form.closest_approach, "nm"),
+        Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),
         *(
-            Number(end, edge, "nm", *_interval(end, edge, place, sure), status=FOUND)
+            Number(end, edge, "nm", *_validated_interval(end, edge, point, validated), status=FOUND)
             if math.isfinite(edge)
             else Number(end, edge, "nm", status=NONE)
             for end, edge in ends
@@ -212,58 +283,87 @@ def prediction(
         Number("tolerance", tolerance),
         *checks,
     ]
-    return {one.name: one for one in numbers}
+    return {number.name: number for number in numbers}
 
 
-def rough_part(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
-    """Return a spectrum without the zeros at its ends: it ends where its roughness does.
+def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
+    """Return a spectrum without the zeros at its ends.
 
-    Unknown densities are a ValueError of one line that begins with the name, and so are waves that
-    the study has none of, and an rms height below any atom's or above the longest wave: their unit
-    is wrong.
+    Parameters
+    ----------
+    spectrum : Spectrum
+        C_iso in nm⁴.
+    name : str
+        Name of the spectrum in messages.
+
+    Returns
+    -------
+    Spectrum
+        From the first to the last density above zero.
+
+    Raises
+    ------
+    ValueError
+        If densities are unknown. If wavelengths are beyond those of the study, or the rms height is
+        below MIN_RMS_HEIGHT or above the longest wavelength: the unit is probably wrong.
     """
     if not ((np.diff(spectrum.wavevector) > 0).all() and (spectrum.density >= 0).all()):
         raise ValueError(
             f"{name}: expected growing wavevectors with densities of at least 0, found others: "
             "leave out what is not known"
         )
-    known = np.flatnonzero(spectrum.density > 0)
-    if len(known) < 2:
+    rough_indices = np.flatnonzero(spectrum.density > 0)
+    if len(rough_indices) < 2:
         raise ValueError(f"{name}: expected roughness at two wavelengths or more, found less")
-    rough = slice(known[0], known[-1] + 1)
-    part = Spectrum(spectrum.wavevector[rough], spectrum.density[rough])
-    shortest, longest = 2 * np.pi / part.wavevector[[-1, 0]]
-    least, most = 2 * np.pi / WAVEVECTORS[[-1, 0]]
-    if shortest < least * (1 - 1e-9) or longest > most * (1 + 1e-9):
+    rough_slice = slice(rough_indices[0], rough_indices[-1] + 1)
+    rough = Spectrum(spectrum.wavevector[rough_slice], spectrum.density[rough_slice])
+    shortest, longest = 2 * np.pi / rough.wavevector[[-1, 0]]
+    minimum, maximum = 2 * np.pi / WAVEVECTORS[[-1, 0]]
+    if shortest < minimum * (1 - 1e-9) or longest > maximum * (1 + 1e-9):
         raise ValueError(
-            f"{name}: expected wavelengths of {print_length(least)} to {print_length(most)}, found "
-            f"{shortest:.3g} nm to {longest:.3g} nm: is the unit right?"
+            f"{name}: expected wavelengths of {print_length(minimum)} to {print_length(maximum)}, "
+            f"found {shortest:.3g} nm to {longest:.3g} nm: is the unit right?"
         )
-    height = all_scales_moments(part)[0]
-    if not LEAST_HEIGHT <= height <= longest:
+    height = all_scales_moments(rough)[0]
+    if not MIN_RMS_HEIGHT <= height <= longest:
         raise ValueError(
-            f"{name}: expected densities of an rms height of {print_length(LEAST_HEIGHT)} to "
+            f"{name}: expected densities of an rms height of {print_length(MIN_RMS_HEIGHT)} to "
             f"{print_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit "
             "right?"
         )
-    return part
+    return rough
 
 
 def tabor(contact: Contact, modulus: float) -> Number:
-    """Return the Tabor parameter, with the range of adhesion as spacing, and what it says.
+    """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
 
-    The effective modulus is in Pa, NaN if it is not known. The bodies are SOFT where their
-    elasticity takes more than CHANGE of the force from a smooth sphere.
+    Parameters
+    ----------
+    contact : Contact
+        The sphere and the attraction.
+    modulus : float
+        Effective modulus in Pa, NaN if it is not known.
+
+    Returns
+    -------
+    Number
+        The status is UNKNOWN without a modulus. It is SOFT if elasticity reduces the force of a
+        smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
     """
     if math.isnan(modulus):
         return Number("tabor_parameter", modulus, status=UNKNOWN)
     value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.range))
     softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
-    return Number("tabor_parameter", value, status=SOFT if softening > CHANGE else HARD)
+    return Number(
+        "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
+    )
 
 
-def too_wide(contact: Contact) -> str:
-    """Return that a contact alone would attract as much as the whole smooth sphere, if it would."""
+def wide_contact_message(contact: Contact) -> str:
+    """Return a message if the contact area alone attracts as strongly as a smooth sphere.
+
+    The message is empty otherwise. It names the largest preload (N) that is valid.
+    """
     share = contact_share(contact)
     if share < 1:
         return ""
@@ -274,87 +374,103 @@ def too_wide(contact: Contact) -> str:
     )
 
 
-def _interval(name: str, value: float, place: Mapping[str, Any], sure: bool) -> tuple[float, float]:
-    """Return the interval of a number of VALIDATED, NaN where its error is not known."""
-    least, greatest = nearest_errors(place, name) if sure else (math.nan, math.nan)
-    return value * least, value * greatest
+def _validated_interval(
+    name: str, value: float, point: Mapping[str, Any], validated: bool
+) -> tuple[float, float]:
+    """Return the interval of a predicted quantity, NaN if its error is not known.
+
+    The name is one of VALIDATED_QUANTITIES.
+    """
+    lowest, highest = nearest_errors(point, name) if validated else (math.nan, math.nan)
+    return value * lowest, value * highest
 
 
-def _force(name: str, found: ClosedForm, place: Mapping[str, Any], sure: bool) -> Number:
-    """Return a force with its interval and whether its error is known."""
-    interval = _interval("force", found.force, place, sure)
-    return Number(name, found.force, "N", *interval, INSIDE if sure else OUTSIDE)
+def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validated: bool) -> Number:
+    """Return a force (N) with its interval; the status says whether its error is known."""
+    interval = _validated_interval("force", form.force, point, validated)
+    return Number(name, form.force, "N", *interval, INSIDE if validated else OUTSIDE)
 
 
-def _continued(
+def _extrapolated_numbers(
     spectrum: Spectrum,
     joined: xr.Dataset | None,
     contact: Contact,
-    changing: tuple[float, float],
-    known: bool,
+    force: float,
+    tolerance: float,
+    is_known_inside: bool,
 ) -> Iterator[Number]:
-    """Yield force and edges with the waves beyond the ends; at last, how they change the force.
+    """Yield the force and both edges of the extrapolated spectrum, and the change of the force.
 
-    Changing are the force without them and the relative change that edges stand for.
-
-    There is nothing beyond a density of zero. What has a zero within is not continued. The error is
-    known only where that is known of the rest of the spectrum.
+    The change is relative to the force (N) without extrapolation; the tolerance defines the edges.
+    A spectrum is not extrapolated below a density of zero at its end, nor if it has a zero within.
+    The error of the force is known only if it is known inside the spectrum.
     """
-    waves, (force, tolerance) = rough_part(spectrum), changing
-    change, status = math.nan, NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
-    longest = rolloff = float(2 * np.pi / waves.wavevector[0])
-    density, hurst, ended_by = None, math.nan, ""
+    rough = trim_spectrum(spectrum)
+    change = hurst = math.nan
+    status = NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
+    longest = rolloff = float(2 * np.pi / rough.wavevector[0])
+    density = None
+    ended_by = ""
     if joined is not None and joined.attrs["tail_known"]:
         density = joined["spectrum"].values
-        rolloff, hurst, ended_by = (
-            joined.attrs[name] for name in ("rolloff", "tail_hurst", "tail_ended_by")
-        )
+        rolloff = joined.attrs["rolloff"]
+        hurst = joined.attrs["tail_hurst"]
+        ended_by = joined.attrs["tail_ended_by"]
     elif (
         joined is None
         and status == UNKNOWN
-        and len(waves.density) >= MIN_BINS
-        and waves.density.all()
+        and len(rough.density) >= MIN_BINS
+        and rough.density.all()
     ):
-        variance = np.full(waves.density.shape, CALIBRATION**2)
-        fit = fitted_hurst(waves.wavevector, waves.density, variance)
-        density, tail = continued_spectrum(waves.wavevector, waves.density, fit)
+        variance = np.full(rough.density.shape, CALIBRATION**2)
+        fit = fitted_hurst(rough.wavevector, rough.density, variance)
+        density, tail = continued_spectrum(rough.wavevector, rough.density, fit)
         hurst, ended_by = tail.tail_hurst, tail.tail_ended_by
-    # Without an exponent nothing is added: slope or curvature are at their bounds already.
+    # Without an exponent no waves are added: slope or curvature are at their bounds already.
     if density is not None and math.isnan(hurst) and rolloff <= longest:
         status = NEGLIGIBLE
     elif density is not None:
-        whole = rough_part(Spectrum(WAVEVECTORS, density))
-        found = closed_form(whole, contact)
-        inside = known and is_tried(whole, contact, found)
-        yield _force("continued_force", found, coordinates(whole, contact, found), inside)
-        for end, edge in zip(VALIDATED[1:], edges(whole, contact, tolerance), strict=True):
+        extrapolated = trim_spectrum(Spectrum(WAVEVECTORS, density))
+        form = closed_form(extrapolated, contact)
+        validated = is_known_inside and is_validated(extrapolated, contact, form)
+        yield _force_number(
+            "continued_force", form, table_coordinates(extrapolated, contact, form), validated
+        )
+        for end, edge in zip(
+            VALIDATED_QUANTITIES[1:], edges(extrapolated, contact, tolerance), strict=True
+        ):
             yield Number(f"continued_{end}", edge, "nm", status=FOUND if edge > 0 else NONE)
-        yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
+        yield Number("continued_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
         yield Number("continued_rolloff", rolloff, "nm")
         yield Number("continued_hurst", hurst, status=ended_by)
-        change = abs(found.force / force - 1)
-        status = MATTERS if change > CHANGE else NEGLIGIBLE
+        change = abs(form.force / force - 1)
+        status = MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE
     yield Number("continued_change", change, status=status)
 
 
-def _longest_octave(waves: Spectrum, contact: Contact, found: ClosedForm) -> Number:
-    """Return how much the longest octave of a spectrum changes the force.
+def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Number:
+    """Return the relative change of the force by the longest octave of a spectrum.
 
-    It is not known of a spectrum that has hardly more than this octave.
+    The change is unknown for a spectrum that has hardly more than this octave.
     """
-    kept = waves.wavevector >= 2 * waves.wavevector[0]
-    change, status = math.nan, UNKNOWN
-    if kept.sum() >= 2:
-        inner = Spectrum(waves.wavevector[kept], waves.density[kept])
-        change = abs(closed_form(inner, contact).force / found.force - 1)
-        status = MATTERS if change > CHANGE else NEGLIGIBLE
+    is_shorter = waves.wavevector >= 2 * waves.wavevector[0]
+    change = math.nan
+    status = UNKNOWN
+    if is_shorter.sum() >= 2:
+        shorter_waves = Spectrum(waves.wavevector[is_shorter], waves.density[is_shorter])
+        change = abs(closed_form(shorter_waves, contact).force / form.force - 1)
+        status = MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE
     return Number("longest_octave_change", change, status=status)
 
 
-def _tried(waves: Spectrum, contact: Contact, found: ClosedForm) -> Iterator[Number]:
-    """Yield what an error depends on, with the range that it has in the table."""
-    values = {"rho": contact.range, "radius": contact.radius, **coordinates(waves, contact, found)}
-    for name, unit in TRIED.items():
-        least, most = validation()[name].agg(["min", "max"])
-        status = INSIDE if least <= values[name] <= most else OUTSIDE
-        yield Number(f"tried_{name}", values[name], unit, least, most, status)
+def _validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
+    """Yield the parameters on which an error depends, with their ranges in the table."""
+    values = {
+        "rho": contact.range,
+        "radius": contact.radius,
+        **table_coordinates(waves, contact, form),
+    }
+    for name, unit in VALIDATED_PARAMETERS.items():
+        lowest, highest = validation()[name].agg(["min", "max"])
+        status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
+        yield Number(f"tried_{name}", values[name], unit, lowest, highest, status)
