@@ -1,4 +1,4 @@
-"""The closed form beside computed forces: what is compared, on small surfaces."""
+"""Errors of the closed form, on small surfaces."""
 
 import numpy as np
 import pytest
@@ -18,24 +18,24 @@ TRIAL = Trial(
 
 
 @pytest.fixture(scope="module")
-def found():
+def errors():
     return closed_form_errors({"a": rough(4, 500, 0.8, 40)}, TRIAL)
 
 
 def test_a_grid_holds_the_height_of_its_surfaces():
     spectrum = rough(4, 500, 0.8, 10)
     heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
-    expected = np.sqrt(moment(spectrum_of_grid(spectrum, 2560.0, 256), 0))
-    assert expected == pytest.approx(np.sqrt(np.mean(np.square(heights))), rel=0.03)
+    height = np.sqrt(moment(spectrum_of_grid(spectrum, 2560.0, 256), 0))
+    assert height == pytest.approx(np.sqrt(np.mean(np.square(heights))), rel=0.03)
     with pytest.raises(ValueError, match="expected waves between"):
         spectrum_of_grid(spectrum, 1e-3, 4)
 
 
-def test_errors_are_predicted_over_computed(found):
-    assert set(found.error.dims) == {"surface", "map_size", "source", "rho"}
-    ratio = found.predicted_force / found.computed_force
-    assert found.error.values == pytest.approx(ratio.transpose(*found.error.dims).values)
-    assert found.error.sel(source="contacts").values == pytest.approx(1, abs=0.1)
-    inside = found.computed_force_interval
-    assert (inside.sel(bound="low") <= found.computed_force).all()
-    assert (found.computed_force <= inside.sel(bound="high")).all()
+def test_errors_are_predicted_over_computed(errors):
+    assert set(errors.error.dims) == {"surface", "map_size", "source", "rho"}
+    ratio = errors.predicted_force / errors.computed_force
+    assert errors.error.values == pytest.approx(ratio.transpose(*errors.error.dims).values)
+    assert errors.error.sel(source="contacts").values == pytest.approx(1, abs=0.1)
+    interval = errors.computed_force_interval
+    assert (interval.sel(bound="low") <= errors.computed_force).all()
+    assert (errors.computed_force <= interval.sel(bound="high")).all()

@@ -15,9 +15,9 @@ from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.edge_scaling import (
-    among_regimes,
     edge_scaling,
     force_exponent,
+    regime_coordinates,
 )
 
 CONTACTS = [
@@ -33,33 +33,33 @@ def master(rms):
 
 
 def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
-    computed = filtered_pull_off(master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
-    force = computed["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
+    forces = filtered_pull_off(master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    mean_force = forces["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
     radius, rho = (np.array(values) for values in COMBINATIONS)
     radius = radius[:, None]
-    # 2 pi R W, but for what lies outside the window of 640 nm.
+    # 2 pi R W without the attraction outside the window of 640 nm.
     rigid = 2 * np.pi * radius * 1e-9 * erf(640 / np.sqrt(8 * radius * rho)) ** 2
-    np.testing.assert_allclose(force[:, 0], rigid, rtol=2e-3)
+    np.testing.assert_allclose(mean_force[:, 0], rigid, rtol=2e-3)
     # Eight pixels touch: the apex, its neighbours, and three of the four at the distance sqrt(2).
     gaps = np.array([0, *[100] * 4, *[200] * 3]) / (2 * radius[..., None])
-    deeper = np.exp(gaps.max(-1) / rho)
+    approach = np.exp(gaps.max(-1) / rho)
     flattened = (np.exp((gaps.max(-1, keepdims=True) - gaps) / rho[:, None]) - 1).sum(-1)
-    plastic = deeper * rigid - flattened * 100 / rho * 1e-9
-    np.testing.assert_allclose(force[:, 1], plastic, rtol=2e-3)
+    plastic = approach * rigid - flattened * 100 / rho * 1e-9
+    np.testing.assert_allclose(mean_force[:, 1], plastic, rtol=2e-3)
 
 
 def test_every_combination_is_that_of_single_contacts():
-    computed = filtered_pull_off(master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    forces = filtered_pull_off(master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
     single = filtered_pull_off(
         master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, range=5.0)]
     )
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
-            computed[name].isel(radius=1, load=1, rho=1),
+            forces[name].isel(radius=1, load=1, rho=1),
             single[name].isel(radius=0, load=0, rho=0),
         )
-    assert computed["area"].values == pytest.approx([100.0, 800.0])
-    assert computed["contact_area"].values == pytest.approx([100.0, 800.0])
+    assert forces["area"].values == pytest.approx([100.0, 800.0])
+    assert forces["contact_area"].values == pytest.approx([100.0, 800.0])
 
 
 RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 11.2]
@@ -81,15 +81,17 @@ def power_law(radius_exponent, rho_exponent, contact_exponent):
 def curves(*exponents, scatter=0.0):
     """Return ratios of three realizations whose long edge is a known power law, and that edge.
 
-    Exponents of the realizations scatter about those given, each edge about that of its exponents.
+    The exponents of the realizations scatter about the given exponents, and each edge scatters
+    about the power law of its exponents.
     """
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
     noise = np.random.default_rng(5).standard_normal(3)
     noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
-    edge, own = power_law(*exponents), power_law(*(one + noise for one in exponents))
+    edge = power_law(*exponents)
+    scattered_edge = power_law(*(exponent + noise for exponent in exponents))
     # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge.
-    steep = np.log(1.1) * (1 + 2 * np.log(own * np.exp(noise) / cutoff))
-    ratio = np.exp(np.maximum(steep, 0)).expand_dims(surface=["a"])
+    log_ratio = np.log(1.1) * (1 + 2 * np.log(scattered_edge * np.exp(noise) / cutoff))
+    ratio = np.exp(np.maximum(log_ratio, 0)).expand_dims(surface=["a"])
     ratio = xr.concat([1 / ratio, ratio], "side").assign_coords(side=["small", "large"])
     return xr.Dataset(
         {
@@ -103,7 +105,7 @@ def curves(*exponents, scatter=0.0):
 
 
 def edges(data, samples):
-    """Return the edges and exponents of ratios on a surface of which the spectrum is any."""
+    """Return the edges and exponents of ratios; the spectrum of the surface does not matter."""
     contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
     return edge_scaling(data, {"a": rough(30.0)}, contact, 0.1, Sampling(1, samples, 0.95))
 
@@ -111,32 +113,34 @@ def edges(data, samples):
 @pytest.mark.parametrize("exponents", [(1.0, 1.0, 0.0), (0.0, 0.2, 0.9), (0.0, 0.0, -0.8)])
 def test_exponents_are_those_of_a_known_power_law(exponents):
     data, edge = curves(*exponents, scatter=0.02)
-    computed = edges(data, 50).sel(side="large", surface="a")
-    np.testing.assert_allclose(computed["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
-    np.testing.assert_allclose(computed["exponent"], exponents, atol=0.02)
-    low, high = bounds(computed, "exponent")
-    assert (low <= computed["exponent"]).all() and (computed["exponent"] <= high).all()
+    scaling = edges(data, 50).sel(side="large", surface="a")
+    np.testing.assert_allclose(scaling["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
+    np.testing.assert_allclose(scaling["exponent"], exponents, atol=0.02)
+    low, high = bounds(scaling, "exponent")
+    assert (low <= scaling["exponent"]).all() and (scaling["exponent"] <= high).all()
 
 
 def test_open_edges_are_left_out_and_few_give_no_exponent():
     data, _ = curves(1.0, 1.0, 0.0)
-    computed = edges(data, 0).sel(side="small", surface="a")
-    assert computed["edge"].isnull().all() and computed["exponent"].isnull().all()
+    scaling = edges(data, 0).sel(side="small", surface="a")
+    assert scaling["edge"].isnull().all() and scaling["exponent"].isnull().all()
 
 
 def test_a_force_that_is_a_power_of_the_radius_has_this_exponent():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
     factor = xr.DataArray([1.0, 3.0], dims="contact_x")
-    rest = {"side": ["small", "large"], "surface": ["a"], "rho": RANGES, "area": AREAS}
-    forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(rest)
-    # Forces of another side, range or contact area are others.
-    others = (forces["side"] == "small") | (forces["rho"] != 5.6) | (forces["area"] != 400)
-    data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~others, 1.0)})
-    computed = force_exponent(data, contact_of_area(250e3, 5.6, 1.0, 400.0), 0.95)
-    assert computed["force_exponent"].item() == pytest.approx(0.4)
-    half = stats.t.ppf(0.975, 2) * 0.1 / np.sqrt(3)
-    np.testing.assert_allclose(bounds(computed, "force_exponent"), [[0.4 - half], [0.4 + half]])
+    axes = {"side": ["small", "large"], "surface": ["a"], "rho": RANGES, "area": AREAS}
+    forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(axes)
+    # Forces at another side, range or contact area differ.
+    is_other = (forces["side"] == "small") | (forces["rho"] != 5.6) | (forces["area"] != 400)
+    data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~is_other, 1.0)})
+    exponent = force_exponent(data, contact_of_area(250e3, 5.6, 1.0, 400.0), 0.95)
+    assert exponent["force_exponent"].item() == pytest.approx(0.4)
+    half_width = stats.t.ppf(0.975, 2) * 0.1 / np.sqrt(3)
+    np.testing.assert_allclose(
+        bounds(exponent, "force_exponent"), [[0.4 - half_width], [0.4 + half_width]]
+    )
 
 
 SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
@@ -144,13 +148,11 @@ SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
 
 def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
     contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
-    place, form = (
-        among_regimes(SPECTRA, contact).sel(surface="b"),
-        closed_form(SPECTRA["b"], contact),
-    )
-    assert place["over_range"].item() == pytest.approx(form.rms_height / 5.6)
+    coordinates = regime_coordinates(SPECTRA, contact).sel(surface="b")
+    form = closed_form(SPECTRA["b"], contact)
+    assert coordinates["over_range"].item() == pytest.approx(form.rms_height / 5.6)
     level = form.closest_approach / form.rms_height
-    assert place["approach_level"].item() == pytest.approx(level)
+    assert coordinates["approach_level"].item() == pytest.approx(level)
     # The table has forty points a decade.
-    roll_off = 20.0 / place["contact_over_rolloff"].item()
+    roll_off = 20.0 / coordinates["contact_over_rolloff"].item()
     assert roll_off == pytest.approx(2500, rel=0.5)

@@ -44,10 +44,11 @@ def level_of_gap(gap):
 
 
 def test_the_mean_gap_is_that_of_a_flattened_surface():
-    heights, places = generator(1, "flattened").standard_normal(400_000), [100, 200, 250]
+    heights = generator(1, "flattened").standard_normal(400_000)
+    indices = [100, 200, 250]
     waves = rough_waves(rough(4.0), 250e3)
     _, variance, gap = formulas.gaps_on_summits(waves, 250e3, 400.0)
-    for sigma, mean_gap in zip(np.sqrt(variance[places]), gap[places], strict=True):
+    for sigma, mean_gap in zip(np.sqrt(variance[indices]), gap[indices], strict=True):
         flattened = sigma * np.maximum(level_of_gap(mean_gap / sigma) - heights, 0).mean()
         assert mean_gap == pytest.approx(flattened, rel=0.02, abs=1e-3 * sigma)
 
@@ -60,76 +61,85 @@ def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
     sigma, step = 3.0, 1e-2
     slope = (log_force(sigma * np.exp(step)) - log_force(sigma * np.exp(-step))) / (2 * step)
     level = float(formulas.level_of_area(WIDE.area / (2 * np.pi * WIDE.radius * sigma)))
-    found = formulas.elasticity(sigma, Approaches(np.array([level]), np.ones(1), 1e-3), WIDE)
-    assert found == pytest.approx(-slope, rel=0.03)
+    elasticity = formulas.elasticity(sigma, Approaches(np.array([level]), np.ones(1), 1e-3), WIDE)
+    assert elasticity == pytest.approx(-slope, rel=0.03)
 
 
 def test_elasticity_of_single_peaks_is_that_of_their_number():
-    """Of rigid bodies F ~ 1/(1 - k), k = t rho/sigma: E = k/(1 - k)."""
+    """For rigid bodies F ~ 1/(1 - k), k = t rho/sigma: E = k/(1 - k)."""
     contact, level = contact_of_area(250e3, 1.0, 1.0, 1e-30), 8.0
     for modulus in (0.05, 0.2):
         sigma = level / modulus
-        found = formulas.elasticity(sigma, Approaches(np.array([level]), np.ones(1), 50.0), contact)
-        assert found == pytest.approx(modulus / (1 - modulus), rel=0.03)
+        elasticity = formulas.elasticity(
+            sigma, Approaches(np.array([level]), np.ones(1), 50.0), contact
+        )
+        assert elasticity == pytest.approx(modulus / (1 - modulus), rel=0.03)
 
 
 def test_edges_of_many_points_are_those_of_the_power_law_and_of_the_closed_form():
-    found = formulas.formula_edges(GENTLE, WIDE, 0.1)
+    edge_pair = formulas.formula_edges(GENTLE, WIDE, 0.1)
     waves = rough_waves(GENTLE, WIDE.radius)
     sigma = np.sqrt(moment(waves, 0))
     level = closest_approaches(waves, WIDE.radius, WIDE.area).mean()
     slack = level + 1 / level - sigma / WIDE.range
     share = 2 * np.log(1.1) * WIDE.range / (sigma * slack)
     # Both are first orders in the change of the force and in 1/t.
-    assert found.long == pytest.approx(ROLL_OFF * np.sqrt(HURST / (1 + HURST) / share), rel=0.15)
-    assert found.short == pytest.approx(ROLL_OFF * (share * (1 + HURST)) ** (0.5 / HURST), rel=0.25)
+    assert edge_pair.long == pytest.approx(
+        ROLL_OFF * np.sqrt(HURST / (1 + HURST) / share), rel=0.15
+    )
+    assert edge_pair.short == pytest.approx(
+        ROLL_OFF * (share * (1 + HURST)) ** (0.5 / HURST), rel=0.25
+    )
     surface = rough(5.0, ROLL_OFF, HURST, shortest=2.0)
     contact = contact_of_area(250e3, 20.0, 1.0, 400.0)
-    found = formulas.formula_edges(surface, contact, 0.1)
-    assert found[:2] == pytest.approx(edges(surface, contact, 0.1), rel=0.2)
+    edge_pair = formulas.formula_edges(surface, contact, 0.1)
+    assert edge_pair[:2] == pytest.approx(edges(surface, contact, 0.1), rel=0.2)
 
 
 def test_mean_curvature_of_summits_is_that_of_random_surfaces():
-    spectrum, curvatures = rounded(1.0, 16.0), []
+    spectrum = rounded(1.0, 16.0)
+    curvatures = []
     for number in range(3):
         h = random_surface(generator(1, "summits", number), 512, 1.0, spectrum).heights
-        around = {(y, x): np.roll(h, (y, x), (0, 1)) for y in (-1, 0, 1) for x in (-1, 0, 1)}
-        top = h == np.max(list(around.values()), axis=0)
-        beside = sum(around[place] for place in ((0, 1), (1, 0), (0, -1), (-1, 0)))
-        curvatures.append(((4 * h - beside) / 2)[top])
-    expected = formulas.SUMMIT_CURVATURE * np.sqrt(moment(rough_waves(spectrum, 1e9), 4)) / 2
-    assert np.concatenate(curvatures).mean() == pytest.approx(expected, rel=0.05)
+        shifted = {(y, x): np.roll(h, (y, x), (0, 1)) for y in (-1, 0, 1) for x in (-1, 0, 1)}
+        is_summit = h == np.max(list(shifted.values()), axis=0)
+        neighbours = sum(shifted[shift] for shift in ((0, 1), (1, 0), (0, -1), (-1, 0)))
+        curvatures.append(((4 * h - neighbours) / 2)[is_summit])
+    curvature = formulas.SUMMIT_CURVATURE * np.sqrt(moment(rough_waves(spectrum, 1e9), 4)) / 2
+    assert np.concatenate(curvatures).mean() == pytest.approx(curvature, rel=0.05)
 
 
 @pytest.mark.parametrize("area", [30.0, 300.0, 6000.0])
 def test_exponents_of_the_short_edge_are_those_of_the_theory(area):
-    """Against sqrt(rho) 2/(H + 2e), against sqrt(A) 2e/(H + 2e), e = (h - t) Phi/(t + L)."""
-    spectrum, contact = rough(60.0, 20e3, HURST, shortest=0.5), contact_of_area(5e9, 1.0, 1.0, area)
-    edge, step = formulas.formula_edges(spectrum, contact, 0.1).short, 0.4
+    """2/(H + 2e) against sqrt(rho), 2e/(H + 2e) against sqrt(A), with e = (h - t) Phi/(t + L)."""
+    spectrum = rough(60.0, 20e3, HURST, shortest=0.5)
+    contact = contact_of_area(5e9, 1.0, 1.0, area)
+    edge = formulas.formula_edges(spectrum, contact, 0.1).short
+    step = 0.4
     waves = rough_waves(spectrum, contact.radius)
     wavelength, variance, gap = formulas.gaps_on_summits(waves, contact.radius, area)
     level = np.interp(np.log(edge), np.log(wavelength), level_of_gap(gap / np.sqrt(variance)))
     flattened = (formulas.hazard(level) - level) * special.ndtr(level)
     e = flattened / formulas.height_above(-level)
-    for name, expected in (("range", 2 / (HURST + 2 * e)), ("preload", 2 * e / (HURST + 2 * e))):
+    for name, exponent in (("range", 2 / (HURST + 2 * e)), ("preload", 2 * e / (HURST + 2 * e))):
         short = [
             formulas.formula_edges(
                 spectrum, replace(contact, **{name: getattr(contact, name) * factor}), 0.1
             ).short
             for factor in (np.exp(-step), np.exp(step))
         ]
-        # Of d ln sqrt(x), twice that of ln x.
-        assert np.log(short[1] / short[0]) / step == pytest.approx(expected, abs=0.07)
+        # The derivative by ln sqrt(x) is twice the derivative by ln x.
+        assert np.log(short[1] / short[0]) / step == pytest.approx(exponent, abs=0.07)
 
 
 def test_the_table_has_the_edges_of_the_formulas_and_they_hold_out_of_sample():
     table = pd.read_csv(validate_edges.TABLE).set_index("surface")
-    again = pd.DataFrame(validate_edges.rows(3)).set_index("surface")
-    pd.testing.assert_frame_equal(table.loc[again.index], again, rtol=1e-3)
-    for name, most in (("short_edge", 1.3), ("long_edge", 1.5)):
-        held_back = validation()[validation()[f"{name}_is"] == FOUND]
-        formula = table[name][held_back["surface"].astype(str)].to_numpy()
-        assert np.exp(np.median(abs(np.log(held_back[name] / formula)))) < most
+    recomputed = pd.DataFrame(validate_edges.rows(3)).set_index("surface")
+    pd.testing.assert_frame_equal(table.loc[recomputed.index], recomputed, rtol=1e-3)
+    for name, max_error in (("short_edge", 1.3), ("long_edge", 1.5)):
+        held_out = validation()[validation()[f"{name}_is"] == FOUND]
+        formula = table[name][held_out["surface"].astype(str)].to_numpy()
+        assert np.exp(np.median(abs(np.log(held_out[name] / formula)))) < max_error
 
 
 def test_a_surface_that_hardly_keeps_bodies_apart_has_no_edges():

@@ -1,4 +1,4 @@
-"""Laws of attraction: their derivatives, the mixtures that they are, and known strengths."""
+"""Laws of attraction: their derivatives, their mixtures, and known strengths."""
 
 import numpy as np
 import pytest
@@ -59,6 +59,8 @@ def test_known_strengths():
     work = 5e-19 / (12 * np.pi * (0.3e-9) ** 2)
     assert implied_over_known(BY_NAME["van_der_waals"], 0.15, work) == pytest.approx(1)
     mirrors = BY_NAME["retarded"]
-    assert 3 * mirrors.known / (1e-6) ** 4 == pytest.approx(1.30e-3, rel=1e-3)
-    assert BY_NAME["electrostatic"].known / 1e-18 == pytest.approx(constants.epsilon_0 / 2e-18)
+    assert 3 * mirrors.max_strength / (1e-6) ** 4 == pytest.approx(1.30e-3, rel=1e-3)
+    assert BY_NAME["electrostatic"].max_strength / 1e-18 == pytest.approx(
+        constants.epsilon_0 / 2e-18
+    )
     assert np.isnan(implied_over_known(EXPONENTIAL, 5.6, 0.0463))

@@ -1,4 +1,4 @@
-"""The table of designed surfaces beside the closed form that it is of."""
+"""The table of designed surfaces agrees with the closed form that it validates."""
 
 import sys
 
@@ -26,37 +26,37 @@ def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
     for row in TABLE.to_dict("records"):
         waves = spectrum_of_grid(validate_prediction.spectrum_of(row), row["size"], row["pixels"])
         contact = contact_of_area(row["radius"], row["rho"], 1.0, row["area"])
-        found = closed_form(waves, contact)
-        assert found.force == pytest.approx(row["predicted_force"], rel=1e-3)
-        assert found.regime == row["regime"]
-        assert (found.rms_height, found.closest_approach) == pytest.approx(
+        form = closed_form(waves, contact)
+        assert form.force == pytest.approx(row["predicted_force"], rel=1e-3)
+        assert form.regime == row["regime"]
+        assert (form.rms_height, form.closest_approach) == pytest.approx(
             (row["waves_height"], row["approach"]), rel=1e-3
         )
-    again = validate_prediction.predicted(row)
-    assert again["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
+    predicted = validate_prediction.predicted(row)
+    assert predicted["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 
 
 def test_a_surface_computed_again_has_the_numbers_of_the_table():
     number = int(np.argmax(TABLE["pixels"] == 1024))
-    found = validate_prediction.computed(validate_prediction.design(number + 1)[number])
-    row = TABLE[list(found)].iloc[[number]].reset_index(drop=True)
-    pd.testing.assert_frame_equal(row, pd.DataFrame([found]), rtol=1e-3)
+    computed = validate_prediction.computed(validate_prediction.design(number + 1)[number])
+    row = TABLE[list(computed)].iloc[[number]].reset_index(drop=True)
+    pd.testing.assert_frame_equal(row, pd.DataFrame([computed]), rtol=1e-3)
 
 
 @pytest.mark.parametrize("name", prediction.VALIDATED_QUANTITIES)
 def test_intervals_hold_what_they_should_on_the_other_half(name):
-    """Nine of ten, but for chance and what lies at the rim of the set: three quarters or more."""
+    """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""
     table = TABLE[TABLE["held_back"] == 0]
-    known = table[table.get(f"{name}_is", pd.Series("found", table.index)) == "found"]
-    known = known.dropna(subset=f"predicted_{name}")
-    inside = []
-    for _, row in known.iterrows():
+    closed_edges = table[table.get(f"{name}_is", pd.Series("found", table.index)) == "found"]
+    closed_edges = closed_edges.dropna(subset=f"predicted_{name}")
+    is_inside = []
+    for _, row in closed_edges.iterrows():
         low, high = prediction.nearest_errors(row, name)
-        inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
-    assert 0.75 < np.mean(inside) <= 1
+        is_inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
+    assert 0.75 < np.mean(is_inside) <= 1
 
 
-#: Roll-off (nm), plateau (nm⁴), Hurst exponent at the roll-off and its change a decade of the
+#: Roll-off (nm), plateau (nm⁴), Hurst exponent at the roll-off and its change per decade, for the
 #: default spectra of polished UNCD, UNCD, NCD and MCD (workflow/report/departures.md).
 COATINGS = [
     (751, 1.075e6, 1.27, 0.0),
@@ -71,9 +71,9 @@ def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst,
     density = varying_hurst(WAVEVECTORS, plateau, rolloff, hurst, change)
     spectrum = prediction.trim_spectrum(Spectrum(WAVEVECTORS, density))
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0)
-    decades = np.log10(rolloff / 20)
-    expected = hurst + change * decades / 2, change
-    assert prediction.hurst_and_bend(spectrum, 20.0) == pytest.approx(expected, abs=0.01)
+    mean_hurst = hurst + change * np.log10(rolloff / 20) / 2
+    fit = prediction.hurst_and_bend(spectrum, 20.0)
+    assert fit == pytest.approx((mean_hurst, change), abs=0.01)
     assert prediction.is_validated(spectrum, contact, closed_form(spectrum, contact))
 
 

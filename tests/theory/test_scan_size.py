@@ -42,23 +42,26 @@ def test_the_table_holds_what_its_rule_predicts():
     rule = ScanSizeRule(table["strength"].item(), table["exponent"].values)
     for surface in table["surface"].values:
         row = table.sel(surface=surface)
-        lengths = (row[name].item() for name in ("rms_height", "roll_off", "radius"))
+        lengths = [row[name].item() for name in ("rms_height", "roll_off", "radius")]
         case = Case(row["scan_size"].values[:, None], *lengths, row["rho"].values)
         np.testing.assert_allclose(row["predicted_excess"], rule.excess(case))
-        at_needed = case._replace(size=row["size_needed"].values)
-        np.testing.assert_allclose(rule.excess(at_needed), table.attrs["allowed_excess"])
+        needed = case._replace(size=row["size_needed"].values)
+        np.testing.assert_allclose(rule.excess(needed), table.attrs["allowed_excess"])
     for tested, name in (("surfaces", "excess"), ("random surfaces", "known_excess")):
-        left = np.log(table[name] / table[f"predicted_{name}"])
+        residual = np.log(table[name] / table[f"predicted_{name}"])
         error = table["error"].sel(tested=tested, kind="corrected")
-        np.testing.assert_allclose(error, np.sqrt((left**2).mean()))
+        np.testing.assert_allclose(error, np.sqrt((residual**2).mean()))
 
 
 def test_a_rule_is_found_again_and_corrects_surfaces_it_was_not_fitted_to():
-    true = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
-    known, others = random_cases(1), random_cases(2)
-    rule = fitted_rule(known, true.excess(known))
+    true_rule = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
+    fitted_cases = random_cases(1)
+    other_cases = random_cases(2)
+    rule = fitted_rule(fitted_cases, true_rule.excess(fitted_cases))
     np.testing.assert_allclose([rule.strength, *rule.exponents], [0.4, 1.2, 0.5, 0.3], atol=1e-3)
-    corrected, uncorrected = correction_errors(rule.excess(others), true.excess(others))
+    corrected, uncorrected = correction_errors(
+        rule.excess(other_cases), true_rule.excess(other_cases)
+    )
     assert corrected < 1e-3 * uncorrected
 
 
@@ -77,12 +80,14 @@ def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface
     """A surface made of mirror images of one window has no wave that this window lacks."""
     heights = np.random.default_rng(2).normal(0, 4, (16, 16))
     scan = HeightMap(heights, 20.0, periodic=False, basis="substitute")
-    whole = periodic(np.tile(mirror_stitch(level(scan)).heights, (2, 2)))
-    (window,) = mirrored_windows(whole, 320.0, 1)
-    on_window = filtered_forces(window, CUTOFFS, WINDOWS)
-    on_whole = filtered_forces(whole, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, count=4)))
-    np.testing.assert_allclose(on_window[:-1], on_whole[:-1], rtol=1e-5)
-    assert np.isnan(on_window[-1]) and on_whole[-1] == pytest.approx(1, abs=1e-6)
+    surface = periodic(np.tile(mirror_stitch(level(scan)).heights, (2, 2)))
+    (window,) = mirrored_windows(surface, 320.0, 1)
+    window_forces = filtered_forces(window, CUTOFFS, WINDOWS)
+    surface_forces = filtered_forces(
+        surface, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, count=4))
+    )
+    np.testing.assert_allclose(window_forces[:-1], surface_forces[:-1], rtol=1e-5)
+    assert np.isnan(window_forces[-1]) and surface_forces[-1] == pytest.approx(1, abs=1e-6)
 
 
 def test_the_ratio_is_that_of_a_surface_less_its_long_waves():
@@ -107,7 +112,7 @@ def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
         {"edge_size": [500.0, 501.0, 8000.0], "cutoff_wavelength": [250.0, 1000.0, 4000.0]},
     )
     edges = window_edges({"one": forces}).isel(surface=0)
-    # Linear in ln(ratio) over ln(wavelength): of four, four octaves away, and half of two.
+    # Linear in ln(ratio) against ln(wavelength).
     share = np.log(1.1) / np.log(1.5)
     assert edges["long_edge"].values[0] == pytest.approx(1000 * 0.25**share)
     assert edges["long_edge"].values[2] == pytest.approx(2000, rel=1e-3)

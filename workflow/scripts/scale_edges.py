@@ -11,10 +11,10 @@ from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.pull_off import WORK_OF_ADHESION
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.theory.edge_scaling import (
-    designed_edges,
+    designed_edge_errors,
     edge_scaling,
     force_exponent,
-    stacked_scaling,
+    stack_scaling,
 )
 
 with job(snakemake) as job:
@@ -23,7 +23,7 @@ with job(snakemake) as job:
     spectra = {surface: read_spectrum(path) for surface, path in paths}
     keys = [[surface] for surface in params["masters"]]
     masters = zip(keys, map(read, job.input.masters), strict=True)
-    scaling = stacked_scaling(
+    scaling = stack_scaling(
         single_masters(masters, params["realizations"]),
         {"labels": params["labels"], "basis": params["basis"]},
     )
@@ -38,7 +38,9 @@ with job(snakemake) as job:
         Sampling(params["seed"], params["samples"], params["confidence"]),
     )
     forces = force_exponent(scaling, contact, params["confidence"])
-    designed = designed_edges(pd.read_csv(job.input.computed), pd.read_csv(job.input.formulas))
+    designed = designed_edge_errors(
+        pd.read_csv(job.input.computed), pd.read_csv(job.input.formulas)
+    )
     job.write(
         xr.merge([edges, forces, designed]).assign_attrs(
             {name: params[name] for name in ("sphere_radius", "rho", "area")}

@@ -31,7 +31,7 @@ from hardcontact.own.scan_parts import (
     quarters_of_contacts,
 )
 from hardcontact.surfaces.spectrum import spectrum_from
-from hardcontact.theory.edge_scaling import among_regimes
+from hardcontact.theory.edge_scaling import regime_coordinates
 from hardcontact.theory.prediction import tabor
 from hardcontact.theory.pull_off_statistics import force_scatter
 from hardcontact.theory.summits import draw_size
@@ -63,8 +63,8 @@ def own_force(
     Returns, over surface, the forces on the scans (`predicted_force`) and with continued roughness
     (`continued_force`), never above that of a smooth sphere; whether scans, windows and pixels are
     large or small enough (`finite_scan`); the scatter of single forces (`force_scatter`); and the
-    place among the regimes (`among_regimes`). Attributes hold the Tabor parameter, and whether it
-    says that the bodies are hard (`tabor`).
+    place among the regimes (`regime_coordinates`). Attributes hold the Tabor parameter, and whether
+    it says that the bodies are hard (`tabor`).
     """
     force = predicted_force(
         adhesion,
@@ -93,7 +93,7 @@ def own_force(
     ).squeeze("rho", drop=True)
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
     stiffness = tabor(contact, assumed_modulus(contact.hardness))
-    return force.merge(among_regimes(joined, contact)).assign_attrs(
+    return force.merge(regime_coordinates(joined, contact)).assign_attrs(
         tabor_parameter=stiffness.value, bodies=stiffness.status
     )
 

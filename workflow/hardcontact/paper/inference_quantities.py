@@ -66,7 +66,9 @@ def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
     """
     others = [law for law in LAWS if law != EXPONENTIAL]
     power = xr.DataArray([law.exponent + 1 for law in others], dims="law")
-    known = xr.DataArray([law.known for law in others], {"law": [law.name for law in others]})
+    known = xr.DataArray(
+        [law.max_strength for law in others], {"law": [law.name for law in others]}
+    )
     rho = 1e-9 * paper["range_of_adhesion"]
     at_one_range, largest = (
         paper["work_of_adhesion"]

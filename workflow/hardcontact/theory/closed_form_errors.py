@@ -1,4 +1,4 @@
-"""The closed form beside forces computed on random surfaces of the same spectrum."""
+"""Errors of the closed form: its forces relative to those computed on random surfaces."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -16,31 +16,50 @@ from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.summits import banded
 
-#: Where closest approach comes from.
-SOURCES = ["spectrum", "contacts"]
+#: Sources of the height of closest approach: expected from the spectrum, or computed contacts.
+APPROACH_SOURCES = ["spectrum", "contacts"]
 
 
 @dataclass(frozen=True)
 class Trial:
-    """Random surfaces that the closed form is held to, and what touches them."""
+    """Random surfaces and contacts on which the closed form is validated."""
 
-    pixels: int  #: Of each periodic surface along an edge.
-    realizations: int  #: Surfaces of each size.
+    pixels: int  #: Along an edge of each periodic surface.
+    realizations: int  #: Number of surfaces of each size.
     sizes: tuple[float, ...]  #: Edges of the surfaces in nm.
-    ranges: tuple[float, ...]  #: Of adhesion in nm.
+    ranges: tuple[float, ...]  #: Ranges of adhesion in nm.
     contact: Contact
     work: float  #: W in J/m².
     rho: float  #: The range (nm) of the edges.
-    tolerance: float  #: Change of the force that counts for an edge.
-    confidence: float  #: Of intervals.
-    seed: int  #: Of the surfaces.
+    tolerance: float  #: Relative change of the force that defines an edge.
+    confidence: float  #: Confidence of the intervals.
+    seed: int  #: Selects the random surfaces.
 
 
 def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
-    """Return the waves that a periodic surface of a size (nm) holds.
+    """Return the spectrum of the waves that a periodic surface can have.
 
-    Both ends are circles of the area of the square of wavevectors that they stand for: the cell at
-    zero, which is left out, and all up to Nyquist.
+    The wavevectors of the surface fill a square up to the Nyquist wavevector; the cell at zero is
+    left out. The spectrum ends at circles of the same areas as this square and this cell.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        C_iso in nm⁴.
+    size : float
+        Edge of the surface in nm.
+    pixels : int
+        Pixels along the edge.
+
+    Returns
+    -------
+    Spectrum
+        The waves between both circles.
+
+    Raises
+    ------
+    ValueError
+        If the spectrum has no such waves.
     """
     cell = 2 * np.pi / size
     waves = banded(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
@@ -50,37 +69,37 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
 
 
 def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Dataset:
-    """Return computed and predicted forces, and what the closed form says of all scales.
+    """Return computed and predicted forces, and the predictions for all scales.
 
     Parameters
     ----------
     spectra : mapping of str to Spectrum
-        Of each surface, by its name.
+        C_iso in nm⁴ by name of the surface.
     trial : Trial
-        Random surfaces and contacts that the closed form is compared on.
+        Random surfaces and contacts on which the closed form is validated.
 
     Returns
     -------
     xarray.Dataset
-        Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
-        realizations with its interval over realizations; also over source ("spectrum": closest
-        approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N)
-        and ``error``, predicted over computed. Of the whole spectra ``whole_freezing`` and
-        ``regime`` over (surface, rho), and ``edge`` (surface, side) in nm.
+        By (surface, map_size, rho): ``computed_force`` in N, the mean plastic force over contacts
+        and realizations, with its interval over realizations. By source (APPROACH_SOURCES), too:
+        ``predicted_force`` and ``first_term_force`` in N, and ``error``, the predicted force
+        relative to the computed force. For the unfiltered spectra: ``whole_freezing`` and
+        ``regime`` (surface, rho), and ``edge`` (surface, side) in nm.
     """
-    compared = [
+    errors_by_size = [
         [_compare(name, spectrum, size, trial) for size in trial.sizes]
         for name, spectrum in spectra.items()
     ]
-    grids = xr.combine_nested(compared, ["surface", "map_size"], combine_attrs="override")
-    whole = [_describe_whole(spectrum, trial) for spectrum in spectra.values()]
+    grids = xr.combine_nested(errors_by_size, ["surface", "map_size"], combine_attrs="override")
+    all_scales = [_describe_all_scales(spectrum, trial) for spectrum in spectra.values()]
     return (
-        grids.merge(xr.concat(whole, "surface", combine_attrs="override"))
+        grids.merge(xr.concat(all_scales, "surface", combine_attrs="override"))
         .assign_coords(
             surface=list(spectra),
             map_size=("map_size", list(trial.sizes), {"units": "nm"}),
             rho=("rho", list(trial.ranges), {"units": "nm", "long_name": "range of adhesion"}),
-            source=SOURCES,
+            source=APPROACH_SOURCES,
             side=list(SIDES),
         )
         .assign_attrs(range_of_adhesion=trial.rho, confidence=trial.confidence)
@@ -90,7 +109,8 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
 def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dataset:
     """Return computed and predicted forces of one surface and size of map."""
     pixel_size = size / trial.pixels
-    forces, approaches = [], []
+    forces = []
+    approaches = []
     for realization in range(trial.realizations):
         rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
         surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
@@ -113,20 +133,21 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     interval = student_log_interval(realizations, trial.confidence, "realization")
     predicted = [[form.force for form in row] for row in forms]
     first_term = [[form.first_term * smooth for form in row] for row in forms]
-    over, newton, one = ("source", "rho"), {"units": "N"}, {"units": "1"}
+    dims = ("source", "rho")
+    newton = {"units": "N"}
     return xr.Dataset(
         {
             "computed_force": computed.assign_attrs(newton),
             "computed_force_interval": interval.assign_attrs(newton),
-            "predicted_force": (over, predicted, newton),
-            "first_term_force": (over, first_term, newton),
-            "error": (over, predicted / computed.values, one),
+            "predicted_force": (dims, predicted, newton),
+            "first_term_force": (dims, first_term, newton),
+            "error": (dims, predicted / computed.values, {"units": "1"}),
         }
     )
 
 
-def _describe_whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
-    """Return what the closed form says of a spectrum of all scales."""
+def _describe_all_scales(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
+    """Return regime and edges by the closed form for a spectrum of all scales."""
     contact = replace(trial.contact, range=trial.rho, work=trial.work)
     forms = [closed_form(spectrum, replace(contact, range=rho)) for rho in trial.ranges]
     return xr.Dataset(

@@ -1,8 +1,9 @@
 """How both edges of the critical band scale with R, rho and the contact area, and what sets them.
 
-An edge that belongs to the surface has the exponents 0 against sqrt(R), sqrt(rho) and sqrt(F/H).
-The short edge has 1 against sqrt(F/H) if the contact sets it, and 2/H against sqrt(rho), H the
-Hurst exponent, if the range does. The formulas are those of `edge_formulas`.
+If the surface alone sets an edge, its exponents against sqrt(R), sqrt(rho) and sqrt(F/H) are 0. If
+the contact sets the short edge, its exponent against sqrt(F/H) is 1. If the range sets the short
+edge, its exponent against sqrt(rho) is 2 over the Hurst exponent. The formulas are in
+`edge_formulas`.
 """
 
 from collections.abc import Mapping
@@ -32,22 +33,31 @@ from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.edge_formulas import formula_edges
 
-#: What an edge may follow: sqrt(R), sqrt(rho) and sqrt(F/H), by the axis of the grid.
+#: Lengths that may set an edge: sqrt(R), sqrt(rho) and sqrt(F/H), with the axis of the grid.
 LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
-#: The predictions that edges of designed surfaces are compared with.
+#: Predictions with which computed edges of designed surfaces are compared.
 FORMULA, CLOSED_FORM = "formula", "closed form"
 
 COMBINATION = ["radius", "area", "rho"]
 ONE, NM = {"units": "1"}, {"units": "nm"}
 
 
-def stacked_scaling(masters: Parts, described: Described) -> xr.Dataset:
-    """Return the ratios of all masters, with the names of the surfaces.
+def stack_scaling(masters: Parts, described: Described) -> xr.Dataset:
+    """Return the ratios of filtered to unfiltered forces on all masters.
 
-    The masters are of `filtered_pull_off`, by (surface, realization, side). ``ratio`` (surface,
-    realization, side, cutoff_wavelength, radius, area, rho) is that of filtered to unfiltered
-    force, NaN at cutoffs of the other side, beside ``unfiltered_wavelength`` (surface, side) and
-    ``contact_area`` (side, area) of touching pixels, in nm².
+    Parameters
+    ----------
+    masters : Parts
+        From `filtered_pull_off`, by (surface, realization, side).
+    described : Described
+        Label and basis of each surface.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``ratio`` (surface, realization, side, cutoff_wavelength, radius, area, rho), NaN at cutoffs
+        of the other side; ``unfiltered_wavelength`` (surface, side) in nm; ``contact_area`` (side,
+        area) of touching pixels in nm².
     """
     stacked = stacked_forces(masters).swap_dims(load="area").drop_vars("load")
     contact_area = stacked["contact_area"].isel(surface=0, realization=0, drop=True)
@@ -61,29 +71,29 @@ def edge_scaling(
     tolerance: float,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return edges, computed and by the formulas, and their exponents.
+    """Return computed edges, edges by the formulas, and exponents of the computed edges.
 
     Parameters
     ----------
     scaling : xarray.Dataset
-        As of `stacked_scaling`.
+        From `stack_scaling`.
     spectra : mapping of str to Spectrum
-        By surface.
+        C_iso in nm⁴ by surface.
     contact : Contact
-        Of the paper, which places surfaces among the regimes.
+        The contact of the paper, for the coordinates among the regimes.
     tolerance : float
-        Relative change of the force that counts.
+        Relative change of the force that defines an edge.
     sampling : Sampling
-        Of all intervals.
+        Random numbers and confidence of all intervals.
 
     Returns
     -------
     xarray.Dataset
-        Over (side, surface, radius, area, rho) ``edge`` in nm, NaN where it is open, with its
-        interval over realizations, and ``formula_edge``. ``exponent`` (side, surface, length), by
-        least squares of ln(edge) against the logarithms of LENGTHS, of the edges that are there,
-        with intervals by the jackknife over realizations. ``reach`` (radius, rho), sqrt(2 R rho) in
-        nm. The variables of `among_regimes`.
+        By (side, surface, radius, area, rho): ``edge`` in nm, NaN if it is open, with its interval
+        over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface, length) by least
+        squares of ln(edge) against the logarithms of LENGTHS, without open edges, with intervals by
+        the jackknife over realizations. ``reach`` (radius, rho), sqrt(2 R rho) in nm. The variables
+        of `regime_coordinates`.
     """
     edges = _edges(scaling, tolerance, sampling)
     formula = _formula_edges(spectra, scaling, contact.work, tolerance)
@@ -92,7 +102,7 @@ def edge_scaling(
         [
             edges.assign(formula_edge=formula.assign_attrs(NM), reach=reach.assign_attrs(NM)),
             _exponents(scaling, edges["edge"], tolerance, sampling),
-            among_regimes(spectra, contact),
+            regime_coordinates(spectra, contact),
             scaling[["label", "basis"]],
         ]
     ).assign_attrs(tolerance=tolerance, confidence=sampling.confidence)
@@ -104,11 +114,11 @@ def force_exponent(scaling: xr.Dataset, contact: Contact, confidence: float) -> 
     Parameters
     ----------
     scaling : xarray.Dataset
-        As of `stacked_scaling`, of masters with long waves.
+        From `stack_scaling`, for masters with long waves.
     contact : Contact
-        Its range and its contact area are those of the forces.
+        Selects the forces at its range and its area in contact.
     confidence : float
-        Of the interval over realizations.
+        Confidence of the interval over realizations.
 
     Returns
     -------
@@ -131,15 +141,15 @@ def force_exponent(scaling: xr.Dataset, contact: Contact, confidence: float) -> 
 def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return ``edge`` (side, surface, radius, area, rho) in nm, with its interval.
 
-    To `critical_band` every combination on a surface is a surface of its own.
+    `critical_band` gets every combination of radius, area and range as a surface of its own.
     """
     combinations = scaling["ratio"].isel(realization=0, cutoff_wavelength=0, drop=True)
     ends = scaling["unfiltered_wavelength"].broadcast_like(combinations)
     cases = scaling[["ratio"]].assign(unfiltered_wavelength=ends)
     cases = cases.stack(case=["surface", *COMBINATION])
     names = [":".join(map(str, case)) for case in cases["case"].values]
-    named = cases.drop_vars(["case", "surface", *COMBINATION]).rename(case="surface")
-    band = critical_band(named.assign_coords(surface=names), tolerance, sampling)
+    unlabelled = cases.drop_vars(["case", "surface", *COMBINATION]).rename(case="surface")
+    band = critical_band(unlabelled.assign_coords(surface=names), tolerance, sampling)
     renamed = {f"critical_wavelength{end}": f"edge{end}" for end in ("", "_interval")}
     edges = band[list(renamed)].drop_sel(group=POOLED).rename(renamed | {"group": "case"})
     unstacked = edges.assign_coords(cases["case"].coords).unstack("case")
@@ -150,14 +160,19 @@ def _exponents(
     scaling: xr.Dataset, edge: xr.DataArray, tolerance: float, sampling: Sampling
 ) -> xr.Dataset:
     """Return ``exponent`` (side, surface, length) with its interval."""
-    unsampled, count = replace(sampling, samples=0), scaling.sizes["realization"]
-    exponent = _fits(scaling, edge)
-    left_out = [
-        _fits(scaling, _edges(scaling.drop_isel(realization=n), tolerance, unsampled)["edge"])
+    unsampled = replace(sampling, samples=0)
+    count = scaling.sizes["realization"]
+    exponent = _fit_all_exponents(scaling, edge)
+    jackknife_exponents = [
+        _fit_all_exponents(
+            scaling, _edges(scaling.drop_isel(realization=n), tolerance, unsampled)["edge"]
+        )
         for n in range(count if count > 2 else 0)
     ]
-    # The jackknife of a positive number is Student's t of its logarithm, here the exponent.
-    interval = np.log(jackknife_interval(np.exp(exponent), np.exp(left_out), sampling.confidence))
+    # The jackknife uses Student's t for the logarithm of a positive number, here the exponent.
+    interval = np.log(
+        jackknife_interval(np.exp(exponent), np.exp(jackknife_exponents), sampling.confidence)
+    )
     attributes = ONE | {"long_name": "exponent of the edge of the band"}
     dims = ("side", "surface", "length")
     variables = with_interval("exponent", dims, exponent, interval, attributes, sampling.confidence)
@@ -165,11 +180,11 @@ def _exponents(
     return xr.Dataset(variables, coordinates | {"length": list(LENGTHS)})
 
 
-def _fits(scaling: xr.Dataset, edge: xr.DataArray) -> Floats:
-    """Return exponents (side, surface, length) of every side and surface."""
+def _fit_all_exponents(scaling: xr.Dataset, edge: xr.DataArray) -> Floats:
+    """Return the exponents (side, surface, length) of the edges on every side and surface."""
     logarithms = [np.log(scaling[name]) / 2 for name in ("radius", "rho", "contact_area")]
     exponents: xr.DataArray = xr.apply_ufunc(
-        _fit,
+        _fit_exponents,
         np.log(edge),
         *logarithms,
         input_core_dims=[COMBINATION, ["radius"], ["rho"], ["area"]],
@@ -179,42 +194,56 @@ def _fits(scaling: xr.Dataset, edge: xr.DataArray) -> Floats:
     return np.asarray(exponents.transpose("side", "surface", "length"))
 
 
-def _fit(edge: Floats, radius: Floats, rho: Floats, contact: Floats) -> Floats:
-    """Return exponents (3,), NaN where the edges do not tell the lengths apart.
+def _fit_exponents(edge: Floats, radius: Floats, rho: Floats, contact_area: Floats) -> Floats:
+    """Return the exponents (3,), NaN if the edges do not determine them.
 
-    edge: logarithms (radius, area, rho), NaN where open; others are logarithms of square roots.
+    `edge` (radius, area, rho) holds logarithms, NaN for open edges. The other arguments are the
+    logarithms of the square roots of radius, range and contact area.
     """
-    lengths = np.broadcast_arrays(radius[:, None, None], rho, contact[:, None])
-    known = np.isfinite(edge)
-    design = np.stack([np.ones(known.sum()), *(length[known] for length in lengths)], axis=-1)
+    lengths = np.broadcast_arrays(radius[:, None, None], rho, contact_area[:, None])
+    is_closed = np.isfinite(edge)
+    design = np.stack(
+        [np.ones(is_closed.sum()), *(length[is_closed] for length in lengths)], axis=-1
+    )
     if len(design) <= len(LENGTHS) + 1 or np.linalg.matrix_rank(design) <= len(LENGTHS):
         return np.full(len(LENGTHS), np.nan)
-    return np.asarray(np.linalg.lstsq(design, edge[known])[0][1:])
+    return np.asarray(np.linalg.lstsq(design, edge[is_closed])[0][1:])
 
 
 def _formula_edges(
     spectra: Mapping[str, Spectrum], grid: xr.Dataset, work: float, tolerance: float
 ) -> xr.DataArray:
-    """Return the edges (side, surface, radius, area, rho) in nm by the formulas, over a grid."""
-    axes = [grid[name] for name in COMBINATION]
+    """Return the edges (side, surface, radius, area, rho) in nm by the formulas on a grid."""
+    radii, areas, rhos = [grid[name] for name in COMBINATION]
     edges = [
         formula_edges(spectrum, contact_of_area(radius, rho, work, area), tolerance)
         for spectrum in spectra.values()
-        for radius in axes[0].values
-        for area in axes[1].values
-        for rho in axes[2].values
+        for radius in radii.values
+        for area in areas.values
+        for rho in rhos.values
     ]
-    values = np.reshape(edges, (len(spectra), *(axis.size for axis in axes), 2))
-    coordinates = {"surface": list(spectra), **{axis.name: axis for axis in axes}}
+    values = np.reshape(edges, (len(spectra), radii.size, areas.size, rhos.size, 2))
+    coordinates = {"surface": list(spectra), "radius": radii, "area": areas, "rho": rhos}
     formula = xr.DataArray(values, coordinates | {"side": list(SIDES)}, [*coordinates, "side"])
     return formula.transpose("side", ...)
 
 
-def among_regimes(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Dataset:
-    """Return where surfaces with these spectra lie on the map of the regimes, over surface.
+def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Dataset:
+    """Return the coordinates of surfaces on the map of the regimes.
 
-    ``over_range`` is sigma/rho, ``approach_level`` m/sigma of the closed form, NaN where the sphere
-    follows all waves, ``contact_over_rolloff`` the root of the contact area over the roll-off.
+    Parameters
+    ----------
+    spectra : mapping of str to Spectrum
+        C_iso in nm⁴ by surface.
+    contact : Contact
+        The sphere, the attraction and the area in contact.
+
+    Returns
+    -------
+    xarray.Dataset
+        By surface: ``over_range``, sigma/rho; ``approach_level``, m/sigma of the closed form, NaN
+        if the sphere follows all waves; ``contact_over_rolloff``, the root of the contact area
+        relative to the roll-off.
     """
     forms = [closed_form(spectrum, contact) for spectrum in spectra.values()]
     height = np.array([form.rms_height for form in forms])
@@ -230,36 +259,37 @@ def among_regimes(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Datas
     )
 
 
-def designed_edges(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.Dataset:
-    """Return how far edges of designed surfaces are off, and where all lie among the regimes.
+def designed_edge_errors(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.Dataset:
+    """Return errors of predicted edges of designed surfaces, and the regimes of the surfaces.
 
     Parameters
     ----------
     computed, formulas : pandas.DataFrame
-        The tables prediction.csv and edges.csv of resources/validation.
+        The tables prediction.csv and edges.csv in resources/validation.
 
     Returns
     -------
     xarray.Dataset
-        Over designed (surfaces): ``designed_over_range``, ``designed_level``,
-        ``designed_contact_over_rolloff``, and ``held_back``, 0 of published spectra, which have no
-        computed edge; ``designed_error`` (prediction, side, designed), computed edges over those by
-        FORMULA and CLOSED_FORM; ``designed_bound`` (side, designed), 1 or -1 where that is at least
-        or at most it.
+        By designed surface: ``designed_over_range``, ``designed_level``,
+        ``designed_contact_over_rolloff``, and ``held_back``, 1 for held-out surfaces; published
+        spectra, which have no computed edge, have 0. ``designed_error`` (prediction, side,
+        designed), the computed edge relative to the edge by FORMULA and by CLOSED_FORM.
+        ``designed_bound`` (side, designed), 1 or -1 if the error is a lower or an upper bound.
     """
     table = formulas.astype({"surface": str}).set_index("surface").rename_axis("designed")
-    known = computed.astype({"surface": str}).set_index("surface").reindex(table.index)
-    names, signs = ["short_edge", "long_edge"], {"at least": 1, "at most": -1}
+    computed_rows = computed.astype({"surface": str}).set_index("surface").reindex(table.index)
+    names = ["short_edge", "long_edge"]
+    signs = {"at least": 1, "at most": -1}
     errors = [
-        [known[name] / table[name] for name in names],
-        [known[name] / known[f"predicted_{name}"] for name in names],
+        [computed_rows[name] / table[name] for name in names],
+        [computed_rows[name] / computed_rows[f"predicted_{name}"] for name in names],
     ]
-    bounds = [known[f"{name}_is"].map(signs).fillna(0) for name in names]
-    places = table.drop(columns=names).add_prefix("designed_").to_xarray()
-    for name in places.data_vars:
-        places[name].attrs = ONE
-    return places.assign(
-        held_back=("designed", known["held_back"].fillna(0).astype("int8")),
+    bounds = [computed_rows[f"{name}_is"].map(signs).fillna(0) for name in names]
+    coordinates = table.drop(columns=names).add_prefix("designed_").to_xarray()
+    for name in coordinates.data_vars:
+        coordinates[name].attrs = ONE
+    return coordinates.assign(
+        held_back=("designed", computed_rows["held_back"].fillna(0).astype("int8")),
         designed_error=(("prediction", "side", "designed"), errors, ONE),
         designed_bound=(("side", "designed"), np.array(bounds, "int8")),
         prediction=[FORMULA, CLOSED_FORM],

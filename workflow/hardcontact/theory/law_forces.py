@@ -1,9 +1,9 @@
-"""Plastic pull-off at the ranges that every law of attraction is a mixture of.
+"""Plastic pull-off forces for exponential laws, from which every law of attraction is mixed.
 
-The sums at one grid of ranges are computed once. The force of any law at any range adds them up
-with the shares that the exponential laws have in it. The contact pixels are flattened to the gap 0
-before each sum: subtracted afterwards, they would multiply all that lies outside by
-exp(penetration/rho), which exceeds any float at small ranges.
+The sums are computed once, on a grid of ranges. The force of any law at any range is the sum of
+these forces, weighted by the shares of the exponential laws. Contact pixels are flattened to the
+gap 0 before each sum. Flattened afterwards, they would multiply the sum over the other pixels by
+exp(penetration/rho), which overflows at small ranges.
 """
 
 from collections.abc import Sequence
@@ -23,14 +23,14 @@ from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
 
-#: The ranges that laws are mixtures of: the step of their logarithm, and both ends in nm. With the
-#: anchor 5.6 nm they give the pressure of every law of 0.1 to 40 nm, at gaps up to 300 nm, to 3e-4;
-#: with other anchors to 6e-3, where flats of 0.1 nm touch.
+#: Grid of ranges of the exponential laws: step of their logarithm, and both ends in nm. With the
+#: anchor 5.6 nm the mixture gives the pressure of every law of range 0.1 to 40 nm, at gaps up to
+#: 300 nm, within 3e-4. With other anchors the error is at most 6e-3, where flats of 0.1 nm touch.
 MIXED_RANGES = {"step": 0.6, "low": 0.02, "high": 1e5}
-#: Exponents beyond which a sum relative to the highest point of the surface leaves the floats.
+#: Largest exponent of a sum relative to the highest point of the surface: larger ones overflow.
 LARGEST_EXPONENT = 600.0
-#: A pixel this many ranges beyond contact adds less than the rounding of the sum.
-NEGLIGIBLE = 40.0
+#: Gap, in ranges beyond contact, from which a pixel adds less than the rounding error of the sum.
+NEGLIGIBLE_RANGES = 40.0
 
 
 def scan_range_forces(
@@ -40,10 +40,25 @@ def scan_range_forces(
     reach: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
-    """Return the mean plastic ``pull_off_force`` (rho) in N at 1 J/m² on a stitched scan.
+    """Return the mean plastic pull-off force on a stitched scan by range of adhesion.
 
-    The sphere is its roughness, or None for a smooth sphere; reach and ranges are as of
-    `range_forces`.
+    Parameters
+    ----------
+    substrate : HeightMap
+        Stitched scan.
+    sphere : HeightMap or None
+        Roughness of the sphere; None for a smooth sphere.
+    contact : Contact
+        The sphere, its load and the contacts.
+    reach : float
+        Edge in nm of the window that attracts, as for `range_forces`.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``pull_off_force`` (rho) in N at 1 J/m².
     """
     forces = range_forces(bodies(substrate, sphere, contact), contact, reach, ranges)
     return xr.Dataset(
@@ -60,7 +75,26 @@ def filtered_range_forces(
     reach: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of a smooth sphere, means over contacts by range."""
+    """Return the mean plastic pull-off forces of a smooth sphere by cutoff and range.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic surface.
+    filters : Filters
+        The cutoffs of one side.
+    contact : Contact
+        The sphere, its load and the contacts.
+    reach : float
+        Edge in nm of the window that attracts, as for `range_forces`.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        As from `forces_at_cutoffs`, with the axis rho.
+    """
 
     def mean_forces(surface: HeightMap) -> Floats:
         forces = range_forces(bodies(surface, None, contact), contact, reach, ranges)
@@ -70,53 +104,74 @@ def filtered_range_forces(
 
 
 def range_forces(pair: Bodies, contact: Contact, reach: float, ranges: Sequence[float]) -> Floats:
-    """Return the plastic pull-off force (rho, contact, contact) in N at 1 J/m².
+    """Return the plastic pull-off force of every contact by range of adhesion.
 
-    The ranges of adhesion (nm) are evenly spaced in their logarithm. The reach is the edge (nm) of
-    the window that attracts, at least that of contact: power laws reach far.
+    Parameters
+    ----------
+    pair : Bodies
+        Substrate and sphere.
+    contact : Contact
+        Its load gives the number of contact pixels.
+    reach : float
+        Edge in nm of the window that attracts; the window is at least that of the contact. Power
+        laws reach far.
+    ranges : sequence of float
+        Ranges of adhesion in nm, evenly spaced in their logarithm.
+
+    Returns
+    -------
+    numpy.ndarray
+        Forces (rho, contact, contact) in N at 1 J/m².
     """
-    pixel_size, rhos = pair.geometry.pixel_size, np.asarray(ranges, float)
+    pixel_size = pair.geometry.pixel_size
+    rhos = np.asarray(ranges, float)
     contact_pixels = contact.pixels(pixel_size)
     contacts = all_lowest_gaps(pair, contact_pixels)
     window = max(window_pixels(reach, pixel_size), pair.geometry.window)
-    totals = contact_pixels + _outside(pair, window, contacts, rhos)
+    totals = contact_pixels + _sums_outside_contact(pair, window, contacts, rhos)
     return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
-def _outside(narrow: Bodies, window: int, contacts: Contacts, ranges: Floats) -> Floats:
+def _sums_outside_contact(
+    narrow: Bodies, window: int, contacts: Contacts, ranges: Floats
+) -> Floats:
     """Return the sums (rho, contact, contact) of exp(-gap/rho) outside contact, at any ranges.
 
-    The fast sum is relative to the highest point of the surface. Where a contact lies more than
-    LARGEST_EXPONENT ranges below it, the pixels near each contact are summed one by one.
+    The fast sum is relative to the highest point of the surface. If a contact is deeper than
+    LARGEST_EXPONENT ranges, the pixels near each contact are summed one by one.
     """
     pair = replace(narrow, geometry=replace(narrow.geometry, window=window))
     highest = float(pair.substrate.heights.max())
     if pair.roughness is not None:
         highest += float(pair.roughness.heights.max())
     deepest = max(gaps[-1] for gaps, _ in contacts.values()) + highest
-    outside = np.empty((len(ranges), *[len(pair.geometry.positions)] * 2))
-    fast = ranges * LARGEST_EXPONENT >= deepest
-    if fast.any():
-        outside[fast] = outside_sums(pair, contacts, ranges[fast])
-    if not fast.all():
-        near = _near_sums(narrow, contacts, ranges[~fast])
-        outside[~fast] = np.moveaxis(near.reshape(*outside.shape[1:], -1), -1, 0)
-    return outside
+    sums = np.empty((len(ranges), *[len(pair.geometry.positions)] * 2))
+    is_fast = ranges * LARGEST_EXPONENT >= deepest
+    if is_fast.any():
+        sums[is_fast] = outside_sums(pair, contacts, ranges[is_fast])
+    if not is_fast.all():
+        near = _near_sums(narrow, contacts, ranges[~is_fast])
+        sums[~is_fast] = np.moveaxis(near.reshape(*sums.shape[1:], -1), -1, 0)
+    return sums
 
 
 def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
-    """Return the sums (contacts, rho) outside contact, over pixels that count at small ranges."""
+    """Return the sums (contacts, rho) outside contact over the pixels that count at small ranges.
+
+    The number of pixels grows until the farthest one is negligible.
+    """
     substrate = as_tiles(pair.substrate)
     roughness = None if pair.roughness is None else as_tiles(pair.roughness)
     pixels = pair.geometry.window**2
     sums = []
-    for place, (touching, _) in contacts.items():
-        position, count = pair.geometry.positions[list(place)], 2 * len(touching)
+    for indices, (touching, _) in contacts.items():
+        position = pair.geometry.positions[list(indices)]
+        count = 2 * len(touching)
         enough = False
         while not enough:
             count = min(4 * count, pixels)
             gaps, _ = lowest_gaps(substrate, roughness, pair.geometry, position, count)
-            above = gaps[len(touching) :] - gaps[len(touching) - 1]
-            enough = above[-1] > NEGLIGIBLE * ranges.max() or count == pixels
-        sums.append(np.exp(-above / ranges[:, None]).sum(axis=1))
+            gaps_beyond_contact = gaps[len(touching) :] - gaps[len(touching) - 1]
+            enough = gaps_beyond_contact[-1] > NEGLIGIBLE_RANGES * ranges.max() or count == pixels
+        sums.append(np.exp(-gaps_beyond_contact / ranges[:, None]).sum(axis=1))
     return np.array(sums)
