@@ -28,7 +28,7 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     )  # fmt: skip
 
 
-def classical_of(inference, seed=1):
+def apply_models(inference, seed=1):
     return apply_classical_models(
         inference,
         published.constants(TABLES / "parameters.csv"),
@@ -40,11 +40,11 @@ def classical_of(inference, seed=1):
 
 @pytest.fixture(scope="module")
 def classical():
-    return classical_of(make_inference())
+    return apply_models(make_inference())
 
 
 def test_forces_and_works_of_polished_uncd(classical):
-    """Printed are 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
+    """The paper prints 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
     uncd = classical.sel(surface="polished_uncd")
     low, high = bounds(uncd, "published_mean_force")
     assert (float(low), float(high)) == pytest.approx((8.75e-6, 8.85e-6))
@@ -57,11 +57,11 @@ def test_forces_and_works_of_polished_uncd(classical):
 
 
 def test_surfaces_that_the_paper_does_not_know_have_no_numbers(classical):
-    """The known ones keep theirs; none of what is fitted to all of them changes."""
-    with_glass = classical_of(make_inference([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
-    assert list(with_glass["surface"].values) == [*SUBSTRATES, "glass"]
-    forces = with_glass["published_mean_force"]
+    """The published surfaces keep their numbers, and no fit to all of them changes."""
+    extended = apply_models(make_inference([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
+    assert list(extended["surface"].values) == [*SUBSTRATES, "glass"]
+    forces = extended["published_mean_force"]
     assert (
         np.isnan(forces.sel(surface="glass")) and not forces.sel(surface=SUBSTRATES).isnull().any()
     )
-    assert with_glass["mean_relative_error"].equals(classical["mean_relative_error"])
+    assert extended["mean_relative_error"].equals(classical["mean_relative_error"])

@@ -1,4 +1,4 @@
-"""Fits of classical models and of power laws to forces that are known."""
+"""Fits of classical models and of power laws to known forces."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ from hardcontact.paper.classical_models import MODELS, Roughness
 def test_fit_finds_the_work_that_made_the_forces(name):
     gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
     target = MODELS[name].force(0.08, gentle, SPHERE)
-    both = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
-    work, error = fit_work(MODELS[name], both, SPHERE, target)
+    amplitudes = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
+    work, error = fit_work(MODELS[name], amplitudes, SPHERE, target)
     assert work[0] == pytest.approx(0.08, rel=1e-4) and error[0] < 1e-3
     assert error[1] > error[0]
 
@@ -54,20 +54,21 @@ def test_a_power_law_has_the_least_mean_relative_error():
 
     line = np.polyfit(np.log(AFM.slope), np.log(works), 1)
     starts = [line[::-1] + shift for shift in np.random.default_rng(1).normal(0, 0.5, (20, 2))]
-    least = min(
+    smallest = min(
         minimize(error, start, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12}).fun
         for start in starts
     )
-    assert 0.1 < least < error(line[::-1])
-    assert power_law_error(AFM.slope, works) == pytest.approx(least, rel=1e-6)
+    assert 0.1 < smallest < error(line[::-1])
+    assert power_law_error(AFM.slope, works) == pytest.approx(smallest, rel=1e-6)
 
 
 def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
-    drawn = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
+    samples = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
     works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
-    laws = power_laws(AFM, drawn, works, Sampling(0, 2, 0.95))
+    laws = power_laws(AFM, samples, works, Sampling(0, 2, 0.95))
     assert list(laws.rms_parameter.values) == list(Roughness._fields)
     assert list(laws.against.values) == list(works)
-    low, high = bounds(laws, "power_law_error")  # a factor common to all changes no error
+    # A factor common to all surfaces changes no error.
+    low, high = bounds(laws, "power_law_error")
     np.testing.assert_allclose(low, high)
     np.testing.assert_allclose(low, laws.power_law_error)

@@ -17,9 +17,9 @@ def test_rumpf_limits():
     smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
     force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
-    large = classical_models.rumpf(WORK, RADIUS, 1e3, SPACING)  # the plane is out of reach
-    expected = smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
-    assert large == pytest.approx(expected, rel=1e-3)
+    large = classical_models.rumpf(WORK, RADIUS, 1e3, SPACING)  # the plane is too far to attract
+    asperity = smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
+    assert large == pytest.approx(asperity, rel=1e-3)
 
 
 def test_rabinovich_limits():
@@ -36,7 +36,7 @@ def test_rabinovich_limits():
 
 
 def relative(model, index):
-    """Relative pull-off force of Gaussian asperities with a given elastic adhesion index."""
+    """Relative pull-off force of Gaussian asperities with this elastic adhesion index."""
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
     roughness = Roughness(height, np.nan, 1.0)
     assert classical_models.adhesion_index(WORK, roughness, MODULUS) == pytest.approx(index)
@@ -58,7 +58,7 @@ def test_adhesion_vanishes_with_the_elastic_adhesion_index(model):
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
 def test_dmt_asperities_by_brute_force(index):
     def tension(separation):
-        def force(z):  # of one asperity, over 2πβW
+        def force(z):  # of an asperity, relative to 2πβW
             density = exp(-(z**2) / 2) / sqrt(2 * pi)
             return (1 - 2 * index * (z - separation) ** 1.5 / (3 * pi)) * density
 
@@ -71,7 +71,7 @@ def test_dmt_asperities_by_brute_force(index):
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
 def test_jkr_asperities_by_brute_force(index):
     """In the variables of Greenwood: δ = a² - sqrt(2πa), P = 4a³/3 - sqrt(8πa³)."""
-    radius = np.geomspace((np.pi / 8) ** (1 / 3), 30, 20001)  # from where it comes off
+    radius = np.geomspace((np.pi / 8) ** (1 / 3), 30, 20001)  # from detachment on
     compression = radius**2 - np.sqrt(2 * np.pi * radius)
     tension = (np.sqrt(8 * np.pi * radius**3) - 4 / 3 * radius**3) / (1.5 * np.pi)
     spread = index ** (2 / 3)
@@ -80,8 +80,8 @@ def test_jkr_asperities_by_brute_force(index):
         density = norm.pdf(separation + compression / spread) / spread
         return np.trapezoid(tension * density, compression)
 
-    places = np.linspace(-6, 6 + 2 / spread, 401)
-    greatest = max(mean(separation) for separation in places)
+    separations = np.linspace(-6, 6 + 2 / spread, 401)
+    greatest = max(mean(separation) for separation in separations)
     assert relative("fuller_tabor", index) == pytest.approx(greatest, rel=2e-3)
 
 
@@ -91,8 +91,8 @@ def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
         smooth = (
             smooth_sphere.jkr_pull_off if name == "fuller_tabor" else smooth_sphere.dmt_pull_off
         )
-        expected = smooth(WORK, RADIUS)
-        assert model.force(WORK, flat, SPHERE) == pytest.approx(expected, rel=2e-3), name
+        force = model.force(WORK, flat, SPHERE)
+        assert force == pytest.approx(smooth(WORK, RADIUS), rel=2e-3), name
 
 
 def test_geometry_of_close_packed_asperities():

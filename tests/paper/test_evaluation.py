@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact.paper.evaluation import COLUMNS, evaluate, values
-from hardcontact.paper.verdicts import STABLE
+from hardcontact.paper.evaluation import COLUMNS, claim_values, evaluate
+from hardcontact.paper.verdicts import MIN_STABILITY
 
 SURFACES = ["smooth", "middle", "rough"]
 CONSTANTS = pd.DataFrame({"value": {"spacing": 2.0, "scan_size": 5e3, "scan_pixels": 512.0}})
@@ -22,18 +22,18 @@ CLAIM = {
 
 
 def make_datasets(substitutes=(), surfaces=SURFACES):
-    """Heights and forces of 1, 2 and 4, forces to within 10 %; scans are measured but for some."""
-    named = [*SURFACES, "sphere"]
+    """Heights and forces of 1, 2 and 4, forces within 10 %; scans are measured or substitutes."""
+    names = [*SURFACES, "sphere"]
     topography = xr.Dataset(
         {
             "rms_height": ("surface", [1.0, 2.0, 4.0, 0.5]),
             "rms_slope": ("surface", [0.1, 0.2, 0.4, 0.05]),
             "scan_size": ("surface", [2.5e3] * 4),
             "example_heights": (("surface", "row"), np.zeros((4, 256))),
-            "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in named]),
+            "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in names]),
             "calibrated_to_table1": ("surface", ["afm_rms_height"] * 3 + [""]),
         },
-        {"surface": named},
+        {"surface": names},
         {
             "sphere_surface": "sphere",
             "table1_variables": json.dumps(
@@ -70,7 +70,7 @@ def judge_all(datasets, replicas=(), confidence=0.95, **changes):
 
 
 def judge(datasets=None, *replicas, **changes):
-    """Return the row of the claim, of which some columns may be changed."""
+    """Return the row of the claim after changes of some of its columns."""
     return judge_all(make_datasets() if datasets is None else datasets, *replicas, **changes).iloc[
         0
     ]
@@ -130,7 +130,7 @@ def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(scan_size, verdi
         (np.linspace(1.7, 2.3, 101), (1.715, 2.285), 1, "reproduced"),
         (np.linspace(1.3, 2.3, 101), (1.325, 2.275), 81 / 101, "undecided"),
         (np.linspace(2.6, 3.0, 101), (2.0, 2.99), 0, "undecided"),  # stretched to the number
-        ([2.1] * 9, (1.8, 2.2), 1, "reproduced"),  # sets that are alike: its own interval
+        ([2.1] * 9, (1.8, 2.2), 1, "reproduced"),  # equal sets: the number keeps its own interval
         ([*np.linspace(1.7, 2.3, 19), np.nan], (1.7135, 2.2865), 0.95, "reproduced"),
         ([*np.linspace(1.7, 2.3, 18), np.nan, np.nan], (np.nan, np.nan), 0.9, "consistent"),
     ],
@@ -142,11 +142,12 @@ def test_sets_give_interval_and_frequency(replicas, ends, frequency, verdict):
 
 
 def test_a_verdict_has_a_stability_if_sets_that_differ_decide_it():
-    far, near = np.linspace(1.9, 2.1, 100), [1.4, 1.4, *np.linspace(1.9, 2.1, 98)]
-    assert judge(make_datasets(), far, replicated="yes").stability == 1
-    assert 0.5 < judge(make_datasets(), near, replicated="yes").stability < STABLE
+    clear = np.linspace(1.9, 2.1, 100)
+    marginal = [1.4, 1.4, *np.linspace(1.9, 2.1, 98)]
+    assert judge(make_datasets(), clear, replicated="yes").stability == 1
+    assert 0.5 < judge(make_datasets(), marginal, replicated="yes").stability < MIN_STABILITY
     for changes in ({"replicated": ""}, {"needs": "construction", "replicated": "yes"}):
-        assert np.isnan(judge(make_datasets(), near, **changes).stability)
+        assert np.isnan(judge(make_datasets(), marginal, **changes).stability)
     assert np.isnan(judge(make_datasets(), [2.0] * 9, replicated="yes").stability)
 
 
@@ -164,8 +165,8 @@ def test_an_order_needs_every_link(middle, verdict):
 def test_open_dimensions_take_the_worst_case():
     datasets = make_datasets()
     datasets["forces"]["change"][:] = [[1e-3, 1e-3, np.nan], [1e-3, 1e-3, 0.02], [1e-3] * 3]
-    for rule, computed in (("below", 0.02), ("above", 1e-3)):
-        assert judge(datasets, quantity="change", select="", rule=rule).computed == computed
+    for rule, worst in (("below", 0.02), ("above", 1e-3)):
+        assert judge(datasets, quantity="change", select="", rule=rule).computed == worst
 
 
 def test_numbers_of_one_surface_are_selected_by_label():
@@ -177,7 +178,7 @@ def test_numbers_of_one_surface_are_selected_by_label():
 
 def test_values_are_the_judged_numbers_and_missing_where_a_surface_is():
     rows = pd.DataFrame([CLAIM, CLAIM | {"id": "other", "select": "surface=rough"}])
-    numbers = values(rows, make_datasets(surfaces=["smooth", "middle"]), CONSTANTS)
+    numbers = claim_values(rows, make_datasets(surfaces=["smooth", "middle"]), CONSTANTS)
     assert (numbers.index.name, numbers["claim"]) == ("id", 2.0) and np.isnan(numbers["other"])
 
 
@@ -211,9 +212,8 @@ def test_intervals_over_scans_have_the_confidence_that_is_given():
     datasets = make_datasets()
     scans = ("surface", "scan", "contact"), np.outer(np.ones(3), [1.0, 2.0, 3.0])[..., None]
     datasets["forces"]["scan_force"] = scans
-    wide, narrow = (
-        judge(datasets, (), confidence, quantity="scan_force") for confidence in (0.95, 0.5)
-    )
-    quantiles = [stats.t.ppf((1 + confidence) / 2, 2) for confidence in (0.95, 0.5)]
-    widths = [np.log(row.high / row.low) for row in (wide, narrow)]
+    confidences = (0.95, 0.5)
+    quantiles = [stats.t.ppf((1 + confidence) / 2, 2) for confidence in confidences]
+    rows = [judge(datasets, (), confidence, quantity="scan_force") for confidence in confidences]
+    widths = [np.log(row.high / row.low) for row in rows]
     assert widths[0] / widths[1] == pytest.approx(quantiles[0] / quantiles[1])

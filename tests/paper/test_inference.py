@@ -102,9 +102,9 @@ def test_ratios_that_are_met_twice_give_two_minima():
 
 def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
     errors = np.array([0.3, 0.5, 0.2, 0.2, 0.4, 0.6, 0.1])
-    assert error_map.least_errors(errors, 3).tolist() == [6, 2, 0]
-    assert error_map.least_errors(errors, 2).tolist() == [6, 2]
-    assert error_map.least_errors(np.arange(4.0), 3).tolist() == [0]
+    assert error_map.local_minima(errors, 3).tolist() == [6, 2, 0]
+    assert error_map.local_minima(errors, 2).tolist() == [6, 2]
+    assert error_map.local_minima(np.arange(4.0), 3).tolist() == [0]
 
 
 def test_one_scan_is_fitted_without_interval():

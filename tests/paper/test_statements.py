@@ -1,4 +1,4 @@
-"""The statements of the paper name what exists, and repeat the numbers that it prints."""
+"""Claims name existing quantities and labels, and repeat the printed numbers of the paper."""
 
 import numpy as np
 import pandas as pd
@@ -14,7 +14,7 @@ from paper_claims import (
 )
 
 from hardcontact.base import dataset
-from hardcontact.paper.evaluation import DATASETS, DERIVED, INSIGHT_DATASETS, estimate
+from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, INSIGHT_DATASETS, estimate
 from hardcontact.paper.verdicts import accepted_range
 from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
 
@@ -31,24 +31,24 @@ def test_rules_and_words_are_known():
         accepted_range(claim.rule, claim.published_low, claim.published_high)
     assert set(STATEMENTS["basis"]) <= {"published", "inferred", "assumed"}
     assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction", "experiment"}
-    for rows, known in ((PAPER_STATEMENTS, DATASETS), (INSIGHT_STATEMENTS, INSIGHT_DATASETS)):
-        assert set(rows["dataset"].str.split("+").explode()) <= {*known, "paper"}
+    for rows, names in ((PAPER_STATEMENTS, DATASETS), (INSIGHT_STATEMENTS, INSIGHT_DATASETS)):
+        assert set(rows["dataset"].str.split("+").explode()) <= {*names, "paper"}
 
 
 def test_a_claim_follows_from_another_that_follows_from_none():
-    named = ROWS["follows_from"][ROWS["follows_from"] != ""]
-    assert (ROWS["follows_from"][named] == "").all() and (named.index != named).all()
+    origins = ROWS["follows_from"][ROWS["follows_from"] != ""]
+    assert (ROWS["follows_from"][origins] == "").all() and (origins.index != origins).all()
 
 
 def test_replicated_claims_are_of_datasets_that_sets_have():
     replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
-    named = set(replicated["dataset"].str.split("+").explode())
-    assert named == {"topography", "adhesion", "inference", "band", "paper"}
+    names = set(replicated["dataset"].str.split("+").explode())
+    assert names == {"topography", "adhesion", "inference", "band", "paper"}
     assert replicated["needs"].isin(["", "construction", "experiment", "measured"]).all()
 
 
 def test_every_derived_quantity_is_judged():
-    assert set(DERIVED) <= set(STATEMENTS["quantity"])
+    assert set(DERIVED_QUANTITIES) <= set(STATEMENTS["quantity"])
 
 
 @pytest.mark.study
@@ -122,19 +122,19 @@ def test_claims_repeat_the_printed_forces_and_what_follows_from_them():
     mean, work = PRINTED["mean_force"], PRINTED["effective_work_of_adhesion"]
     table1 = TABLE1.set_index(["surface", "quantity"])["value"]
     slopes = [table1["polished_uncd", f"{scales}_rms_slope"] for scales in ("all", "afm")]
-    expected = {
+    printed = {
         "effective_work_spread": (np.log10(work.max() / work.min()), 0.005),
         "slope_by_scales_polished_uncd": (slopes[0] / slopes[1], 1e-6),
     }
     for surface in PRINTED.index:
-        expected |= {
+        printed |= {
             f"mean_force_{surface}": (mean[surface], 0),
             f"median_force_{surface}": (PRINTED["median_force"][surface], 0),
             f"effective_work_{surface}": (work[surface], 0),
         }
         if surface != "uncd":
-            expected[f"force_ratio_{surface}"] = (mean[surface] / mean["uncd"], 1e-6)
-    for claim, (value, error) in expected.items():
+            printed[f"force_ratio_{surface}"] = (mean[surface] / mean["uncd"], 1e-6)
+    for claim, (value, error) in printed.items():
         assert ROWS.loc[claim, "published"] == pytest.approx(value, abs=error), claim
 
 
@@ -156,7 +156,9 @@ def test_what_is_too_weak_for_the_printed_forces_does_not_reproduce_them():
 
 def test_the_three_laws_that_the_paper_names_are_judged_where_they_replace_its_own():
     similar = ROWS[ROWS.index.str.startswith("similar_with_")]
-    named = similar.index.str.removeprefix("similar_with_")
-    assert len(named) == 3 and set(named) <= {law.name for law in LAWS if law != EXPONENTIAL}
-    assert list(similar["select"]) == [f"law={name}" for name in named]
+    law_names = similar.index.str.removeprefix("similar_with_")
+    assert len(law_names) == 3 and set(law_names) <= {
+        law.name for law in LAWS if law != EXPONENTIAL
+    }
+    assert list(similar["select"]) == [f"law={name}" for name in law_names]
     assert (similar["published_high"] == 1.25).all() and (similar["basis"] == "assumed").all()

@@ -13,18 +13,18 @@ from hardcontact.base.random import generator
 from hardcontact.paper.verdicts import (
     REDRAWS,
     VERDICTS,
-    accepts,
+    add_open_ends,
+    is_accepted,
     read_verdicts,
     sets_interval,
     stability,
-    stretched,
+    stretch_interval,
     summary,
     verdict,
-    with_open_ends,
 )
 
 NONE = (np.nan, np.nan)
-#: Interval, the number and its interval, verdict: limits 4 and 6, accepted 4 to 6.
+#: The number, its interval and the verdict, for limits of 4 and 6.
 TWO_SIDED = [
     (5.0, (4.5, 5.5), "reproduced"),
     (5.0, (4.0, 6.0), "reproduced"),
@@ -44,29 +44,27 @@ TWO_SIDED = [
 
 
 @pytest.mark.parametrize("rule", ["interval", "factor 1"])
-@pytest.mark.parametrize(("computed", "ends", "expected"), TWO_SIDED)
-def test_two_limits(rule, computed, ends, expected):
-    assert verdict(rule, computed, *ends, 4.0, 6.0) == expected
+@pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
+def test_two_limits(rule, number, ends, judgement):
+    assert verdict(rule, number, *ends, 4.0, 6.0) == judgement
 
 
-@pytest.mark.parametrize(("computed", "ends", "expected"), TWO_SIDED)
-def test_one_limit_is_judged_as_two_of_which_one_is_far(computed, ends, expected):
-    below, above = (
-        verdict(rule, computed, *ends, *limits)
-        for rule, limits in (("below", (np.nan, 6.0)), ("above", (4.0, np.nan)))
-    )
-    assert below == verdict("interval", computed, *ends, -99.0, np.nextafter(6.0, 0))
-    assert above == verdict("interval", computed, *ends, np.nextafter(4.0, 9), 99.0)
-    assert verdict("order", computed, *ends, 4.0, np.nan) == above
+@pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
+def test_one_limit_is_judged_as_two_of_which_one_is_far(number, ends, judgement):
+    upper_verdict = verdict("below", number, *ends, np.nan, 6.0)
+    lower_verdict = verdict("above", number, *ends, 4.0, np.nan)
+    assert upper_verdict == verdict("interval", number, *ends, -99.0, np.nextafter(6.0, 0))
+    assert lower_verdict == verdict("interval", number, *ends, np.nextafter(4.0, 9), 99.0)
+    assert verdict("order", number, *ends, 4.0, np.nan) == lower_verdict
 
 
 def test_a_limit_belongs_to_a_rule_of_two():
     for rule, accepted in (("interval", True), ("below", False), ("above", False)):
-        assert accepts(rule, [5.0, np.nan], 5.0, 5.0).tolist() == [accepted, False]
+        assert is_accepted(rule, [5.0, np.nan], 5.0, 5.0).tolist() == [accepted, False]
 
 
 def test_a_factor_widens_both_limits():
-    assert accepts("factor 2", [1.9, 2.0, 12.0, 12.1], 4.0, 6.0).tolist() == [0, 1, 1, 0]
+    assert is_accepted("factor 2", [1.9, 2.0, 12.0, 12.1], 4.0, 6.0).tolist() == [0, 1, 1, 0]
 
 
 @pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", "", "below"])
@@ -93,9 +91,9 @@ def test_summary_lists_every_verdict_and_counts_independent_findings():
 def test_a_table_that_is_cut_short_is_refused(tmp_path):
     path = tmp_path / "claims.csv"
     path.write_text("id,verdict,follows_from,note\nfirst,reproduced,,\n")
-    read = read_verdicts(path)
-    assert read["verdict"].tolist() == ["reproduced"]
-    assert read[["follows_from", "note"]].values.tolist() == [["", ""]]
+    claims = read_verdicts(path)
+    assert claims["verdict"].tolist() == ["reproduced"]
+    assert claims[["follows_from", "note"]].values.tolist() == [["", ""]]
     path.write_text("id,verdict,follows_from,note\nfirst,reprod")
     assert_says(refusal(read_verdicts, path), str(path), "whole table", "cut short")
 
@@ -105,24 +103,27 @@ def test_a_table_that_is_cut_short_is_refused(tmp_path):
 
 def test_the_interval_leaves_the_tails_out_and_needs_enough_numbers():
     replicas = np.arange(201.0)
-    both = sets_interval(np.stack([replicas, replicas + 1], 1), 0.95)
-    np.testing.assert_allclose(both, [[5, 195], [6, 196]])
-    few = np.append(np.arange(18.0), [nan, nan])
-    assert np.isnan(sets_interval(few, 0.95)).all() and np.isfinite(sets_interval(few, 0.9)).all()
+    intervals = sets_interval(np.stack([replicas, replicas + 1], 1), 0.95)
+    np.testing.assert_allclose(intervals, [[5, 195], [6, 196]])
+    incomplete = np.append(np.arange(18.0), [nan, nan])
+    assert (
+        np.isnan(sets_interval(incomplete, 0.95)).all()
+        and np.isfinite(sets_interval(incomplete, 0.9)).all()
+    )
 
 
 @pytest.mark.parametrize(
-    ("ends", "value", "expected"),
+    ("ends", "value", "stretched"),
     [
         ((1, 2), 1.5, (1, 2)), ((1, 2), 3, (1, 3)), ((1, 2), 0, (0, 2)), ((1, 2), nan, (1, 2)),
         ((nan, nan), 1.0, (nan, nan)),
     ],
 )  # fmt: skip
-def test_an_interval_holds_its_number(ends, value, expected):
-    np.testing.assert_array_equal(stretched(ends, value), expected)
+def test_an_interval_holds_its_number(ends, value, stretched):
+    np.testing.assert_array_equal(stretch_interval(ends, value), stretched)
 
 
-def redrawn(numbers, given):
+def redraw_stability(numbers, original_verdict):
     """Return the stability of a verdict on the statement that a number is above five."""
 
     def judge(value, low, high):
@@ -130,14 +131,14 @@ def redrawn(numbers, given):
             return "consistent"
         return "reproduced" if low > 5 else "undecided" if high > 5 else "not reproduced"
 
-    return stability(judge, given, np.array(numbers, float), 0.95, generator(1, "test"))
+    return stability(judge, original_verdict, np.array(numbers, float), 0.95, generator(1, "test"))
 
 
-# At a limit: two of a hundred sets disagree; at three, the interval of 95 % would reach them. The
-# low end lies between the third and the fourth number, so the verdict stays while the third number
-# agrees, and while the set that is taken as the study's own does.
+# Two of a hundred sets disagree; with three, the interval of 95 % would contain them. The low end
+# lies between the third and the fourth number. The verdict therefore stays if the third number
+# agrees, and the set that is taken for the study, too.
 @pytest.mark.parametrize(
-    ("numbers", "given", "expected"),
+    ("numbers", "original_verdict", "share"),
     [
         (np.linspace(6, 7, 100), "reproduced", 1),
         (np.linspace(3, 4, 100), "not reproduced", 1),
@@ -145,17 +146,18 @@ def redrawn(numbers, given):
         ([6.0] * 95 + [nan] * 5, "consistent", 1 - binom.cdf(5, 100, 0.05)),
     ],
 )
-def test_a_verdict_stays_as_often_as_binomial_statistics_say(numbers, given, expected):
-    error = np.sqrt(expected * (1 - expected) / REDRAWS)
-    assert redrawn(numbers, given) == pytest.approx(expected, abs=4 * error)
-    assert redrawn(numbers, given) == redrawn(numbers, given)
+def test_a_verdict_stays_as_often_as_binomial_statistics_say(numbers, original_verdict, share):
+    error = np.sqrt(share * (1 - share) / REDRAWS)
+    redrawn_share = redraw_stability(numbers, original_verdict)
+    assert redrawn_share == pytest.approx(share, abs=4 * error)
+    assert redrawn_share == redraw_stability(numbers, original_verdict)
 
 
 # --- open ends --------------------------------------------------------------------------------
 
 
 def band(cutoffs):
-    """Return the changes at cutoffs (nm) of both sides, of which those below 300 are short."""
+    """Return the changes at cutoffs (nm) of both sides; cutoffs below 300 nm are short."""
     change = np.where([np.array(cutoffs) < 300, np.array(cutoffs) > 300], 0.5, nan)
     dims = ("side", "group", "cutoff_wavelength")
     return xr.Dataset(
@@ -164,12 +166,12 @@ def band(cutoffs):
     )
 
 
-#: Of the study and of its sets: the short cutoffs end at 250 and 120 nm, the long ones at 500 nm.
+#: Bands of a study and its sets: short cutoffs end at 250 and 120 nm, long cutoffs at 500 nm.
 BANDS = [band([20, 43, 120, 250, 500, 1800, 3500]), band([43, 120, 500, 1800])]
 
 
 @pytest.mark.parametrize(
-    ("side", "computed", "low", "high", "end"),
+    ("side", "edge", "low", "high", "end"),
     [
         ("small", 60, 40, 119, ""),
         ("small", 60, 40, 120, "high"),  # the last cutoff of the sets
@@ -184,8 +186,8 @@ BANDS = [band([20, 43, 120, 250, 500, 1800, 3500]), band([43, 120, 500, 1800])]
         ("large", 900, nan, nan, ""),
     ],
 )
-def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, computed, low, high, end):
-    numbers = {"computed": computed, "low": low, "high": high}
+def test_an_end_at_or_beyond_the_last_cutoff_is_open(side, edge, low, high, end):
+    numbers = {"computed": edge, "low": low, "high": high}
     names = [f"edge_{side}_mcd", f"critical_wavelength_{side}_mcd", "range_of_adhesion"]
-    marked = with_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
-    assert marked["open_end"].tolist() == [end, end, ""]
+    claims = add_open_ends(pd.DataFrame([{"id": name, **numbers} for name in names]), BANDS)
+    assert claims["open_end"].tolist() == [end, end, ""]

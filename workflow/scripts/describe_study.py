@@ -5,14 +5,14 @@ from pathlib import Path
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.base.origin import pinned_versions
-from hardcontact.paper.verdicts import read_verdicts, with_open_ends
+from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.report_pages import pages
 
 with job(snakemake) as job:
     chapters = [Path(path) for path in job.input if path.endswith(".md")]
     bands = [read(job.input.band), read(job.input.sets)]
     made = pages(
-        with_open_ends(read_verdicts(job.input.claims), bands),
+        add_open_ends(read_verdicts(job.input.claims), bands),
         {path.stem: path.read_text("utf-8") for path in chapters},
         job.parameters,
         pinned_versions(job.input.environment),

@@ -20,7 +20,7 @@ from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
 
 NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
 
-#: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.
+#: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRICS = {"afm": "afm", "all_scales": "all"}
 
 
@@ -36,68 +36,75 @@ def apply_classical_models(
     Parameters
     ----------
     inference : xarray.Dataset
-        Of the study; the mean forces of plastic contact at the published pair count.
+        inference.nc of the study: mean forces of plastic contact at the published pair.
     constants, table1, printed : pandas.DataFrame
-        Of `published.constants`, `published.table1` and `published.printed_pull_off`.
+        From `published.constants`, `published.table1` and `published.printed_pull_off`.
     sampling : Sampling
-        Of the roughness of Table 1 within its uncertainty.
+        Samples the roughness of Table 1 within its uncertainty.
 
     Returns
     -------
     xarray.Dataset
-        Over surface, NaN where the paper prints no force or no roughness: ``published_mean_force``,
-        whose interval holds whatever is rounded to it, and ``computed_mean_force`` in N. Over
-        (against, surface) ``effective_work_of_adhesion`` with the printed Tabor parameter. Over
-        metrics the variables of `compare_models` and `power_laws`. Over model how it is described.
-        ``tabor_parameter`` of the published work and ``hertz_peak_pressure`` (Pa) of the sphere.
+        By surface, NaN if the paper prints no force or no roughness: ``published_mean_force`` in N,
+        whose interval contains all numbers rounded to it, and ``computed_mean_force`` in N. By
+        (against, surface): ``effective_work_of_adhesion`` in J/m² with the printed Tabor parameter.
+        By metrics: the variables of `compare_models` and `power_laws`. By model: its description.
+        ``tabor_parameter`` at the published work, and ``hertz_peak_pressure`` of the sphere in Pa.
     """
-    value, confidence = constants["value"].to_dict(), sampling.confidence
-    bodies = (
+    value = constants["value"].to_dict()
+    confidence = sampling.confidence
+    bodies = [
         Material(
             modulus=value[f"{body}_youngs_modulus"], poisson_ratio=value[f"{body}_poisson_ratio"]
         )
         for body in ("sphere", "substrate")
-    )
+    ]
     sphere = ElasticSphere(
         inference.attrs["sphere_radius"],
         smooth_sphere.effective_modulus(*bodies),
         value["equilibrium_spacing"],
     )
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
-    rows, printed = rows.dropna(), printed.dropna(subset="mean_force")
-    known = rows.index.intersection(printed.index)
-    surfaces = [name for name in inference["surface"].values.tolist() if name in known]
+    rows = rows.dropna()
+    printed = printed.dropna(subset="mean_force")
+    published = rows.index.intersection(printed.index)
+    surfaces = [name for name in inference["surface"].values.tolist() if name in published]
     rows = rows.loc[surfaces]
     plastic = inference.sel(contact_model="plastic", pair="published", surface=surfaces)
     interval = plastic["force_mean_interval"].transpose("surface", "bound")
     forces = {
-        "published": rounded(printed.loc[surfaces, "mean_force"]),
+        "published": rounding_intervals(printed.loc[surfaces, "mean_force"]),
         "computed": (plastic["force_mean"].values, interval.values),
     }
     maugis = smooth_sphere.maugis_parameter(value["tabor_parameter"])
     coefficient = smooth_sphere.transition_coefficient(maugis)
     mean_forces: dict[str, Any] = {}
-    works, effective = {}, {}
-    for against, force in forces.items():
+    works = {}
+    effective = {}
+    for against, (force, force_interval) in forces.items():
         name = f"{against}_mean_force"
-        mean_forces |= with_interval(name, "surface", *force, NEWTON, confidence)
-        works[against], ends = (
-            smooth_sphere.effective_work_of_adhesion(newtons, sphere.radius, coefficient)
-            for newtons in force
+        mean_forces |= with_interval(name, "surface", force, force_interval, NEWTON, confidence)
+        works[against] = smooth_sphere.effective_work_of_adhesion(force, sphere.radius, coefficient)
+        work_interval = smooth_sphere.effective_work_of_adhesion(
+            force_interval, sphere.radius, coefficient
         )
         name = "effective_work_of_adhesion"
-        variables = with_interval(name, "surface", works[against], ends, ENERGY, confidence)
+        variables = with_interval(
+            name, "surface", works[against], work_interval, ENERGY, confidence
+        )
         effective[(against,)] = xr.Dataset(variables)
     targets = {against: force for against, (force, _) in forces.items()}
     models = {}
     for metrics, prefix in METRICS.items():
-        mean, uncertainty = (
-            _roughness(rows, column, prefix) for column in ("value", "uncertainty")
+        mean = _roughness(rows, "value", prefix)
+        uncertainty = _roughness(rows, "uncertainty", prefix)
+        rng = sampling.generator(metrics)
+        samples = sample_roughness(rng, mean, uncertainty, sampling.samples)
+        comparison = compare_models(
+            mean, samples, sphere, value["work_of_adhesion"], targets, sampling
         )
-        drawn = sample_roughness(sampling.generator(metrics), mean, uncertainty, sampling.samples)
-        compared = compare_models(mean, drawn, sphere, value["work_of_adhesion"], targets, sampling)
-        models[(metrics,)] = compared.merge(power_laws(mean, drawn, works, sampling))
-    pressed = smooth_sphere.hertz_contact(value["preload"], sphere.radius, sphere.modulus)
+        models[(metrics,)] = comparison.merge(power_laws(mean, samples, works, sampling))
+    hertz = smooth_sphere.hertz_contact(value["preload"], sphere.radius, sphere.modulus)
     tabor = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *sphere)
     descriptions: dict[str, Any] = {
         f"model_{field}": ("model", [getattr(model, field) for model in MODELS.values()])
@@ -112,7 +119,7 @@ def apply_classical_models(
         .assign(descriptions)
         .assign(
             tabor_parameter=((), tabor, ONE),
-            hertz_peak_pressure=((), pressed.peak_pressure, {"units": "Pa"}),
+            hertz_peak_pressure=((), hertz.peak_pressure, {"units": "Pa"}),
             label=inference["label"],
             basis=inference["basis"],
         )
@@ -121,13 +128,13 @@ def apply_classical_models(
 
 
 def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
-    """Return the value or uncertainty of three rows of Table 1 as arrays over surfaces."""
+    """Return the values or uncertainties of three rows of Table 1, arrays (surface,)."""
     names = [(column, f"{prefix}_rms_{name}") for name in Roughness._fields]
     return Roughness(*(rows[name].to_numpy() for name in names))
 
 
-def rounded(printed: "pd.Series[str]") -> tuple[np.ndarray, np.ndarray]:
-    """Return printed numbers (n,) and the ends (n, 2) of what is rounded to them."""
+def rounding_intervals(printed: "pd.Series[str]") -> tuple[np.ndarray, np.ndarray]:
+    """Return printed numbers (n,) and the intervals (n, 2) of the numbers rounded to them."""
     value = printed.astype(float).to_numpy()
     half = printed.map(_half_unit).astype(float).to_numpy()
     return value, np.stack([value - half, value + half], axis=-1)

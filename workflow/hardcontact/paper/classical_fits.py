@@ -14,25 +14,39 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.paper import error_map
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
 
-#: Works of adhesion (J/m²) among which that of the best fit is searched for.
+#: Works of adhesion (J/m²) among which the best fit is searched.
 WORKS = np.geomspace(1e-3, 10, 401)
-#: Exponents of powers of roughness parameters.
+#: Exponents of power laws of roughness parameters.
 EXPONENTS = np.linspace(-8, 8, 321)
 REFINEMENTS = 3
 
 NEWTON, ONE = {"units": "N"}, {"units": "1"}
 
-#: Least share of the given forces that a model must reach for its work of adhesion to mean any.
-PERCEPTIBLE = 1e-3
+#: Smallest force of a model, relative to the target, for which a work of adhesion is fitted.
+MIN_FORCE_RATIO = 1e-3
 
 
 def sample_roughness(
     rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, draws: int
 ) -> Roughness:
-    """Draw roughness (draws, surface) within its uncertainty, about its mean (surface,).
+    """Draw samples of the roughness within its uncertainty.
 
-    Every number is drawn by itself from a normal distribution of this mean and standard deviation,
-    cut off at zero; the published ± is read as the standard deviation.
+    Every number is drawn independently from a normal distribution, truncated at zero. The published
+    ± is its standard deviation.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Random numbers.
+    mean, uncertainty : Roughness
+        Mean and standard deviation (surface,).
+    draws : int
+        Number of samples.
+
+    Returns
+    -------
+    Roughness
+        Samples (draws, surface).
     """
     size = draws, len(mean.height)
     return Roughness(
@@ -46,11 +60,27 @@ def sample_roughness(
 def fit_work(
     model: Model, roughness: Roughness, sphere: ElasticSphere, target: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the work of adhesion of the least mean relative error to all forces, and this error.
+    """Fit the work of adhesion of a model to forces.
 
-    Both (...) are of roughness (..., surface) and forces (surface,) in N to be met; the error is
-    the mean over surfaces of |F/target - 1|. Forces that are not proportional to the work are
-    searched up to 10 J/m². Where all of them vanish, the error is 1 and the work NaN.
+    The fit minimizes the mean over surfaces of |F/target - 1|. If the force of the model is not
+    proportional to the work, works up to 10 J/m² are searched.
+
+    Parameters
+    ----------
+    model : Model
+        Classical model.
+    roughness : Roughness
+        Roughness (..., surface).
+    sphere : ElasticSphere
+        The sphere and its materials.
+    target : numpy.ndarray
+        Forces (surface,) in N.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Work of adhesion (...) in J/m² and error (...). If all forces vanish, the work is NaN and
+        the error is 1.
     """
     if model.proportional:
         forces = model.force(1.0, roughness, sphere)
@@ -62,83 +92,112 @@ def fit_work(
     for refinement in range(REFINEMENTS + 1):
         forces = model.force(works[..., None, :], columns, sphere)
         errors = error_map.mean_relative_error(forces, target, np.ones(1))[..., 0]
-        best, error = error_map.at_least(errors, works)
+        best, error = error_map.minimum_along_axis(errors, works)
         if refinement < REFINEMENTS:
-            finer = best[..., None] * np.exp(step * np.linspace(-1, 1, 41))
-            works, step = np.clip(finer, WORKS[0], WORKS[-1]), step / 20
-    return np.where(error < 1 - PERCEPTIBLE, best, np.nan), error
+            finer_works = best[..., None] * np.exp(step * np.linspace(-1, 1, 41))
+            works = np.clip(finer_works, WORKS[0], WORKS[-1])
+            step /= 20
+    return np.where(error < 1 - MIN_FORCE_RATIO, best, np.nan), error
 
 
 def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
-    """Return the least mean relative error (...) of any power of a parameter (..., surface).
+    """Return the smallest mean relative error of a power law for the work of adhesion.
 
-    The factor before the power and the exponent are those of the least error to the works
-    (surface,). Exponents are searched within EXPONENTS, then about the best one.
+    The factor and the exponent minimize the error. Exponents are searched among EXPONENTS, then
+    around the best exponent.
+
+    Parameters
+    ----------
+    parameter : numpy.ndarray
+        Roughness parameter (..., surface).
+    work : numpy.ndarray
+        Works of adhesion (surface,) in J/m².
+
+    Returns
+    -------
+    numpy.ndarray
+        Errors (...).
     """
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
     step = EXPONENTS[1] - EXPONENTS[0]
     exponents = np.broadcast_to(EXPONENTS, (*parameter.shape[:-1], EXPONENTS.size))
     for _ in range(REFINEMENTS + 1):
         powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
-        best, error = error_map.at_least(error_map.fit_work(powers, work)[1], exponents)
-        exponents, step = best[..., None] + step * np.linspace(-1, 1, 41), step / 20
+        best, error = error_map.minimum_along_axis(error_map.fit_work(powers, work)[1], exponents)
+        exponents = best[..., None] + step * np.linspace(-1, 1, 41)
+        step /= 20
     return error
 
 
 def compare_models(
     mean: Roughness,
-    drawn: Roughness,
+    samples: Roughness,
     sphere: ElasticSphere,
     work: float,
     targets: Mapping[str, np.ndarray],
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the forces of every model, and how well it fits given forces.
+    """Return the forces of every model, and the error of its fit to target forces.
 
     Parameters
     ----------
-    mean, drawn : Roughness
-        Of arrays (surface,), and samples of it (draws, surface), which give the intervals.
+    mean, samples : Roughness
+        Roughness (surface,), and its samples (draws, surface), which give the intervals.
     sphere : ElasticSphere
         The sphere and its materials.
     work : float
-        Work of adhesion (J/m²) of the forces that are returned.
+        Work of adhesion (J/m²) of the returned forces.
     targets : mapping of str to numpy.ndarray
-        Forces (surface,) in N that the work of adhesion is fitted to, by their name.
+        Forces (surface,) in N to which the work of adhesion is fitted, by name.
     sampling : Sampling
-        Its confidence is that of the intervals.
+        Confidence of the intervals.
 
     Returns
     -------
     xarray.Dataset
         ``pull_off_force`` (model, surface) in N and ``mean_relative_error`` (model, against).
     """
-    forces, fits = {}, {}
+    forces = {}
+    fits = {}
     for name, model in MODELS.items():
-        force, sampled = (model.force(work, roughness, sphere) for roughness in (mean, drawn))
-        variables = sampling.with_interval("pull_off_force", "surface", force, sampled, NEWTON)
+        force = model.force(work, mean, sphere)
+        force_samples = model.force(work, samples, sphere)
+        variables = sampling.with_interval(
+            "pull_off_force", "surface", force, force_samples, NEWTON
+        )
         forces[(name,)] = xr.Dataset(variables)
         for against, target in targets.items():
-            error, errors = (
-                fit_work(model, roughness, sphere, target)[1] for roughness in (mean, drawn)
-            )
-            variables = sampling.with_interval("mean_relative_error", (), error, errors, ONE)
+            _, error = fit_work(model, mean, sphere, target)
+            _, error_samples = fit_work(model, samples, sphere, target)
+            variables = sampling.with_interval("mean_relative_error", (), error, error_samples, ONE)
             fits[name, against] = xr.Dataset(variables)
     return stack(forces, ["model"]).merge(stack(fits, ["model", "against"]))
 
 
 def power_laws(
-    mean: Roughness, drawn: Roughness, works: Mapping[str, np.ndarray], sampling: Sampling
+    mean: Roughness, samples: Roughness, works: Mapping[str, np.ndarray], sampling: Sampling
 ) -> xr.Dataset:
-    """Return how well a power of one roughness parameter gives the effective work of adhesion.
+    """Return the errors of power laws of single roughness parameters for the effective work.
 
-    Roughness is as of `compare_models`, `works` (surface,) are by the forces that they follow from;
-    ``power_law_error`` is over rms_parameter and against.
+    Parameters
+    ----------
+    mean, samples : Roughness
+        Roughness (surface,), and its samples (draws, surface), which give the intervals.
+    works : mapping of str to numpy.ndarray
+        Effective works of adhesion (surface,) in J/m², by the name of the forces.
+    sampling : Sampling
+        Confidence of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``power_law_error`` (rms_parameter, against).
     """
-    parts = {}
-    for parameter, value, samples in zip(Roughness._fields, mean, drawn, strict=True):
+    fits = {}
+    for parameter in Roughness._fields:
         for against, work in works.items():
-            error, errors = (power_law_error(values, work) for values in (value, samples))
-            variables = sampling.with_interval("power_law_error", (), error, errors, ONE)
-            parts[parameter, against] = xr.Dataset(variables)
-    return stack(parts, ["rms_parameter", "against"])
+            error = power_law_error(getattr(mean, parameter), work)
+            error_samples = power_law_error(getattr(samples, parameter), work)
+            variables = sampling.with_interval("power_law_error", (), error, error_samples, ONE)
+            fits[parameter, against] = xr.Dataset(variables)
+    return stack(fits, ["rms_parameter", "against"])

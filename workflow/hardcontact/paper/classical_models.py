@@ -1,9 +1,9 @@
 """Classical models of the adhesion of a rough sphere, applied to the roughness of Table 1.
 
-The models need radii, heights and distances of asperities, which Table 1 does not give; how they
-follow from rms height, slope and curvature is assumed and is described with each model. Lengths in
-nm, forces in N, works of adhesion in J/m², moduli in Pa. Forces are positive where they pull.
-Arguments may be arrays; they broadcast.
+The models need radii, heights and distances of asperities, which Table 1 does not give. Each model
+describes how they are assumed to follow from rms height, slope and curvature. Lengths are in nm,
+forces in N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive. Arguments may
+be arrays; they broadcast.
 """
 
 from collections.abc import Callable
@@ -18,16 +18,18 @@ from hardcontact.contact.smooth_sphere import NANOMETRE, Values, dmt_pull_off, j
 
 # Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
 HEMISPHERE_OVER_RMS = (4 * np.sqrt(3) / np.pi) ** 0.5
-# Rabinovich et al.: greatest height of an asperity over the rms height.
+# Rabinovich et al.: largest height of an asperity relative to the rms height.
 PEAK_OVER_RMS = 1.817
 
 # Nodes and weights on [0, 1] of the quadrature over asperity heights.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(160)
 _NODES, _WEIGHTS = (_NODES + 1) / 2, _WEIGHTS / 2
-INDICES = (1e-4, 1e7)  # elastic adhesion indices between which relative forces are tabulated
-TAIL = 9.0  # standard deviations of asperity heights at which the integral ends
+# Elastic adhesion indices between which relative forces are tabulated.
+ADHESION_INDICES = (1e-4, 1e7)
+# Standard deviations of asperity heights at which the integral ends.
+MAX_HEIGHT_DEVIATIONS = 9.0
 
-#: Tension of asperities over that of a single one at pull-off, for their compressions.
+#: Tension of asperities by compression, relative to the pull-off force of a single asperity.
 Tension = Callable[[np.ndarray], Values]
 
 ASPERITIES = (
@@ -40,7 +42,7 @@ UNVERIFIED = "unverified against the primary source"
 class ElasticSphere(NamedTuple):
     """A smooth sphere and its materials, the same for all models."""
 
-    radius: float  #: Of the sphere, in nm.
+    radius: float  #: Radius of the sphere in nm.
     modulus: float  #: Effective modulus E* in Pa.
     spacing: float  #: Equilibrium spacing in nm.
 
@@ -56,12 +58,12 @@ class Roughness(NamedTuple):
 class Model(NamedTuple):
     """A classical model of the adhesion of a rough sphere."""
 
-    label: str  #: Its name in figures.
+    label: str  #: Name in figures.
     #: The pull-off force in N for a work of adhesion.
     force: Callable[[Values, Roughness, ElasticSphere], Values]
     proportional: bool  #: Whether the force is proportional to the work of adhesion.
-    roughness: str  #: How its asperities follow from rms values.
-    verified: str  #: Against which source its equations were checked.
+    roughness: str  #: Assumption by which the asperities follow from rms values.
+    verified: str  #: Source with which its equations were compared.
 
 
 def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float) -> Values:
@@ -80,9 +82,9 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
 
     AR/6z0² [1/(1 + 32 k Rσ/λ²) + 1/(1 + kσ/z0)²] with k = 1.817, A = 12πz0²W, for the rms height σ
     and the distance λ between peaks, 2π σ over the rms slope. The caps are kσ high and λ/2 wide.
-    Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17: what defines an asperity is
-    that of the abstract, the coefficients are unverified against the primary source. For σ = 0 at a
-    given λ the force is twice that of the smooth sphere.
+    Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17: the abstract defines an
+    asperity, the coefficients are unverified against the primary source. For σ = 0 at a given λ the
+    force is twice the force of the smooth sphere.
     """
     distance = 2 * np.pi * roughness.height / roughness.slope
     peak = PEAK_OVER_RMS * roughness.height
@@ -93,8 +95,9 @@ def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Val
 def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values:
     """Return the elastic adhesion index E* σ^1.5/(β^½ W) of asperities of the radius β.
 
-    It is the force to flatten asperities, whose heights have the standard deviation σ, over that of
-    adhesion, which vanishes beyond about 10. Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327.
+    It is the force that flattens asperities, whose heights have the standard deviation σ, relative
+    to their adhesion. Adhesion vanishes beyond about 10. Fuller and Tabor, Proc. R. Soc. A 345
+    (1975) 327.
     Unverified against the primary source.
     """
     height, asperity = roughness.height * NANOMETRE, 1 / roughness.curvature * NANOMETRE
@@ -104,10 +107,10 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
 def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with JKR asperities of Gaussian heights.
 
-    1.5πWR, that of the smooth sphere, times the pull-off force of the asperities over that of as
-    many of equal height. That the ratio of a plane holds for the sphere is assumed here. Fuller and
-    Tabor, Proc. R. Soc. A 345 (1975) 327, restated by Greenwood, Tribol. Lett. 65 (2017) 159, whose
-    assumptions and JKR equations these are; unverified against the primary source.
+    The force is 1.5πWR of the smooth sphere times the pull-off force of the asperities relative to
+    as many asperities of equal height. The ratio for a plane is assumed to hold for the sphere.
+    Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327; assumptions and JKR equations as restated by
+    Greenwood, Tribol. Lett. 65 (2017) 159; unverified against the primary source.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return jkr_pull_off(work, sphere.radius) * _relative_pull_off(_jkr_tension, 16, index)
@@ -116,87 +119,96 @@ def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> V
 def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with DMT asperities of Gaussian heights.
 
-    2πWR, that of the smooth sphere, times the greatest tension over separations d of ∫ [K β^½
-    (z-d)^1.5 - 2πβW] φ(z) dz, z > d, over 2πβW; assumed for a sphere as in `fuller_tabor`. Maugis,
-    J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the primary source.
+    The force is 2πWR of the smooth sphere times the largest tension over separations d: ∫ [K β^½
+    (z-d)^1.5 - 2πβW] φ(z) dz, z > d, relative to 2πβW. It is assumed for a sphere as in
+    `fuller_tabor`. Maugis, J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the primary
+    source.
     """
     index = adhesion_index(work, roughness, sphere.modulus)
     return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)
 
 
 def _jkr_tension(compression: np.ndarray) -> Values:
-    """Return the tension of an asperity over its pull-off force 1.5πβW.
+    """Return the tension of an asperity relative to its pull-off force 1.5πβW.
 
-    The compression counts from where the asperity comes off at fixed grips, in (π²W²β/K²)^⅓. It is
-    quartic in the root of the contact radius; Newton's iteration finds the only root from above.
+    The compression, in (π²W²β/K²)^⅓, is zero where the asperity detaches at fixed grips. It is
+    quartic in the root of the contact radius. Newton's iteration finds the only root from above.
     """
-    least = 6 ** (-1 / 6)
-    above = np.minimum(np.sqrt(compression / 6) / least, compression**0.25)
+    smallest = 6 ** (-1 / 6)
+    excess = np.minimum(np.sqrt(compression / 6) / smallest, compression**0.25)
     for _ in range(7):
-        value = above**2 * (above**2 + 4 * least * above + 6 * least**2) - compression
-        slope = above * (4 * above**2 + 12 * least * above + 12 * least**2)
-        above = above - np.divide(value, slope, out=np.zeros_like(above), where=slope > 0)
-    cube = (least + above) ** 3
+        value = excess**2 * (excess**2 + 4 * smallest * excess + 6 * smallest**2) - compression
+        slope = excess * (4 * excess**2 + 12 * smallest * excess + 12 * smallest**2)
+        excess = excess - np.divide(value, slope, out=np.zeros_like(excess), where=slope > 0)
+    cube = (smallest + excess) ** 3
     return (np.sqrt(6) * cube - cube**2) / 1.5
 
 
 def _dmt_tension(compression: np.ndarray) -> Values:
-    """Return the tension over 2πβW; the compression in (2πβW/Kβ^½)^⅔ balances adhesion at 1."""
+    """Return the tension relative to 2πβW; the compression, in (2πβW/Kβ^½)^⅔, balances it at 1."""
     return 1 - compression**1.5
 
 
-def _greatest_tension(tension: Tension, spread: float) -> float:
-    """Return ln of the greatest mean tension of asperities over all separations.
+def _log_largest_tension(tension: Tension, spread: float) -> float:
+    """Return the logarithm of the largest mean tension of asperities over all separations.
 
     The standard deviation `spread` of asperity heights is in the unit of the compression.
     """
     lowest, highest = -3 / spread - 12, 10 + 6 * spread
     # From this separation on the asperities pull more than they push.
-    balance = brentq(lambda place: _mean_tension(tension, spread, place)[0], lowest, highest)
+    balance = brentq(
+        lambda separation: _mean_tension(tension, spread, separation)[0], lowest, highest
+    )
 
     def minus_logarithm(logarithm: float) -> float:
         value, exponent = _mean_tension(tension, spread, balance + np.exp(logarithm))
         return -(np.log(value) + exponent) if value > 0 else np.inf
 
     ends = np.log(1e-8), np.log(highest - balance)
-    least = minimize_scalar(minus_logarithm, bounds=ends, method="bounded", options={"xatol": 1e-7})
-    return float(-least.fun - np.log(2 * np.pi) / 2)
+    minimum = minimize_scalar(
+        minus_logarithm, bounds=ends, method="bounded", options={"xatol": 1e-7}
+    )
+    return float(-minimum.fun - np.log(2 * np.pi) / 2)
 
 
-def _mean_tension(tension: Tension, spread: float, place: float) -> tuple[float, float]:
+def _mean_tension(tension: Tension, spread: float, separation: float) -> tuple[float, float]:
     """Return the mean tension of Gaussian asperities times sqrt(2π) exp(-exponent), and exponent.
 
-    An asperity of mean height comes off at the separation `place`, in standard deviations of
-    heights. The exponent keeps the mean tension of separated surfaces within floats.
+    The separation is in standard deviations of heights; an asperity of mean height detaches at 0.
+    The exponent prevents an underflow of the mean tension of separated surfaces.
     """
-    low = max(0.0, -TAIL - place)
-    high = TAIL**2 / (place + np.hypot(place, TAIL)) if place > 0 else TAIL - place
-    exponent = -(max(place, 0.0) ** 2) / 2
-    # Squared nodes, because the tension of JKR asperities begins as a square root.
+    low = max(0.0, -MAX_HEIGHT_DEVIATIONS - separation)
+    high = (
+        MAX_HEIGHT_DEVIATIONS**2 / (separation + np.hypot(separation, MAX_HEIGHT_DEVIATIONS))
+        if separation > 0
+        else MAX_HEIGHT_DEVIATIONS - separation
+    )
+    exponent = -(max(separation, 0.0) ** 2) / 2
+    # Nodes are squared, because the tension of JKR asperities begins as a square root.
     height = low + (high - low) * _NODES**2
     weight = 2 * (high - low) * _NODES * _WEIGHTS
-    density = np.exp(-((place + height) ** 2) / 2 - exponent)
+    density = np.exp(-((separation + height) ** 2) / 2 - exponent)
     return float(np.sum(weight * density * tension(spread * height))), exponent
 
 
 @lru_cache
 def _spline(tension: Tension, factor: float) -> CubicSpline:
-    """Return a spline of ln(-ln r) over ln θ: nearly straight if the relative force r is not 0.
+    """Return a spline of ln(-ln r) by ln θ, r the relative force; nearly straight if r is not 0.
 
     The spread of heights in the unit of the compression is (factor θ²/9π²)^⅓.
     """
-    indices = np.geomspace(*INDICES, 221)
+    indices = np.geomspace(*ADHESION_INDICES, 221)
     spreads = np.cbrt(factor * indices**2 / (9 * np.pi**2))
-    logarithms = np.array([_greatest_tension(tension, spread) for spread in spreads])
+    logarithms = np.array([_log_largest_tension(tension, spread) for spread in spreads])
     return CubicSpline(np.log(indices), np.log(-logarithms))
 
 
 def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
-    """Return the pull-off force of asperities over that of as many of equal height.
+    """Return the pull-off force of asperities relative to as many asperities of equal height.
 
-    At the lower end of INDICES it is that of the smooth sphere, at the upper end zero.
+    It is one at the lower end of ADHESION_INDICES, and zero at the upper end.
     """
-    return np.exp(-np.exp(_spline(tension, factor)(np.log(np.clip(index, *INDICES)))))
+    return np.exp(-np.exp(_spline(tension, factor)(np.log(np.clip(index, *ADHESION_INDICES)))))
 
 
 MODELS = {

@@ -1,4 +1,4 @@
-"""How far computed mean forces are from measured ones, by range and work of adhesion.
+"""Errors of computed mean forces relative to measured forces, by range and work of adhesion.
 
 All forces are computed for a work of adhesion of 1 J/m², to which they are proportional.
 """
@@ -13,29 +13,66 @@ WORK = np.geomspace(1e-3, 10.0, 501)
 def mean_relative_error(
     mean_forces: np.ndarray, published: np.ndarray, work: np.ndarray
 ) -> np.ndarray:
-    """Return the mean over surfaces of |W f/F - 1|: (..., rho, k).
+    """Return the mean over surfaces of |W f/F - 1|.
 
-    Forces f (..., surface, rho) in N are at 1 J/m², F (surface,) is measured, W (k,) is in J/m².
+    Parameters
+    ----------
+    mean_forces : numpy.ndarray
+        Computed forces f (..., surface, rho) in N at 1 J/m².
+    published : numpy.ndarray
+        Measured forces F (surface,) in N.
+    work : numpy.ndarray
+        Works of adhesion W (k,) in J/m².
+
+    Returns
+    -------
+    numpy.ndarray
+        Errors (..., rho, k).
     """
     relative = mean_forces / published[:, None]
     return np.asarray(np.abs(relative[..., None] * work - 1).mean(axis=-3))
 
 
-def at_least(
+def minimum_along_axis(
     errors: np.ndarray, values: np.ndarray, axis: int = -1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return values and errors, of one shape, where these are least along an axis."""
+    """Return the minima of the errors along an axis, and the values there.
+
+    Parameters
+    ----------
+    errors, values : numpy.ndarray
+        Arrays of the same shape.
+    axis : int
+        Axis of the minima.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Values and errors at the minima, without the axis.
+    """
     best = np.expand_dims(errors.argmin(axis=axis), axis)
-    value, error = (np.take_along_axis(one, best, axis).squeeze(axis) for one in (values, errors))
+    value = np.take_along_axis(values, best, axis).squeeze(axis)
+    error = np.take_along_axis(errors, best, axis).squeeze(axis)
     return value, error
 
 
 def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Find the work of adhesion of the least mean relative error at every range.
+    """Find the work of adhesion that minimizes the mean relative error, at every range.
 
-    The error is piecewise linear in W, so that its minimum lies at one of the W that match a
-    surface exactly; all are tried. Of mean forces (..., surface, rho) at 1 J/m² and published ones
-    (surface,), in N, follow the work in J/m² and the error, both (..., rho).
+    The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
+    one of the surfaces exactly, and all these W are compared.
+
+    Parameters
+    ----------
+    mean_forces : numpy.ndarray
+        Computed forces (..., surface, rho) in N at 1 J/m².
+    published : numpy.ndarray
+        Measured forces (surface,) in N.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Work of adhesion (..., rho) in J/m² and its error (..., rho).
     """
     relative = mean_forces / published[:, None]
     candidates = 1 / relative
@@ -46,24 +83,46 @@ def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray
         ],
         axis=-2,
     )  # (..., candidate, rho)
-    return at_least(errors, candidates, axis=-2)
+    return minimum_along_axis(errors, candidates, axis=-2)
 
 
 def fit(
     mean_forces: np.ndarray, published: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Find the range and work of adhesion of the least mean relative error.
+    """Find the range and the work of adhesion that minimize the mean relative error.
 
-    Of forces as in `fit_work` follow the index into rho, the work in J/m² and the error, all (...).
+    Parameters
+    ----------
+    mean_forces : numpy.ndarray
+        Computed forces (..., surface, rho) in N at 1 J/m².
+    published : numpy.ndarray
+        Measured forces (surface,) in N.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Index into rho, work of adhesion in J/m² and error, each (...).
     """
     work, error = fit_work(mean_forces, published)
-    return error.argmin(axis=-1), *at_least(error, work)
+    return error.argmin(axis=-1), *minimum_along_axis(error, work)
 
 
-def least_errors(errors: np.ndarray, count: int) -> np.ndarray:
-    """Return where errors (rho,) have their local minima, the least first: (count,) at most.
+def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
+    """Return the indices of the local minima of errors, in the order of these errors.
 
-    An end of the ranges counts where the error grows from it inwards.
+    An end of the ranges is a minimum if the error grows from it inwards.
+
+    Parameters
+    ----------
+    errors : numpy.ndarray
+        Errors (rho,).
+    count : int
+        Largest number of minima.
+
+    Returns
+    -------
+    numpy.ndarray
+        Indices into rho, at most `count`.
     """
     minima = find_peaks(-np.concatenate([[np.inf], errors, [np.inf]]))[0] - 1
     return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
@@ -72,24 +131,49 @@ def least_errors(errors: np.ndarray, count: int) -> np.ndarray:
 def fit_ratios(
     mean_forces: np.ndarray, published: np.ndarray, reference: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Find the range of the least mean relative error of the ratios to a reference surface.
+    """Find the range that minimizes the error of the force ratios to a reference surface.
 
-    The work of adhesion cancels. Of forces (..., surface, rho) and measured ones (surface,) in N
-    follow the index (...) into rho, and the errors (..., rho).
+    The work of adhesion cancels in these ratios.
+
+    Parameters
+    ----------
+    mean_forces : numpy.ndarray
+        Computed forces (..., surface, rho) in N.
+    published : numpy.ndarray
+        Measured forces (surface,) in N.
+    reference : int
+        Index of the reference surface.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Index (...) into rho, and the mean relative errors (..., rho) of the ratios.
     """
     ratios = mean_forces / mean_forces[..., [reference], :]
-    expected = (published / published[reference])[:, None]
-    others = np.arange(len(published)) != reference
-    errors = np.abs(ratios / expected - 1)[..., others, :].mean(axis=-2)
+    published_ratios = (published / published[reference])[:, None]
+    is_other = np.arange(len(published)) != reference
+    errors = np.abs(ratios / published_ratios - 1)[..., is_other, :].mean(axis=-2)
     return errors.argmin(axis=-1), errors
 
 
 def error_region(
     errors: np.ndarray, rhos: np.ndarray, work: np.ndarray, threshold: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return least and greatest rho, and W, where the error map (rho, work) is below `threshold`.
+    """Return the extent in range and work of adhesion of the region of small error.
 
-    Two arrays (2,), NaN where there is no such place.
+    Parameters
+    ----------
+    errors : numpy.ndarray
+        Error map (rho, work).
+    rhos, work : numpy.ndarray
+        Ranges of adhesion (rho,) in nm and works of adhesion (work,) in J/m².
+    threshold : float
+        An error below it is small.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Smallest and largest range (2,) and work (2,), NaN if no error is small.
     """
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:

@@ -1,8 +1,8 @@
 """Statements of the paper, each compared with a computed number.
 
-A claim names a number by dataset, quantity (a variable or a derived one) and selection, and a rule
-that turns the number, its interval and the published limits into a verdict. A number is a dataset
-of `value` and `value_interval`, as `base.number` returns it.
+A claim names a number by dataset, quantity (a variable or a derived quantity) and selection. Its
+rule turns the number, its interval and the published limits into a verdict. A number is a dataset
+of `value` and `value_interval`, as from `paper.numbers`.
 """
 
 import json
@@ -23,27 +23,27 @@ from hardcontact.paper.numbers import variable_as_number
 from hardcontact.paper.selection import (
     NO_SCAN,
     Selection,
-    basis,
+    claim_basis,
+    claim_surfaces,
     fixed_verdict,
-    selected_number,
-    selection,
-    surfaces_of,
+    parse_selection,
+    select_number,
 )
 from hardcontact.paper.verdicts import (
     BY_CONSTRUCTION,
     EXPERIMENT,
     UNTESTABLE,
     accepted_range,
-    accepts,
     interval_with_sets,
+    is_accepted,
+    replicas_vary,
     stability,
-    vary,
     verdict,
 )
 
-#: Functions of one dataset or several, by the name that a claim gives the quantity: all that these
-#: modules define for others.
-DERIVED = {
+#: Functions of one or several datasets, by the name of the quantity in a claim: all public
+#: functions of these modules.
+DERIVED_QUANTITIES = {
     name: function
     for module in (contact_quantities, force_quantities, inference_quantities)
     for name, function in getmembers(module, isfunction)
@@ -52,68 +52,115 @@ DERIVED = {
 
 
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return a derived quantity of one dataset or several, or a variable of one, with its interval.
+    """Return a derived quantity or a variable, with its interval.
 
-    The quantity is a key of `DERIVED`, a variable, or a row of Table 1: the variable that the
-    attribute `table1_variables` of the dataset names. A variable or an attribute that is needed and
-    does not exist is a KeyError.
+    Parameters
+    ----------
+    quantity : str
+        A key of `DERIVED_QUANTITIES`, a variable of the dataset, or a row of Table 1. The attribute
+        ``table1_variables`` of the dataset names the variable of such a row.
+    dataset, *others : xarray.Dataset
+        The datasets of the claim.
+
+    Returns
+    -------
+    xarray.Dataset
+        The number, as from `paper.numbers`.
+
+    Raises
+    ------
+    KeyError
+        If a variable or an attribute that is needed does not exist.
     """
-    if quantity in DERIVED:
-        result: xr.Dataset = DERIVED[quantity](dataset, *others)
+    if quantity in DERIVED_QUANTITIES:
+        result: xr.Dataset = DERIVED_QUANTITIES[quantity](dataset, *others)
         return result
     rows_of_table1 = json.loads(dataset.attrs.get("table1_variables", "{}"))
     return variable_as_number(dataset, rows_of_table1.get(quantity, quantity))
 
 
-#: Datasets that the claims are about. A claim may also name `paper`.
+#: Datasets that claims may name, besides `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "band", "inference", "elastic", "indent",
     "repeated_contact", "asperities", "classical", "enhancement", "leave_one_out", "protruded",
 )  # fmt: skip
-#: Datasets that the claims of the chapter on what decides the band are about.
+#: Datasets that claims of the chapter on the critical band may name.
 INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
     "accepted_low", "accepted_high", "frequency", "verdict", "stability", "follows_from", "basis",
     "note",
 )  # fmt: skip
-NUMBERS = ("published", "published_low", "published_high")
-#: Verdicts that no number decides.
-FIXED = (BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
+NUMBER_COLUMNS = ("published", "published_low", "published_high")
+#: Verdicts that do not depend on a number.
+FIXED_VERDICTS = (BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
-    """Read the statements of the paper from the table resources/paper/claims.csv.
+    """Read the statements of the paper.
 
-    Published numbers are floats (NaN where blank), everything else is text.
+    Parameters
+    ----------
+    path : str or Path
+        The table resources/paper/claims.csv, or one with the same columns.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row per statement. Published numbers are floats, NaN if blank; the rest is text.
     """
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
-    return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBERS})
+    return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
 
 
 def replicated_statements(path: str | Path) -> list[dict[str, str]]:
-    """Return what sets need of the statements that they replicate, without words for readers."""
+    """Return the replicated statements, with the columns that determine their numbers.
+
+    Parameters
+    ----------
+    path : str or Path
+        The table, as for `read_statements`.
+
+    Returns
+    -------
+    list of dict
+        ``id``, ``dataset``, ``quantity``, ``select`` and ``rule`` of each statement.
+    """
     table = read_statements(path)
     replicated = table[table["replicated"] == "yes"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
     return [dict(zip(columns, row, strict=True)) for row in replicated[columns].values.tolist()]
 
 
-def values(
+def claim_values(
     statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
-    """Compute the number of every claim, without its interval: a float by `id`.
+    """Compute the number of every claim, without its interval.
 
-    It is NaN where no number exists or the datasets lack a label. Statements and constants are
-    those of `read_statements` and `published.constants`, the dataset `paper` of the claims; the
-    datasets that they name are as in the final netCDF files. A ValueError names the claim and what
-    is missing.
+    Parameters
+    ----------
+    statements : pandas.DataFrame
+        From `read_statements`.
+    datasets : mapping of str to xarray.Dataset
+        The datasets that the claims name, as in the final netCDF files.
+    constants : pandas.DataFrame
+        From `published.constants`: the dataset ``paper`` of the claims.
+
+    Returns
+    -------
+    pandas.Series
+        Floats by ``id``, NaN if no number exists or the datasets lack a label.
+
+    Raises
+    ------
+    ValueError
+        If a claim needs a dataset, a variable or an attribute that is missing.
     """
-    found = {
-        claim.id: np.nan if computed is None else float(computed.number["value"])
-        for claim, computed in _all_computed(statements, datasets, constants, np.nan)
+    numbers = {
+        claim.id: np.nan if claim_number is None else float(claim_number.number["value"])
+        for claim, claim_number in _compute_all(statements, datasets, constants, np.nan)
     }
-    return pd.Series(found, dtype=float).rename_axis("id")
+    return pd.Series(numbers, dtype=float).rename_axis("id")
 
 
 def evaluate(
@@ -124,77 +171,102 @@ def evaluate(
     sets: xr.Dataset,
     seed: int,
 ) -> pd.DataFrame:
-    """Compare every claim with the computed number: one row a claim with the columns `COLUMNS`.
+    """Compare every claim with its computed number.
 
-    Arguments and errors are as of `values`; a claim about a surface or contact model that the study
-    does not have is left out. The dataset `topography` says what scans are substitutes. `sets` is
-    as in sets.nc: `value` (set, claim), the numbers of many equally good sets of scans. Those of a
-    replicated claim give its frequency and, if they vary, its interval, with this confidence, and
-    the stability of its verdict.
+    Parameters
+    ----------
+    statements : pandas.DataFrame
+        From `read_statements`.
+    datasets : mapping of str to xarray.Dataset
+        The datasets that the claims name, as in the final netCDF files. ``topography`` has the
+        basis of the scans: measured or substitutes.
+    constants : pandas.DataFrame
+        From `published.constants`: the dataset ``paper`` of the claims.
+    confidence : float
+        Confidence of the intervals.
+    sets : xarray.Dataset
+        sets.nc: ``value`` (set, claim), the numbers of many equally good sets of scans. They give
+        the frequency of a replicated claim, the stability of its verdict and, if they vary, its
+        interval.
+    seed : int
+        Selects the random numbers of the stability.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row per claim with the columns `COLUMNS`. A claim about a surface or a contact model
+        that the study lacks is left out.
+
+    Raises
+    ------
+    ValueError
+        If a claim needs a dataset, a variable or an attribute that is missing.
     """
     rows = []
-    for claim, computed in _all_computed(statements, datasets, constants, confidence):
-        if computed is not None:
-            with _named(claim):
-                row = _row(claim, computed, datasets["topography"], constants, sets, confidence)
+    for claim, claim_number in _compute_all(statements, datasets, constants, confidence):
+        if claim_number is not None:
+            with _prefix_errors(claim):
+                row = _row(claim, claim_number, datasets["topography"], constants, sets, confidence)
                 rows.append(row | {"stability": _stability(claim, row, sets, confidence, seed)})
     return pd.DataFrame(rows, columns=list(COLUMNS))
 
 
-class _Computed(NamedTuple):
-    """The number of a claim, the datasets it is computed from, and what is selected of them."""
+class _ClaimNumber(NamedTuple):
+    """The number of a claim, the datasets from which it is computed, and the selected labels."""
 
     number: xr.Dataset
-    parts: dict[str, xr.Dataset]
-    chosen: Selection
+    datasets: dict[str, xr.Dataset]
+    labels: Selection
 
 
-def _all_computed(
+def _compute_all(
     statements: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
     confidence: float,
-) -> Iterator[tuple[Any, _Computed | None]]:
-    """Yield each claim and what is computed for it, None where the datasets lack a label."""
+) -> Iterator[tuple[Any, _ClaimNumber | None]]:
+    """Yield each claim and its number, None if the datasets lack a label."""
     complete = {
-        name: _with_surface(data).assign_attrs(confidence=confidence)
+        name: _add_surface(data).assign_attrs(confidence=confidence)
         for name, data in datasets.items()
     }
     complete["paper"] = xr.Dataset(constants["value"].to_dict())
     estimates: dict[tuple[str, str], xr.Dataset] = {}
     claims: Iterable[Any] = statements.itertuples(index=False)
     for claim in claims:
-        with _named(claim):
-            parts = {name: _dataset(complete, name) for name in claim.dataset.split("+")}
+        with _prefix_errors(claim):
+            claim_datasets = {
+                name: _get_dataset(complete, name) for name in claim.dataset.split("+")
+            }
             key = claim.dataset, claim.quantity
             if key not in estimates:
-                estimates[key] = estimate(claim.quantity, *parts.values())
-            chosen = selection(estimates[key], claim.select)
-            computed = None
-            if chosen is not None:
-                number = selected_number(estimates[key], chosen, claim.rule)
-                computed = _Computed(number, parts, chosen)
-        yield claim, computed
+                estimates[key] = estimate(claim.quantity, *claim_datasets.values())
+            labels = parse_selection(estimates[key], claim.select)
+            claim_number = None
+            if labels is not None:
+                number = select_number(estimates[key], labels, claim.rule)
+                claim_number = _ClaimNumber(number, claim_datasets, labels)
+        yield claim, claim_number
 
 
-def _with_surface(data: xr.Dataset) -> xr.Dataset:
-    """Add the dimension `surface` to a dataset about the one surface that its attribute names."""
+def _add_surface(data: xr.Dataset) -> xr.Dataset:
+    """Add the dimension `surface` to a dataset whose attribute names its only surface."""
     if "surface" in data.dims or "surface" not in data.attrs:
         return data
     return data.expand_dims(surface=[data.attrs["surface"]])
 
 
-def _dataset(datasets: Mapping[str, xr.Dataset], name: str) -> xr.Dataset:
+def _get_dataset(datasets: Mapping[str, xr.Dataset], name: str) -> xr.Dataset:
     if name not in datasets:
         raise KeyError(f"no dataset named {name!r}")
     return datasets[name]
 
 
 @contextmanager
-def _named(claim: Any) -> Iterator[None]:
-    """Put the name of the claim before the first sentence of an error.
+def _prefix_errors(claim: Any) -> Iterator[None]:
+    """Prefix the first sentence of an error with the name of the claim.
 
-    The message of a missing attribute is its name alone.
+    The message of the error about a missing attribute is the name of the attribute.
     """
     try:
         yield
@@ -206,18 +278,19 @@ def _named(claim: Any) -> Iterator[None]:
 
 def _row(
     claim: Any,
-    computed: _Computed,
+    claim_number: _ClaimNumber,
     topography: xr.Dataset,
     constants: pd.DataFrame,
     sets: xr.Dataset,
     confidence: float,
 ) -> dict[str, Any]:
     """Return one row of the result, without the stability of its verdict."""
-    surfaces = surfaces_of(claim, computed.parts, computed.chosen, topography)
-    value, limits = float(computed.number["value"]), (claim.published_low, claim.published_high)
+    surfaces = claim_surfaces(claim, claim_number.datasets, claim_number.labels, topography)
+    value = float(claim_number.number["value"])
+    limits = (claim.published_low, claim.published_high)
     accepted = accepted_range(claim.rule, *limits)
-    replicas = _replicas(claim, sets)
-    low, high = _interval(claim, computed.number, replicas, confidence)
+    replicas = _claim_replicas(claim, sets)
+    low, high = _claim_interval(claim, claim_number.number, replicas, confidence)
     fixed, reason = fixed_verdict(claim, surfaces, topography, constants)
     no_value = "No value exists." if np.isnan(value) else ""
     row = claim._asdict() | {
@@ -226,16 +299,16 @@ def _row(
         "high": high,
         "accepted_low": accepted[0],
         "accepted_high": accepted[1],
-        "frequency": accepts(claim.rule, replicas, *limits).mean() if len(replicas) else np.nan,
+        "frequency": is_accepted(claim.rule, replicas, *limits).mean() if len(replicas) else np.nan,
         "verdict": fixed or verdict(claim.rule, value, low, high, *limits),
-        "basis": basis(surfaces, topography),
+        "basis": claim_basis(surfaces, topography),
         "note": " ".join(filter(None, (claim.note, reason, no_value))),
     }
     return {name: row[name] for name in COLUMNS if name in row}
 
 
-def _replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
-    """Return the numbers of all sets, none if the claim is not replicated."""
+def _claim_replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
+    """Return the numbers (set,) of a claim; empty if the claim is not replicated."""
     if claim.replicated != "yes":
         return np.empty(0)
     if claim.id not in sets["claim"]:
@@ -244,12 +317,12 @@ def _replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
     return replicas
 
 
-def _interval(
+def _claim_interval(
     claim: Any, number: xr.Dataset, replicas: np.ndarray, confidence: float
 ) -> tuple[float, float]:
-    """Return the ends of the interval of a number, NaN where none can be given.
+    """Return the ends of the interval of a number, NaN if no interval exists.
 
-    It is that of `interval_with_sets`; of zero width if no scan enters it.
+    The interval is that of `interval_with_sets`. A number that needs no scan has zero width.
     """
     value = float(number["value"])
     ends = interval_with_sets(value, bounds(number, "value"), replicas, confidence)
@@ -259,9 +332,9 @@ def _interval(
 def _stability(
     claim: Any, row: Mapping[str, Any], sets: xr.Dataset, confidence: float, seed: int
 ) -> float:
-    """Return how often the verdict stays with other sets, NaN if it does not depend on them."""
-    replicas = _replicas(claim, sets)
-    if not vary(replicas) or row["verdict"] in FIXED:
+    """Return the share of redrawn sets that keep the verdict, NaN if it does not depend on sets."""
+    replicas = _claim_replicas(claim, sets)
+    if not replicas_vary(replicas) or row["verdict"] in FIXED_VERDICTS:
         return np.nan
 
     def judge(value: float, low: float, high: float) -> str:

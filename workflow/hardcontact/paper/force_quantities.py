@@ -1,7 +1,7 @@
-"""Numbers about roughness of all scales over that of the AFM scans, and about pull-off forces.
+"""Numbers about pull-off forces, and about roughness of all scales relative to the AFM scans.
 
-Forces in N, lengths in nm. Each function returns a number as `numbers.number` does; in brackets
-its dimensions.
+Forces in N, lengths in nm. Each function returns a number as `paper.numbers` defines it; its
+dimensions are in brackets.
 """
 
 import json
@@ -22,38 +22,43 @@ from hardcontact.paper.numbers import (
 
 
 def slope_by_scales(topography: xr.Dataset) -> xr.Dataset:
-    """Return the rms slope of all scales over that of the AFM scans (surface)."""
+    """Return the rms slope of all scales relative to the AFM scans (surface)."""
     return _all_over_afm(topography, "slope")
 
 
 def slope_over_height(topography: xr.Dataset) -> xr.Dataset:
-    """Return `slope_by_scales` over the same ratio of the rms heights (surface)."""
+    """Return `slope_by_scales` divided by the same ratio of the rms heights (surface)."""
     return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
 
 
 def curvature_over_height(topography: xr.Dataset) -> xr.Dataset:
-    """Return the ratio of rms curvatures over that of the rms heights (surface)."""
+    """Return the same ratio of rms curvatures divided by that of the rms heights (surface)."""
     return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 
 def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
-    """Return a row of Table 1 for all scales over that for the AFM scans."""
+    """Return a row of Table 1 for all scales relative to the row for the AFM scans."""
     names = json.loads(topography.attrs["table1_variables"])
-    both = (names[f"{scales}_rms_{quantity}"] for scales in ("all", "afm"))
-    return quotient(*(variable_as_number(topography, name) for name in both))
+    all_scales = variable_as_number(topography, names[f"all_rms_{quantity}"])
+    afm = variable_as_number(topography, names[f"afm_rms_{quantity}"])
+    return quotient(all_scales, afm)
 
 
 def mean_over_median(inference: xr.Dataset) -> xr.Dataset:
-    """Return mean over median of the pull-off forces (contact_model, pair, surface)."""
+    """Return the mean relative to the median pull-off force (contact_model, pair, surface)."""
     return quotient(
         variable_as_number(inference, "force_mean"), variable_as_number(inference, "force_median")
     )
 
 
 def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return plastic over rigid mean force at the reference range, scan by scan (surface)."""
-    mean = mean_over_contacts(_at_reference(adhesion["pull_off_force"], adhesion))
-    plastic, rigid = (mean.sel(contact_model=model, drop=True) for model in ("plastic", "rigid"))
+    """Return the mean plastic force relative to the rigid force at the reference range (surface).
+
+    The ratio is taken scan by scan.
+    """
+    mean = mean_over_contacts(_forces_at_reference(adhesion["pull_off_force"], adhesion))
+    plastic = mean.sel(contact_model="plastic", drop=True)
+    rigid = mean.sel(contact_model="rigid", drop=True)
     return mean_over_scans(plastic / rigid, adhesion.attrs["confidence"])
 
 
@@ -66,20 +71,20 @@ def force_slope(adhesion: xr.Dataset) -> xr.Dataset:
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))
     slope = logarithm.differentiate("rho")
     reference = np.log(adhesion.attrs["reference_rho"])
-    at_reference = slope.sel(rho=reference, method="nearest", drop=True)
-    return signed_mean_over_scans(at_reference, adhesion.attrs["confidence"])
+    reference_slope = slope.sel(rho=reference, method="nearest", drop=True)
+    return signed_mean_over_scans(reference_slope, adhesion.attrs["confidence"])
 
 
 def area_slope(adhesion: xr.Dataset) -> xr.Dataset:
     """Return d ln A / d ln rho of the area A that attracts (surface, contact_model).
 
-    Each pixel counts by its attraction over that of a pixel in contact: A = F rho / W (Eq. 3).
+    Each pixel counts by its attraction relative to a pixel in contact: A = F rho / W (Eq. 3).
     """
     return 1 + force_slope(adhesion)
 
 
 def short_range_rise(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the force at the smallest range over the least at any (surface, contact_model)."""
+    """Return the force at the smallest range over the smallest force (surface, contact_model)."""
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     rise = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(rise, adhesion.attrs["confidence"])
@@ -88,11 +93,13 @@ def short_range_rise(adhesion: xr.Dataset) -> xr.Dataset:
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the largest relative change with range of the force on a smooth sphere and plane ().
 
-    Eq. 3 on the study's pixels: the sum over a paraboloid is a product of sums over both axes.
+    Eq. 3 on the pixels of the study: the sum over a paraboloid is a product of sums over both axes.
     """
     radius, pixel = adhesion.attrs["sphere_radius"], adhesion.attrs["pixel_size"]
     rho = adhesion["rho"]
-    reach = int(12 * np.sqrt(radius * rho.max()) / pixel)  # attraction exp(-72) of that at the apex
+    reach = int(
+        12 * np.sqrt(radius * rho.max()) / pixel
+    )  # there the attraction is exp(-72) of the apex
     position = xr.DataArray(pixel * np.arange(-reach, reach + 1), dims="position")
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
     return number(force.max() / force.min() - 1)
@@ -100,27 +107,27 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
 
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the Kolmogorov distance of forces to their log-normal fit (surface, contact_model)."""
-    return _of_single_forces(adhesion, lambda forces: _normal_distance(np.log(forces)))
+    return _force_statistic(adhesion, lambda forces: _normal_distance(np.log(forces)))
 
 
 def half_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the Kolmogorov distance of forces to a half-Gaussian (surface, contact_model)."""
-    return _of_single_forces(adhesion, _half_gaussian_distance)
+    return _force_statistic(adhesion, _half_gaussian_distance)
 
 
 def inverse_gaussian_misfit(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the Kolmogorov distance of forces to an inverse Gaussian (surface, contact_model)."""
-    return _of_single_forces(adhesion, _inverse_gaussian_distance)
+    return _force_statistic(adhesion, _inverse_gaussian_distance)
 
 
 def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the decades between the smallest and the largest force (surface, contact_model)."""
-    return _of_single_forces(adhesion, lambda forces: float(np.ptp(np.log10(forces))))
+    return _force_statistic(adhesion, lambda forces: float(np.ptp(np.log10(forces))))
 
 
-def _of_single_forces(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], float]) -> xr.Dataset:
+def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], float]) -> xr.Dataset:
     """Return a statistic of all forces (n,) at the reference range; it has no interval."""
-    forces = _at_reference(adhesion["pull_off_force"], adhesion)
+    forces = _forces_at_reference(adhesion["pull_off_force"], adhesion)
     return number(
         xr.apply_ufunc(
             lambda row: statistic(row[np.isfinite(row)]),
@@ -131,7 +138,7 @@ def _of_single_forces(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], fl
     )
 
 
-def _at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataArray:
+def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataArray:
     """Return forces at the reference range of adhesion."""
     return forces.sel(rho=adhesion.attrs["reference_rho"], method="nearest", drop=True)
 
@@ -142,14 +149,14 @@ def _normal_distance(values: np.ndarray) -> float:
 
 
 def _half_gaussian_distance(values: np.ndarray) -> float:
-    """Return the Kolmogorov distance to the half-Gaussian about zero of greatest likelihood."""
+    """Return the Kolmogorov distance to the most likely half-Gaussian about zero."""
     return float(stats.kstest(values / np.sqrt(np.mean(values**2)), "halfnorm").statistic)
 
 
 def _inverse_gaussian_distance(values: np.ndarray) -> float:
-    """Return the Kolmogorov distance to the inverse Gaussian of greatest likelihood.
+    """Return the Kolmogorov distance to the most likely inverse Gaussian.
 
-    Its mean is that of the values, its shape 1/(mean of 1/value - 1/mean).
+    It has the mean of the values and the shape 1/(mean of 1/value - 1/mean).
     """
     mean = values.mean()
     shape = 1 / np.mean(1 / values - 1 / mean)

@@ -1,7 +1,7 @@
 """Range and work of adhesion, inferred from the published mean pull-off forces.
 
-All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. What
-depends on both stands at two pairs of them, the published one and the fitted one.
+All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. Force
+statistics are given for two pairs of range and work of adhesion, the published and the fitted pair.
 """
 
 from typing import Any, NamedTuple
@@ -21,20 +21,20 @@ from hardcontact.contact.force_curves import (
 )
 from hardcontact.paper import error_map
 
-#: The contact model that the paper's conclusions rest on.
+#: The contact model on which the conclusions of the paper are based.
 PLASTIC = "plastic"
-#: Of range and work of adhesion.
+#: Pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 
-#: Ranges of adhesion of the error map, from the least to the greatest one computed.
+#: Number of ranges of adhesion of the error map, from the smallest to the largest computed range.
 FINE_RANGES = 801
 
-#: Local minima of the error that are kept.
+#: Largest number of local minima of the error.
 MINIMA = 3
 
 NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
 
-#: What is fitted to mean forces, with its units.
+#: Variables fitted to mean forces, with their units.
 UNITS = {
     "range_of_adhesion": NM,
     "work_of_adhesion": ENERGY,
@@ -42,7 +42,7 @@ UNITS = {
     "range_from_ratios": NM,
 }
 
-#: Of these the samples are kept, by a short name.
+#: Fitted variables whose samples are returned, by a short name.
 SAMPLED = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 
@@ -54,10 +54,10 @@ class Pair(NamedTuple):
 
 
 class Published(NamedTuple):
-    """What the paper measured, and what it inferred from that."""
+    """Published forces, with the range and the work of adhesion that the paper inferred."""
 
-    forces: pd.DataFrame  #: As from `published.pull_off`.
-    pair: Pair  #: Its range and work of adhesion.
+    forces: pd.DataFrame  #: From `published.pull_off`.
+    pair: Pair  #: Published range and work of adhesion.
 
 
 def infer(
@@ -68,27 +68,46 @@ def infer(
     force_floor: float,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Infer range and work of adhesion of every contact model, and describe the forces they give.
+    """Infer range and work of adhesion for every contact model, and the resulting forces.
 
-    Adhesion is as in adhesion.nc; ratios are taken to the reference surface, the error is small
-    below its threshold, the floor in N is that of `force_statistics`. Over contact_model follow
-    `infer_model`, and `force_statistics` and `ratio_at_pair` over pair and surface, at the pair as
-    it stands; and `model_error_ratio`, the least error of rigid over that of plastic contact.
+    Parameters
+    ----------
+    adhesion : xarray.Dataset
+        adhesion.nc: forces in N at 1 J/m².
+    published : Published
+        Published forces, range and work of adhesion.
+    reference_surface : str
+        Surface to which force ratios are taken.
+    error_threshold : float
+        A mean relative error below it is small.
+    force_floor : float
+        Smallest measurable force in N, for `force_statistics`.
+    sampling : Sampling
+        Random numbers and confidence of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        By contact_model: the variables of `infer_model`. By contact_model, pair and surface: the
+        variables of `force_statistics` and ``ratio_at_pair``. ``model_error_ratio``, the smallest
+        error of rigid contact relative to that of plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
     target = published.forces.mean_force.reindex(surfaces).to_numpy()
     reference = surfaces.index(reference_surface)
-    parts = []
+    model_datasets = []
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        inferred = infer_model(forces, target, reference, error_threshold, sampling)
-        fitted = Pair(float(inferred.range_of_adhesion), float(inferred.work_of_adhesion))
+        fits = infer_model(forces, target, reference, error_threshold, sampling)
+        fitted = Pair(float(fits.range_of_adhesion), float(fits.work_of_adhesion))
         pairs = [
-            _at_pair(forces, pair, reference, force_floor, sampling)
+            _forces_at_pair(forces, pair, reference, force_floor, sampling)
             for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
-        parts.append(inferred.merge(xr.concat(pairs, pd.Index(PAIRS, name="pair"))))
-    models = xr.concat(parts, pd.Index(adhesion.contact_model.values, name="contact_model"))
+        model_datasets.append(fits.merge(xr.concat(pairs, pd.Index(PAIRS, name="pair"))))
+    models = xr.concat(
+        model_datasets, pd.Index(adhesion.contact_model.values, name="contact_model")
+    )
     return (
         models.assign(_model_error_ratio(models, sampling))
         .assign(label=adhesion.label, basis=adhesion.basis)
@@ -102,31 +121,29 @@ def infer(
 
 
 def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]:
-    """Return the least error of rigid over that of plastic contact, of the same samples."""
-    value, samples = (
-        models[name].sel(contact_model="rigid") / models[name].sel(contact_model="plastic")
-        for name in ("best_error", "sampled_error")
-    )
-    return sampling.with_interval("model_error_ratio", (), value.item(), samples.values, ONE)
+    """Return the smallest error of rigid contact relative to plastic contact, with an interval."""
+    rigid = models.sel(contact_model="rigid")
+    plastic = models.sel(contact_model="plastic")
+    value = rigid["best_error"].item() / plastic["best_error"].item()
+    samples = rigid["sampled_error"].values / plastic["sampled_error"].values
+    return sampling.with_interval("model_error_ratio", (), value, samples, ONE)
 
 
-def _at_pair(
+def _forces_at_pair(
     forces: xr.DataArray, pair: Pair, reference: int, floor: float, sampling: Sampling
 ) -> xr.Dataset:
-    """Return force statistics and ratios of mean forces of one contact model, over surface."""
-    rho, work = pair
-    at_pair = at_range(forces, rho) * work
-    means, sampled = (
-        values[..., 0] for values in mean_forces(at_pair.expand_dims("rho"), sampling)
-    )
-    ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
-    contacts = at_pair.stack(contact=["contact_y", "contact_x"])
+    """Return force statistics and ratios of mean forces of one contact model by surface."""
+    pair_forces = at_range(forces, pair.range_of_adhesion) * pair.work_of_adhesion
+    means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
+    ratio = means[:, 0] / means[reference, 0]
+    ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference], 0]
+    contacts = pair_forces.stack(contact=["contact_y", "contact_x"])
     statistics = [
         force_statistics(contacts.sel(surface=surface).values, floor, sampling)
         for surface in forces.surface.values
     ]
     return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
-        sampling.with_interval("ratio_at_pair", "surface", ratio, ratios, ONE)
+        sampling.with_interval("ratio_at_pair", "surface", ratio, ratio_samples, ONE)
     )
 
 
@@ -137,31 +154,49 @@ def infer_model(
     threshold: float,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Infer range and work of adhesion of one contact model, with error map and force curves.
+    """Infer range and work of adhesion for one contact model, with error map and force curves.
 
-    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN where a
-    scan is missing; surfaces without a published mean force (surface,) do not enter the fit;
-    `reference` is the index of the surface that ratios are taken to, `threshold` that of the mean
-    relative error. `minimum` counts the local minima along the range of the error at its best work,
-    the least first; NaN where there is none.
+    Parameters
+    ----------
+    forces : xarray.DataArray
+        Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N at 1 J/m², NaN for a
+        missing scan.
+    published : numpy.ndarray
+        Published mean forces (surface,) in N. Surfaces with NaN do not enter the fit.
+    reference : int
+        Index of the surface to which force ratios are taken.
+    threshold : float
+        A mean relative error below it is small.
+    sampling : Sampling
+        Random numbers and confidence of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        Fitted variables (UNITS) with intervals and samples, the error map, and the variables of
+        `force_curves`. At the best work for each range the error has local minima along the range.
+        ``minimum`` numbers them in the order of their errors; missing minima are NaN.
     """
     rhos = forces.rho.values
     fine = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
-    means, sampled = mean_forces(forces, sampling)
-    known = np.isfinite(published)
-    target, base = published[known], int(known[:reference].sum())
-    curve = on_fine_grid(means[known], rhos, fine)
-    sampled_curves = on_fine_grid(sampled[:, known], rhos, fine)
-    fits, samples = (_fits(curves, target, base, fine) for curves in (curve, sampled_curves))
+    means, mean_samples = mean_forces(forces, sampling)
+    is_published = np.isfinite(published)
+    target = published[is_published]
+    target_reference = int(is_published[:reference].sum())
+    curve = on_fine_grid(means[is_published], rhos, fine)
+    curve_samples = on_fine_grid(mean_samples[:, is_published], rhos, fine)
+    fits = _fit_curves(curve, target, target_reference, fine)
+    samples = _fit_curves(curve_samples, target, target_reference, fine)
     variables: dict[str, Any] = {
         f"sampled_{name}": ("sample", samples[variable], UNITS[variable])
         for name, variable in SAMPLED.items()
     }
     for name, attributes in UNITS.items():
         variables |= sampling.with_interval(name, (), fits[name], samples[name], attributes)
-    variables |= _errors(curve, target, fine, threshold)
-    variables["ratio_error"] = ("rho_fine", error_map.fit_ratios(curve, target, base)[1], ONE)
-    variables |= force_curves(forces, means, sampled, reference, sampling)
+    variables |= _error_variables(curve, target, fine, threshold)
+    _, ratio_errors = error_map.fit_ratios(curve, target, target_reference)
+    variables["ratio_error"] = ("rho_fine", ratio_errors, ONE)
+    variables |= force_curves(forces, means, mean_samples, reference, sampling)
     coordinates = {
         "rho_fine": ("rho_fine", fine, NM),
         "work": ("work", error_map.WORK, ENERGY),
@@ -170,44 +205,44 @@ def infer_model(
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
 
 
-def _fits(
+def _fit_curves(
     curves: np.ndarray, published: np.ndarray, reference: int, fine: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return what is fitted to curves (..., surface, rho): arrays (...), NaN where a curve is."""
+    """Return the variables (...) fitted to curves (..., surface, rho), NaN if a curve has NaN."""
     best, work, error = error_map.fit(curves, published)
-    from_ratios, _ = error_map.fit_ratios(curves, published, reference)
-    known = np.isfinite(error)
+    best_of_ratios, _ = error_map.fit_ratios(curves, published, reference)
+    is_fitted = np.isfinite(error)
     return {
-        "range_of_adhesion": np.where(known, fine[best], np.nan),
+        "range_of_adhesion": np.where(is_fitted, fine[best], np.nan),
         "work_of_adhesion": work,
         "best_error": error,
-        "range_from_ratios": np.where(known, fine[from_ratios], np.nan),
+        "range_from_ratios": np.where(is_fitted, fine[best_of_ratios], np.nan),
     }
 
 
-def _errors(
+def _error_variables(
     curve: np.ndarray, published: np.ndarray, fine: np.ndarray, threshold: float
 ) -> dict[str, Any]:
-    """Return the error over range and work of adhesion, its minima, and where it is small."""
+    """Return the error map, its local minima, and the region of small error."""
     errors = error_map.mean_relative_error(curve, published, error_map.WORK)
     ranges, works = error_map.error_region(errors, fine, error_map.WORK, threshold)
-    work, least = error_map.fit_work(curve, published)
-    at_minima = error_map.least_errors(least, MINIMA)
-    missing = (0, MINIMA - len(at_minima))
+    work, smallest_errors = error_map.fit_work(curve, published)
+    minima = error_map.local_minima(smallest_errors, MINIMA)
+    padding = (0, MINIMA - len(minima))
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, ONE),
-        "error_of_range": ("rho_fine", least, ONE),
+        "error_of_range": ("rho_fine", smallest_errors, ONE),
         "region_range": ("bound", ranges, NM),
         "region_work": ("bound", works, ENERGY),
     } | {
         f"minimum_{name}": (
             "minimum",
-            np.pad(values[at_minima], missing, constant_values=np.nan),
+            np.pad(values[minima], padding, constant_values=np.nan),
             attributes,
         )
         for name, values, attributes in (
             ("range", fine, NM),
             ("work", work, ENERGY),
-            ("error", least, ONE),
+            ("error", smallest_errors, ONE),
         )
     }

@@ -1,8 +1,8 @@
 """Numbers about range and work of adhesion, and about the scales of roughness.
 
 Forces in N, lengths in nm, works of adhesion in J/m². Each function returns a number as
-`numbers.number` does; in brackets its dimensions. `paper` holds the numbers of
-resources/paper/parameters.csv under their names.
+`paper.numbers` defines it; its dimensions are in brackets. `paper` contains the numbers of
+resources/paper/parameters.csv by name.
 """
 
 import numpy as np
@@ -17,22 +17,21 @@ from hardcontact.paper.numbers import (
     number,
     variable_as_number,
 )
-from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
 
 
 def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the mean force at the published work and the longest range of atomic interactions.
+    """Return the mean force at the published work and the longest atomic range.
 
-    Linear between the ranges computed (contact_model, surface).
+    It is interpolated linearly between the computed ranges (contact_model, surface).
     """
     force = variable_as_number(inference, "mean_force")
-    at_range: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
-    return paper["work_of_adhesion"] * at_range
+    atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
+    return paper["work_of_adhesion"] * atomic_force
 
 
 def short_range_error(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the least error at the ranges of atomic interactions (contact_model)."""
+    """Return the smallest error at the ranges of atomic interactions (contact_model)."""
     error = inference["error_of_range"]
     return number(
         error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
@@ -42,15 +41,15 @@ def short_range_error(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def error_of_second_minimum(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the error at the second-best minimum along the range (contact_model).
 
-    It is infinite where there is no second minimum, and NaN where the best one is above the
-    published threshold.
+    It is infinite if there is no second minimum, and NaN if the best error is above the published
+    threshold.
     """
-    second = inference["minimum_error"].sel(minimum=2, drop=True).fillna(np.inf)
-    return number(second.where(inference["best_error"] < paper["error_threshold"]))
+    second_error = inference["minimum_error"].sel(minimum=2, drop=True).fillna(np.inf)
+    return number(second_error.where(inference["best_error"] < paper["error_threshold"]))
 
 
 def error_overlap(laws: xr.Dataset) -> xr.Dataset:
-    """Return the least upper over the greatest lower end of the errors of all laws (case).
+    """Return the lowest upper end relative to the highest lower end of the errors of laws (case).
 
     Above one the intervals of all errors overlap.
     """
@@ -82,7 +81,7 @@ def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
 
 
 def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:
-    """Return the least mean relative error of the force ratios at one range (contact_model)."""
+    """Return the smallest mean relative error of the force ratios (contact_model)."""
     return number(inference["ratio_error"].min("rho_fine"))
 
 
@@ -97,7 +96,8 @@ def half_width_of_work(inference: xr.Dataset) -> xr.Dataset:
 
 
 def _half_width(region: xr.DataArray) -> xr.Dataset:
-    low, high = (region.sel(bound=end, drop=True) for end in ("low", "high"))
+    low = region.sel(bound="low", drop=True)
+    high = region.sel(bound="high", drop=True)
     return number((high - low) / 2)
 
 
@@ -107,7 +107,7 @@ def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
 
 
 def interaction_radius_at_fit(inference: xr.Dataset) -> xr.Dataset:
-    """Return this radius in nm of the study's sphere at the fitted range (contact_model)."""
+    """Return sqrt(D rho) in nm for the sphere of the study at the fitted range (contact_model)."""
     diameter = 2 * inference.attrs["sphere_radius"]
     area: xr.Dataset = diameter * variable_as_number(inference, "range_of_adhesion")
     return area.map(np.sqrt)
@@ -126,8 +126,9 @@ def interaction_share(paper: xr.Dataset) -> xr.Dataset:
 def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     """Return the share of the attraction on the nearer half of a sinusoidal gap in contact (rho).
 
-    Of exp(-a(1 - cos x)/rho) this is (1 + L0/I0)/2 at a/rho, with the modified Struve and Bessel
-    functions: 1/2 where all places attract alike. Amplitude a and ranges rho are the paper's.
+    For the attraction exp(-a(1 - cos x)/rho) the share is (1 + L0/I0)/2 at a/rho, with the modified
+    Struve and Bessel functions. It is 1/2 if the attraction is uniform. Amplitude a and ranges rho
+    are published.
     """
     ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
     ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)
@@ -136,24 +137,25 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
 
 
 def band_edge(band: xr.Dataset) -> xr.Dataset:
-    """Return where the force leaves its tolerance, or a bound on where it does (side, group).
+    """Return the edges of the critical band in nm, or bounds of them (side, group).
 
-    A curve that never leaves counts as the last cutoff of its side.
+    The last cutoff of the side is the bound if the force never leaves its tolerance.
     """
     return number(edges_or_last_cutoffs(band), *bounds(band, "critical_wavelength"))
 
 
 def first_edge(band: xr.Dataset) -> xr.Dataset:
-    """Return the `band_edge` of the surface that leaves its tolerance first (side)."""
+    """Return the `band_edge` of the surface whose force leaves its tolerance first (side)."""
     edges = band_edge(band).drop_sel(group=POOLED)
-    first = [edges.sel(side="small").min("group"), edges.sel(side="large").max("group")]
-    return xr.concat(first, "side")
+    short_edge = edges.sel(side="small").min("group")
+    long_edge = edges.sel(side="large").max("group")
+    return xr.concat([short_edge, long_edge], "side")
 
 
 def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the critical wavelength over sqrt(D rho) at the published range (side, group).
+    """Return the critical wavelength relative to sqrt(D rho) (side, group).
 
-    D is the diameter of the study's sphere.
+    D is the diameter of the sphere of the study, rho the published range.
     """
     radius = (2 * band.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
     ratio: xr.Dataset = variable_as_number(band, "critical_wavelength") / radius
@@ -175,42 +177,44 @@ def change_inside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 def small_scale_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change by cutoffs among the artificial small scales of a scan (group)."""
-    added = band["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
-    return _largest_change(band, added).sel(side="small", drop=True)
+    is_artificial = band["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
+    return _largest_change(band, is_artificial).sel(side="small", drop=True)
 
 
 def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
-    shortest, longest = (paper[f"critical_wavelength_{side}"] for side in SIDES)
+    """Return whether each cutoff (side, cutoff_wavelength) is outside the published band."""
     cutoff = band["cutoff_wavelength"]
-    return (cutoff <= shortest).where(band["side"] == "small", cutoff >= longest)
+    is_short = cutoff <= paper["critical_wavelength_small"]
+    is_long = cutoff >= paper["critical_wavelength_large"]
+    return is_short.where(band["side"] == "small", is_long)
 
 
-def _largest_change(band: xr.Dataset, counted: xr.DataArray) -> xr.Dataset:
-    """Return the largest change of the force by the cutoffs that count (side, group)."""
-    return variable_as_number(band, "scale_change").where(counted).max("cutoff_wavelength")
+def _largest_change(band: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
+    """Return the largest change of the force by the selected cutoffs (side, group)."""
+    return variable_as_number(band, "scale_change").where(is_selected).max("cutoff_wavelength")
 
 
 def smoothest_ratio(band: xr.Dataset) -> xr.Dataset:
-    """Return the force over the unfiltered one at the largest short cutoff (surface)."""
-    return _of_small_side(band, "scale_ratio").isel(cutoff_wavelength=-1, drop=True)
+    """Return the force relative to the unfiltered force at the largest short cutoff (surface)."""
+    return _small_side_variable(band, "scale_ratio").isel(cutoff_wavelength=-1, drop=True)
 
 
 def stylus_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the change of the force at the short cutoff nearest a stylus's radius (group)."""
+    """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
     radius = paper["stylus_radius"].item()
-    change = _of_small_side(band, "scale_change")
+    change = _small_side_variable(band, "scale_change")
     return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
-def _of_small_side(band: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable of the small side at the cutoffs it has, in ascending order."""
+def _small_side_variable(band: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable of the small side at its cutoffs, in ascending order."""
     values = variable_as_number(band, name).sel(side="small", drop=True)
     cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
     return values.sel(cutoff_wavelength=np.sort(cutoffs))
 
 
 def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
-    """Return the force at the largest short cutoff over 2 pi R W of a flat plane (surface)."""
+    """Return the force at the largest short cutoff relative to 2 pi R W of a plane (surface)."""
     force = mean_over_contacts(scales["pull_off_force"].sel(side="small"))
     force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
     radius = 1e-9 * scales.attrs["sphere_radius"]  # m; the forces are those at W = 1 J/m2

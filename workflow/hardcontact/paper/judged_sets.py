@@ -15,7 +15,7 @@ from hardcontact.band.critical_band import critical_band
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
-from hardcontact.paper.evaluation import values
+from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.inference import Published, infer
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import group_heights
@@ -244,7 +244,7 @@ def judge_sets(
     sets = []
     for number in progress(numbers, len(numbers), "sets"):
         datasets = _set_datasets(sources, constants["value"], measured, settings, number)
-        value = values(statements, datasets, constants)
+        value = claim_values(statements, datasets, constants)
         claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
         kept = [claims, datasets["inference"][INFERRED], datasets["band"][BAND]]
         sets.append(xr.merge(kept, join="exact", combine_attrs="drop_conflicts"))

@@ -1,4 +1,4 @@
-"""Range and work of adhesion fitted without one surface: which surface decides them."""
+"""Range and work of adhesion fitted without one surface at a time."""
 
 import numpy as np
 import pandas as pd
@@ -8,7 +8,7 @@ from hardcontact.contact.force_curves import on_fine_grid
 from hardcontact.paper import error_map
 from hardcontact.paper.inference import FINE_RANGES, UNITS
 
-#: Stands for the fit to all surfaces, of which none is left out.
+#: Label of the fit to all surfaces.
 NONE_LEFT_OUT = "none"
 
 
@@ -18,34 +18,42 @@ def fitted_pairs(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
     Parameters
     ----------
     mean_forces : xarray.DataArray
-        (..., surface, rho) in N at 1 J/m²; the other dimensions are fitted each by itself.
+        Forces (..., surface, rho) in N at 1 J/m²; each element of the other dimensions has its fit.
     published : pandas.Series
-        Measured mean forces in N, by surface; those without one do not enter.
+        Measured mean forces in N by surface. Surfaces without a force do not enter the fit.
 
     Returns
     -------
     xarray.Dataset
-        ``range_of_adhesion`` (...) in nm, ``work_of_adhesion`` in J/m² and ``best_error``, the
-        mean relative error of the forces there.
+        ``range_of_adhesion`` (...) in nm, ``work_of_adhesion`` (...) in J/m² and ``best_error``
+        (...), the mean relative error of the fitted forces.
     """
-    measured = published.reindex(mean_forces["surface"].values).dropna()
-    others = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
-    forces = mean_forces.sel(surface=measured.index).transpose(*others, "surface", "rho")
+    target = published.reindex(mean_forces["surface"].values).dropna()
+    dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
+    forces = mean_forces.sel(surface=target.index).transpose(*dimensions, "surface", "rho")
     ranges = forces["rho"].values
     fine = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
     curves = on_fine_grid(forces.values, ranges, fine)
-    best, work, error = error_map.fit(curves, measured.to_numpy())
+    best, work, error = error_map.fit(curves, target.to_numpy())
     values = {"range_of_adhesion": fine[best], "work_of_adhesion": work, "best_error": error}
     return xr.Dataset(
-        {name: (others, value, UNITS[name]) for name, value in values.items()},
-        {dim: forces[dim] for dim in others},
+        {name: (dimensions, value, UNITS[name]) for name, value in values.items()},
+        {dim: forces[dim] for dim in dimensions},
     )
 
 
 def leave_one_out_fits(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
-    """Return the `fitted_pairs` of all surfaces, and of all but each one, over left_out.
+    """Return the `fitted_pairs` for all surfaces, and without one surface at a time.
 
-    NONE_LEFT_OUT is first.
+    Parameters
+    ----------
+    mean_forces, published
+        As for `fitted_pairs`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables of `fitted_pairs` by left_out: NONE_LEFT_OUT, then each surface.
     """
     surfaces = mean_forces["surface"].values.tolist()
     fits = [fitted_pairs(mean_forces, published)]

@@ -1,4 +1,4 @@
-"""What a claim selects of a quantity, and what scans and construction decide beforehand."""
+"""Selection of the number of a claim, and verdicts that do not depend on the number."""
 
 from collections.abc import Iterable, Mapping
 from itertools import chain, pairwise
@@ -12,44 +12,79 @@ from hardcontact.base.published import rows_met
 from hardcontact.paper.numbers import quotient
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
-#: Labels by dimension; `a > b` makes two groups.
+#: Groups of labels by dimension; `a > b` makes two groups.
 Selection = Mapping[str, list[list[Any]]]
 
 
-def selection(number: xr.Dataset, select: str) -> Selection | None:
-    """Return labels of a number by dimension, as the number has them; None where it lacks one.
+def parse_selection(number: xr.Dataset, select: str) -> Selection | None:
+    """Parse the column `select` of a claim.
 
-    ``a=x;b=y,z>w`` is {a: [[x]], b: [[y, z], [w]]}. A dimension that does not exist is a KeyError.
+    Parameters
+    ----------
+    number : xarray.Dataset
+        The number with its coordinates.
+    select : str
+        Labels by dimension: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
+
+    Returns
+    -------
+    Selection or None
+        Labels as in the coordinates; None if a coordinate lacks a label.
+
+    Raises
+    ------
+    KeyError
+        If a dimension does not exist.
     """
-    pairs = (item.split("=", 1) for item in select.split(";") if item)
-    labels = {
-        dim: [[_label(number[dim].values, label) for label in group.split(",")] for group in groups]
-        for dim, groups in ((dim, named.split(">")) for dim, named in pairs)
-    }
-    missing = any(None in group for groups in labels.values() for group in groups)
-    return None if missing else labels
+    labels: dict[str, list[list[Any]]] = {}
+    for item in filter(None, select.split(";")):
+        dim, groups = item.split("=", 1)
+        coordinate = number[dim].values
+        labels[dim] = [
+            [_label(coordinate, label) for label in group.split(",")] for group in groups.split(">")
+        ]
+    lacks_label = any(None in group for groups in labels.values() for group in groups)
+    return None if lacks_label else labels
 
 
 def _label(coordinate: np.ndarray, label: str) -> Any:
-    """Return the value of a coordinate that a label means, or None."""
+    """Return the value of a coordinate that matches a label, or None."""
     if np.issubdtype(coordinate.dtype, np.number):
-        same = np.isclose(coordinate, float(label), rtol=1e-6, atol=0)
+        matches = np.isclose(coordinate, float(label), rtol=1e-6, atol=0)
     else:
-        same = coordinate == label
-    return coordinate[same][0] if same.any() else None
+        matches = coordinate == label
+    return coordinate[matches][0] if matches.any() else None
 
 
-def selected_number(number: xr.Dataset, chosen: Selection, rule: str) -> xr.Dataset:
-    """Return the one number that is judged, with its interval.
+def select_number(number: xr.Dataset, labels: Selection, rule: str) -> xr.Dataset:
+    """Return the single number that is judged, with its interval.
 
-    Of an order of groups, `a > b > c`, it is the least ratio of a member of one group to one of the
-    next. What the selection leaves open is reduced to the worst value under the rule, as in
-    `verdicts.accepted_range`; a ValueError says if the rule has two limits and more than one number
-    is left.
+    The number of an order of groups, ``a > b > c``, is the smallest ratio of a member of a group to
+    a member of the next group. A rule with one limit reduces dimensions without a selection to the
+    worst value.
+
+    Parameters
+    ----------
+    number : xarray.Dataset
+        The number with its dimensions.
+    labels : Selection
+        From `parse_selection`.
+    rule : str
+        As for `verdicts.accepted_range`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The number without dimensions.
+
+    Raises
+    ------
+    ValueError
+        If the rule has two limits and more than one number remains.
     """
-    for dim, groups in chosen.items():
+    for dim, groups in labels.items():
         members = [number.sel({dim: group}) for group in groups]
-        number = _least_ratio(members, dim) if len(members) > 1 else members[0]
+        number = _smallest_ratio(members, dim) if len(members) > 1 else members[0]
     open_dimensions = number["value"].dims
     if number["value"].size == 1:
         return number.squeeze(open_dimensions, drop=True)
@@ -58,14 +93,13 @@ def selected_number(number: xr.Dataset, chosen: Selection, rule: str) -> xr.Data
             f"rule {rule!r} needs one number, open: {', '.join(map(str, open_dimensions))}"
         )
     worst = number.max(open_dimensions) if rule == "below" else number.min(open_dimensions)
-    # Where one of the numbers lacks an interval, so does the worst: the ends of the others say
-    # nothing about it.
-    with_interval = number["value_interval"].notnull().all("bound") | number["value"].isnull()
-    return worst.assign(value_interval=worst["value_interval"].where(with_interval.all()))
+    # The worst number has no interval if any number lacks one: that number may be the worst.
+    has_interval = number["value_interval"].notnull().all("bound") | number["value"].isnull()
+    return worst.assign(value_interval=worst["value_interval"].where(has_interval.all()))
 
 
-def _least_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
-    """Return the least ratio of a number of a group to one of the next; all are positive."""
+def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
+    """Return the smallest ratio of a number to a number of the next group; all are positive."""
     ratios = [
         quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
         for upper, lower in pairwise(groups)
@@ -76,64 +110,95 @@ def _least_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
 NO_SCAN = "no scan"
 
 
-def surfaces_of(
-    claim: Any, parts: Mapping[str, xr.Dataset], chosen: Selection, topography: xr.Dataset
+def claim_surfaces(
+    claim: Any, datasets: Mapping[str, xr.Dataset], selected: Selection, topography: xr.Dataset
 ) -> list[str]:
-    """Return the surfaces that a claim depends on.
+    """Return the surfaces on which a claim depends.
 
-    These are the surfaces it selects, or all of its first dataset when it selects none. A claim
-    about more than topography depends on the sphere as well, one that needs no scan on none.
+    A claim depends on the surfaces that it selects. If it selects none, it depends on all surfaces
+    of its first dataset. Unless it is about topography alone, it depends on the sphere, too. A
+    claim that needs no scan depends on no surface.
+
+    Parameters
+    ----------
+    claim : row of a table
+        From `evaluation.read_statements`.
+    datasets : mapping of str to xarray.Dataset
+        The datasets of the claim.
+    selected : Selection
+        From `parse_selection`.
+    topography : xarray.Dataset
+        topography.nc, with all surfaces and the name of the sphere.
+
+    Returns
+    -------
+    list of str
+        Names of surfaces.
     """
     if claim.needs == NO_SCAN:
         return []
-    known = set(topography["surface"].values)
-    labels = chain.from_iterable(group for groups in chosen.values() for group in groups)
-    surfaces = [label for label in labels if label in known]
+    study_surfaces = set(topography["surface"].values)
+    labels = chain.from_iterable(group for groups in selected.values() for group in groups)
+    surfaces = [label for label in labels if label in study_surfaces]
     if not surfaces:
-        surfaces = list(next(iter(parts.values()))["surface"].values)
-    if set(parts) != {"topography"}:
+        surfaces = list(next(iter(datasets.values()))["surface"].values)
+    if set(datasets) != {"topography"}:
         surfaces.append(topography.attrs["sphere_surface"])
     return [str(surface) for surface in surfaces]
 
 
-def basis(surfaces: list[str], topography: xr.Dataset) -> str:
-    """Return what a number stands on: `measured`, `substitute scans` or `no scan`."""
+def claim_basis(surfaces: list[str], topography: xr.Dataset) -> str:
+    """Return the basis of a number: ``measured``, ``substitute scans`` or ``no scan``."""
     if not surfaces:
         return NO_SCAN
-    return "substitute scans" if any(_is_substitute(surfaces, topography)) else "measured"
+    return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
 
 
-def _is_substitute(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
-    return [of == "substitute" for of in topography["basis"].sel(surface=surfaces).values]
+def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
+    return [basis == "substitute" for basis in topography["basis"].sel(surface=surfaces).values]
 
 
 #: Quantities of Table 1 that depend on the size of a pixel.
-OF_PIXEL = ("afm_rms_slope", "afm_rms_curvature", "slope_by_scales")
+PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_by_scales")
 
 
 def fixed_verdict(
     claim: Any, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
 ) -> tuple[str, str]:
-    """Return a verdict that no number decides, and why; both empty where the number decides.
+    """Return a verdict that does not depend on the number, and its reason.
 
-    `calibrated_to_table1` names the rows of Table 1 that the scans of a surface meet by
-    construction. Constants are those of `published.constants`.
+    Parameters
+    ----------
+    claim : row of a table
+        From `evaluation.read_statements`.
+    surfaces : list of str
+        From `claim_surfaces`.
+    topography : xarray.Dataset
+        topography.nc; ``calibrated_to_table1`` names the rows of Table 1 that the scans of a
+        surface meet by construction.
+    constants : pandas.DataFrame
+        From `published.constants`.
+
+    Returns
+    -------
+    tuple of str
+        Verdict and reason, both empty if the number decides.
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""
     if claim.needs == "experiment":
         return EXPERIMENT, "The paper says this of its experiment."
-    substitutes = _is_substitute(surfaces, topography)
+    substitutes = _are_substitutes(surfaces, topography)
     if claim.needs == "measured" and any(substitutes):
         return UNTESTABLE, "The substitute scans decide this."
-    met = topography["calibrated_to_table1"].sel(surface=surfaces).values
-    by_construction = [
+    calibrated = topography["calibrated_to_table1"].sel(surface=surfaces).values
+    meets_by_construction = [
         substitute and claim.quantity in rows_met(str(rows))
-        for substitute, rows in zip(substitutes, met, strict=True)
+        for substitute, rows in zip(substitutes, calibrated, strict=True)
     ]
-    if surfaces and all(by_construction):
+    if surfaces and all(meets_by_construction):
         return BY_CONSTRUCTION, "The substitute scans are made to meet this."
-    if claim.quantity in OF_PIXEL and _is_coarse(topography, constants["value"]):
+    if claim.quantity in PIXEL_QUANTITIES and _is_coarse(topography, constants["value"]):
         return UNTESTABLE, "It depends on the size of a pixel, which is larger than the paper's."
     return "", ""
 

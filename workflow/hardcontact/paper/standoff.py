@@ -1,7 +1,7 @@
 """Heights of the sphere's apex above the mean planes, inferred from pull-off forces.
 
-The apex is at the height m above the mean plane of Gaussian roughness of the rms height sigma. The
-points below the sphere attract by Eq. 2, together with the force
+The apex is at the height m above the mean plane of Gaussian roughness of the rms height sigma. By
+Eq. 2 all points below the sphere attract together with the force
 
     F = 2 pi R W exp(sigma²/2 rho² - m/rho) Phi(m/sigma - sigma/rho).
 
@@ -18,21 +18,32 @@ from hardcontact.paper import error_map
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.theory.closed_form import gaussian_share
 
-#: Number of heights of the apex, and the highest in rms heights and in ranges of adhesion.
+#: Number of tabulated heights of the apex, and the highest one: rms heights plus ranges of adhesion.
 TABULATED_HEIGHTS = 20001
 HIGHEST_IN_RMS, HIGHEST_IN_RANGES = 10, 40
 STATISTICS = ["mean", "median"]
-#: The work of adhesion: the published one, or that which fits all forces best at each range.
+#: Work of adhesion: the published work, or the work that fits all forces best at each range.
 WORKS = ["published", "fitted"]
 NM = {"units": "nm"}
 
 
 def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
-    """Return the height m (...) of the apex in nm that gives a force.
+    """Return the height m of the apex that gives a force.
 
-    The force (...) is a share of 2 pi R W. The rms height and rho are in nm. The height is NaN
-    where every height gives a smaller force. Heights below that of the largest force are left out:
-    there fewer points lie below the sphere.
+    Heights below the height of the largest force do not count: there fewer points lie below the
+    sphere.
+
+    Parameters
+    ----------
+    share : numpy.ndarray
+        Force (...) relative to 2 pi R W.
+    rms_height, rho : float
+        Rms height and range of adhesion in nm.
+
+    Returns
+    -------
+    numpy.ndarray
+        Heights (...) in nm, NaN if every height gives a smaller force.
     """
     highest = HIGHEST_IN_RMS * rms_height + HIGHEST_IN_RANGES * rho
     heights = np.linspace(0, highest, TABULATED_HEIGHTS)
@@ -50,13 +61,13 @@ def standoff(
     Parameters
     ----------
     adhesion : xarray.Dataset
-        As adhesion.nc, of one contact model.
+        adhesion.nc for one contact model.
     published : pandas.DataFrame
         ``mean_force`` and ``median_force`` in N by surface.
     work : float
         The published work of adhesion in J/m².
     rms_heights : pandas.Series
-        Root of the sum of the squares of substrate and sphere in nm, by surface.
+        Root mean square height of substrate and sphere together in nm, by surface.
 
     Returns
     -------
@@ -68,21 +79,23 @@ def standoff(
     forces = adhesion["pull_off_force"].stack(
         contact=["scan", "sphere_scan", "contact_y", "contact_x"]
     )
-    computed = xr.concat([forces.mean("contact"), forces.median("contact")], "statistic")
-    computed = computed.transpose("surface", "statistic", "rho")
-    surfaces, ranges = computed["surface"].values, computed["rho"].values
-    measured = published.loc[surfaces, [f"{name}_force" for name in STATISTICS]].to_numpy()
-    fitted, _ = error_map.fit_work(computed.isel(statistic=0).values, measured[:, 0])
+    computed_forces = xr.concat([forces.mean("contact"), forces.median("contact")], "statistic")
+    computed_forces = computed_forces.transpose("surface", "statistic", "rho")
+    surfaces, ranges = computed_forces["surface"].values, computed_forces["rho"].values
+    published_forces = published.loc[surfaces, [f"{name}_force" for name in STATISTICS]].to_numpy()
+    fitted_work, _ = error_map.fit_work(
+        computed_forces.isel(statistic=0).values, published_forces[:, 0]
+    )
     smooth = float(dmt_pull_off(1.0, adhesion.attrs["sphere_radius"]))
-    works = np.stack([np.full(ranges.size, work), fitted])
+    works = np.stack([np.full(ranges.size, work), fitted_work])
     required = np.empty((surfaces.size, len(STATISTICS), len(WORKS), ranges.size))
-    computed_height = np.empty(computed.shape)
+    computed_height = np.empty(computed_forces.shape)
     for row, surface in enumerate(surfaces):
         for column, rho in enumerate(ranges):
             rms_height = rms_heights[surface]
-            measured_shares = measured[row, :, None] / (smooth * works[:, column])
+            measured_shares = published_forces[row, :, None] / (smooth * works[:, column])
             required[row, :, :, column] = apex_height(measured_shares, rms_height, rho)
-            computed_shares = computed.values[row, :, column] / smooth
+            computed_shares = computed_forces.values[row, :, column] / smooth
             computed_height[row, :, column] = apex_height(computed_shares, rms_height, rho)
     return xr.Dataset(
         {
@@ -90,5 +103,5 @@ def standoff(
             "computed_height": (("surface", "statistic", "rho"), computed_height, NM),
             "rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
         },
-        {"statistic": STATISTICS, "work_of_adhesion": WORKS, "rho": computed["rho"]},
+        {"statistic": STATISTICS, "work_of_adhesion": WORKS, "rho": computed_forces["rho"]},
     ).assign(adhesion[["label", "basis"]])

@@ -1,6 +1,6 @@
 """Rules that turn a number, its interval and the published limits into a verdict.
 
-Many equally good sets of scans tell the interval of a number, and whether its verdict holds.
+Many equally good sets of scans give the interval of a number and the stability of its verdict.
 """
 
 from collections.abc import Callable, Sequence
@@ -22,20 +22,33 @@ VERDICTS = (
     EXPERIMENT,
 )  # fmt: skip
 
-#: Rules of a single limit. The limit itself is rejected, that of the other rules accepted.
+#: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
 ONE_SIDED = ("below", "above", "order")
-#: How often all sets are drawn again: an error of 0.015 of a share near 0.9.
+#: Number of redraws of all sets: a share near 0.9 has an error of 0.015.
 REDRAWS = 400
-#: A verdict may change with the seed if less than this share of the redraws gives it.
-STABLE = 0.95
+#: Smallest share of the redraws that keeps a stable verdict.
+MIN_STABILITY = 0.95
 
 
 def accepted_range(rule: str, published_low: float, published_high: float) -> tuple[float, float]:
-    """Return the limits between which a number agrees with the paper, in the unit of the published.
+    """Return the limits between which a number agrees with the paper.
 
-    The rule is `interval`, `factor` and a number, `below`, `above` or `order`. Published limits are
-    NaN where the paper has none. An unknown rule, or a limit that the rule needs and is missing, is
-    a ValueError.
+    Parameters
+    ----------
+    rule : str
+        ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``.
+    published_low, published_high : float
+        Published limits, NaN if the paper has none.
+
+    Returns
+    -------
+    tuple of float
+        Lower and upper limit, in the unit of the published limits.
+
+    Raises
+    ------
+    ValueError
+        If the rule is unknown, or needs a limit that is missing.
     """
     name, _, factor = rule.partition(" ")
     if rule == "interval":
@@ -53,36 +66,50 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> tu
     return limits
 
 
-def accepts(
+def is_accepted(
     rule: str, values: ArrayLike, published_low: float, published_high: float
 ) -> np.ndarray:
-    """Return which numbers (...) are in the `accepted_range` of a rule; NaN, no number, is not."""
+    """Return whether each number (...) is in the `accepted_range` of a rule; NaN is not."""
     lower, upper = accepted_range(rule, published_low, published_high)
-    given = np.asarray(values)
+    values = np.asarray(values)
     if rule in ONE_SIDED:
-        return (lower < given) & (given < upper)
-    return (lower <= given) & (given <= upper)
+        return (lower < values) & (values < upper)
+    return (lower <= values) & (values <= upper)
 
 
 def verdict(
     rule: str, computed: float, low: float, high: float, published_low: float, published_high: float
 ) -> str:
-    """Judge one number and its interval, by the same logic whatever the rule: one of `VERDICTS`.
+    """Judge a number and its interval by the published limits.
 
-    Reproduced: all of the interval is accepted. Undecided: it holds accepted and rejected numbers.
-    Not reproduced: all of it is rejected. A number without an interval is consistent if it is
-    accepted, else not reproduced. Where there is no number nothing is decided.
+    Reproduced: the whole interval is accepted. Undecided: it contains accepted and rejected
+    numbers. Not reproduced: the whole interval is rejected. A number without an interval is
+    consistent if it is accepted, otherwise not reproduced. Without a number the verdict is
+    undecided.
 
-    The ends are those of the interval that holds the number, in the unit of the limits; NaN ends
-    mean no interval, equal ends one that is known to be of zero width. Rule, limits and errors are
-    as of `accepted_range`.
+    Parameters
+    ----------
+    rule : str
+        As for `accepted_range`, which raises ValueError.
+    computed : float
+        The number in the unit of the limits, NaN if it does not exist.
+    low, high : float
+        Ends of the interval, which contains the number. NaN if there is no interval; equal if the
+        interval has zero width.
+    published_low, published_high : float
+        As for `accepted_range`.
+
+    Returns
+    -------
+    str
+        One of `VERDICTS`.
     """
     limits = published_low, published_high
     if np.isnan(computed):
         return "undecided"
     if np.isnan(low) or np.isnan(high):
-        return "consistent" if accepts(rule, computed, *limits) else "not reproduced"
-    if accepts(rule, [low, high], *limits).all():
+        return "consistent" if is_accepted(rule, computed, *limits) else "not reproduced"
+    if is_accepted(rule, [low, high], *limits).all():
         return "reproduced"
     lower, upper = accepted_range(rule, *limits)
     if rule in ONE_SIDED:
@@ -93,73 +120,133 @@ def verdict(
 
 
 def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
-    """Return the central interval (..., 2) of the numbers (set, ...) of the sets.
+    """Return the central interval of the numbers of many sets.
 
-    The confidence is the share of the sets inside. A set without a number has NaN; so has the
-    interval where fewer sets than that share have one.
+    Parameters
+    ----------
+    replicas : numpy.ndarray
+        Numbers (set, ...), NaN if a set has none.
+    confidence : float
+        Share of the sets inside the interval.
+
+    Returns
+    -------
+    numpy.ndarray
+        Intervals (..., 2), NaN if fewer sets than this share have a number.
     """
     enough = np.isfinite(replicas).sum(axis=0) >= confidence * len(replicas)
     return np.where(enough[..., None], percentile_interval(replicas, confidence), np.nan)
 
 
-def stretched(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Return an interval that holds its number, so that what is judged is what is printed.
+def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Stretch intervals until they contain their numbers, as they are judged and printed.
 
-    Ends (..., 2) are NaN where there is no interval; it stays where the number (...) is NaN. The
-    low and the high end are returned one by one, (...).
+    Parameters
+    ----------
+    ends : array_like
+        Ends (..., 2), NaN if there is no interval.
+    value : array_like
+        Numbers (...). NaN leaves the interval as it is.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Low ends (...) and high ends (...).
     """
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
-    none = np.isnan(value)
-    return np.where(none, low, np.minimum(low, value)), np.where(
-        none, high, np.maximum(high, value)
-    )
+    is_missing = np.isnan(value)
+    stretched_low = np.where(is_missing, low, np.minimum(low, value))
+    stretched_high = np.where(is_missing, high, np.maximum(high, value))
+    return stretched_low, stretched_high
 
 
-def vary(replicas: np.ndarray) -> bool:
-    """Return whether the sets (set,) that have a number have different ones."""
-    known = replicas[np.isfinite(replicas)]
-    return len(known) > 0 and np.ptp(known) > 0
+def replicas_vary(replicas: np.ndarray) -> bool:
+    """Return whether the numbers (set,) of the sets differ; NaN does not count."""
+    finite = replicas[np.isfinite(replicas)]
+    return len(finite) > 0 and np.ptp(finite) > 0
 
 
 def interval_with_sets(
     value: float, interval: tuple[ArrayLike, ArrayLike], replicas: np.ndarray, confidence: float
 ) -> tuple[float, float]:
-    """Return the ends of the interval of a number, stretched to hold it; NaN if there is none.
+    """Return the interval of a number, stretched until it contains the number.
 
-    It is the spread of the numbers (set,) of all sets where they vary, otherwise the interval that
-    the number has without them.
+    Parameters
+    ----------
+    value : float
+        The number.
+    interval : tuple of array_like
+        Low and high end of its own interval, which counts if the numbers of the sets do not vary.
+    replicas : numpy.ndarray
+        Numbers (set,) of all sets; their spread is the interval if they vary.
+    confidence : float
+        Share of the sets inside the interval.
+
+    Returns
+    -------
+    tuple of float
+        Low and high end, NaN if there is no interval.
     """
-    ends = sets_interval(replicas, confidence) if vary(replicas) else np.array(interval)
-    low, high = stretched(ends, value)
+    ends = sets_interval(replicas, confidence) if replicas_vary(replicas) else np.array(interval)
+    low, high = stretch_interval(ends, value)
     return float(low), float(high)
 
 
 def stability(
     judge: Callable[[float, float, float], str],
-    given: str,
+    original_verdict: str,
     replicas: np.ndarray,
     confidence: float,
     rng: np.random.Generator,
 ) -> float:
-    """Return the share of `REDRAWS` redraws of all sets in which the verdict stays as given.
+    """Return the share of redraws of all sets that keep the verdict.
 
-    Another seed gives other sets, and another set as the study's own. The sets at hand stand for
-    both: they are drawn again with replacement, and one of them is the study's own (the bootstrap:
-    B. Efron, The Annals of Statistics 7, 1979, 1). The judge takes a number and the ends of its
-    interval and returns a verdict; the numbers (set,) of the sets are NaN where one has none, and
-    the confidence is the share of the sets inside the interval.
+    Another seed gives other sets, and the study is another set. Both are simulated from the present
+    sets: all sets are drawn again with replacement, and one of them is taken for the study (the
+    bootstrap: B. Efron, The Annals of Statistics 7, 1979, 1).
+
+    Parameters
+    ----------
+    judge : callable
+        Takes a number and the ends of its interval and returns a verdict.
+    original_verdict : str
+        The verdict of the study.
+    replicas : numpy.ndarray
+        Numbers (set,) of the sets, NaN if a set has none.
+    confidence : float
+        Share of the sets inside the interval.
+    rng : numpy.random.Generator
+        Random numbers.
+
+    Returns
+    -------
+    float
+        Share of `REDRAWS` redraws.
     """
-    drawn = rng.choice(replicas, size=(len(replicas), REDRAWS))
-    own = rng.choice(replicas, size=REDRAWS)
-    low, high = stretched(sets_interval(drawn, confidence), own)
-    redraws = zip(own.tolist(), low.tolist(), high.tolist(), strict=True)
-    return float(np.mean([judge(*redraw) == given for redraw in redraws]))
+    redrawn_sets = rng.choice(replicas, size=(len(replicas), REDRAWS))
+    study_numbers = rng.choice(replicas, size=REDRAWS)
+    low, high = stretch_interval(sets_interval(redrawn_sets, confidence), study_numbers)
+    redraws = zip(study_numbers.tolist(), low.tolist(), high.tolist(), strict=True)
+    return float(np.mean([judge(*redraw) == original_verdict for redraw in redraws]))
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:
-    """Read the claims.csv of a study: claims with their verdicts, as from `evaluation.evaluate`.
+    """Read the claims of a study with their verdicts, as from `evaluation.evaluate`.
 
-    A file that ends within a line is a ValueError.
+    Parameters
+    ----------
+    path : str or Path
+        The claims.csv of the study.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row per claim.
+
+    Raises
+    ------
+    ValueError
+        If the file ends within a line.
     """
     if not Path(path).read_bytes().endswith(b"\n"):
         raise ValueError(
@@ -172,42 +259,80 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
     """Count the claims of each verdict, and the independent findings among them.
 
-    No independent finding is a claim that follows from another one, that holds by construction, or
-    that tells measured forces, beside which the model stands. Every verdict is listed, in the
-    columns `verdict`, `independent` and `claims`.
+    A claim is not independent if it follows from another claim, holds by construction, or compares
+    the model with measured forces.
+
+    Parameters
+    ----------
+    evaluated : pandas.DataFrame
+        From `evaluation.evaluate` or `read_verdicts`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns ``verdict``, ``independent`` and ``claims``, one row for each of `VERDICTS`.
     """
     verdicts = evaluated["verdict"]
     independent = (evaluated["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
-    counts = {
-        name: counted.value_counts().reindex(VERDICTS, fill_value=0)
-        for name, counted in (("independent", verdicts[independent]), ("claims", verdicts))
-    }
-    return pd.DataFrame(counts).rename_axis("verdict").reset_index()
+    counts = pd.DataFrame(
+        {
+            "independent": verdicts[independent].value_counts().reindex(VERDICTS, fill_value=0),
+            "claims": verdicts.value_counts().reindex(VERDICTS, fill_value=0),
+        }
+    )
+    return counts.rename_axis("verdict").reset_index()
 
 
-#: The end of the interval of an edge that may lie beyond the cutoffs, by the side of the edge.
+#: End of the interval that may lie beyond the cutoffs, by the side of the edge.
 OPEN_END = {"small": "high", "large": "low"}
 
 
 def open_end(side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]) -> str:
-    """Return the end of the interval of an edge beyond which no cutoff was computed, or "".
+    """Return the end of the interval of an edge that lies beyond the computed cutoffs.
 
-    Edges are in nm. Bands are as for `with_open_ends`.
+    Parameters
+    ----------
+    side : str
+        Side of the edge, ``"small"`` or ``"large"``.
+    value, low, high : float
+        The edge and its interval in nm.
+    bands : sequence of xarray.Dataset
+        As for `add_open_ends`.
+
+    Returns
+    -------
+    str
+        ``"low"`` or ``"high"``, or ``""`` if both ends are within the cutoffs.
     """
     end = OPEN_END[side]
     limit = high if end == "high" else low
-    last = np.array([last_cutoff(band["scale_change"].sel(side=side), side) for band in bands])
-    beyond = value >= last if end == "high" else value <= last
-    at_last = np.isclose(limit, last).any() or (beyond.any() and np.isclose(limit, value))
-    return end if at_last else ""
+    last_cutoffs = np.array(
+        [last_cutoff(band["scale_change"].sel(side=side), side) for band in bands]
+    )
+    value_is_open = (value >= last_cutoffs if end == "high" else value <= last_cutoffs).any()
+    is_open = np.isclose(limit, last_cutoffs).any() or (value_is_open and np.isclose(limit, value))
+    return end if is_open else ""
 
 
-def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
-    """Add the column `open_end`: "low" or "high" where no cutoff was computed beyond it, or "".
+def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
+    """Add the column `open_end` to claims about edges.
 
-    An edge beyond the cutoffs counts as the last one. Sets have fewer cutoffs than the study, whose
-    own number may lie beyond theirs: an interval that is stretched to it is open there too. The
-    intervals come from band.nc and sets.nc: scale_change (..., side, group, cutoff_wavelength).
+    An edge beyond the cutoffs counts as the last cutoff. Sets have fewer cutoffs than the study, so
+    that the edge of the study may lie beyond theirs. An interval that is stretched to such an edge
+    is open there, too.
+
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        From `read_verdicts`.
+    bands : sequence of xarray.Dataset
+        The datasets that give the intervals, band.nc and sets.nc: ``scale_change`` (..., side,
+        group, cutoff_wavelength).
+
+    Returns
+    -------
+    pandas.DataFrame
+        The claims with the column, from the function `open_end`; ``""`` for other claims.
     """
     sides = claims["id"].str.extract("^(?:edge|critical_wavelength)_(small|large)_", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)

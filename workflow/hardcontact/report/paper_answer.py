@@ -14,7 +14,7 @@ from hardcontact.base.number import Number
 from hardcontact.base.statistics import bounds
 from hardcontact.paper.inference import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
-from hardcontact.paper.verdicts import interval_with_sets, open_end, summary, with_open_ends
+from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import OF_PAPER, describe
 from hardcontact.report.quantities import Quantity, number_of, on_scans, quantity
@@ -64,7 +64,7 @@ GRIDS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 class PaperAnswer(NamedTuple):
     """The numbers and labels from which the paper's page and answer.json are made."""
 
-    claims: pd.DataFrame  #: As from `verdicts.with_open_ends`.
+    claims: pd.DataFrame  #: As from `verdicts.add_open_ends`.
     numbers: dict[str, Number]  #: Those of the whole study, by their names in answer.json.
     #: Of each substrate: label, basis, both edges and the force on scans over that on large ones.
     surfaces: dict[str, dict[str, Any]]
@@ -94,7 +94,7 @@ def paper_answer(
     `scan_size`, as in the final netCDF files.
     """
     topography, band, sets = (datasets[name] for name in ("topography", "band", "sets"))
-    claims = with_open_ends(claims, [band, sets])
+    claims = add_open_ends(claims, [band, sets])
     rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
     numbers: list[Number] = []
     for name, claim in ANSWERS.items():

@@ -13,7 +13,7 @@ from markdown_it.token import Token
 
 from hardcontact.base.printing import print_as_paper
 from hardcontact.paper.selection import NO_SCAN
-from hardcontact.paper.verdicts import BY_CONSTRUCTION, STABLE, summary
+from hardcontact.paper.verdicts import BY_CONSTRUCTION, MIN_STABILITY, summary
 from hardcontact.report.templates import rendered
 
 
@@ -33,7 +33,7 @@ def pages(
 ) -> dict[str, str]:
     """Return the HTML of `claims`, of each text under its name, and of `parameters`.
 
-    Claims are as from `verdicts.with_open_ends`, texts are chapters in Markdown, the configuration
+    Claims are as from `verdicts.add_open_ends`, texts are chapters in Markdown, the configuration
     is that of the study as it was given, versions are those of packages.
     """
     confidence = configuration["inference"]["confidence"]
@@ -51,7 +51,7 @@ def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 
 
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
-    """Return what templates show of claims as from `verdicts.with_open_ends`.
+    """Return what templates show of claims as from `verdicts.add_open_ends`.
 
     `claims` are rows by their ids, each with its `_meaning`; `counts` rows of
     `verdicts.summary`; `unstable` is the number of verdicts that may change with the seed,
@@ -78,7 +78,7 @@ def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
         "published_text": print_as_paper(row["published"], unit),
         "accepted_text": _accepted(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": print_as_paper(row["computed"], unit, interval, open_end=row["open_end"]),
-        "may_change": row["stability"] < STABLE,
+        "may_change": row["stability"] < MIN_STABILITY,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
 
