@@ -1,4 +1,4 @@
-"""Drawing sets: exact heights, forces against direct computation, measured scans sampled again."""
+"""Draws of sets: exact heights, forces against direct computation, sampled means."""
 
 from dataclasses import replace
 
@@ -12,7 +12,7 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
-from hardcontact.paper.judged_sets import draw_scans, with_sampled_mean
+from hardcontact.paper.judged_sets import draw_scans, scale_to_sampled_mean
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.height_map import metrics, mirror_stitch
 
@@ -20,28 +20,29 @@ POOL = range(1, 7)
 
 
 def test_mean_and_deviation_of_heights_are_exactly_as_asked_for():
-    drawn = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
-    heights = group_heights(drawn, 3.2, 1.6)
+    drawn_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
+    heights = group_heights(drawn_heights, 3.2, 1.6)
     assert heights.mean() == pytest.approx(3.2, rel=1e-12)
     assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
-    np.testing.assert_array_equal(np.argsort(heights), np.argsort(drawn))
-    np.testing.assert_array_equal(group_heights(drawn[:1], 3.2, 1.6), [3.2])
+    np.testing.assert_array_equal(np.argsort(heights), np.argsort(drawn_heights))
+    np.testing.assert_array_equal(group_heights(drawn_heights[:1], 3.2, 1.6), [3.2])
 
 
 def test_forces_and_roughness_of_a_set_are_those_of_its_scans_at_their_heights():
-    drawn = draw_scans(pool_of(*POOL), generator(1, "draw"), 5)
-    assert len(set(drawn["number"].values)) == 5
-    assert drawn["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
-    assert drawn["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
-    for _, one in drawn.groupby("scan"):
-        scan, height = raw_scan(one["number"].item()), one["rms_height"].item()
+    drawn_set = draw_scans(pool_of(*POOL), generator(1, "draw"), 5)
+    assert len(set(drawn_set["number"].values)) == 5
+    assert drawn_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
+    assert drawn_set["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
+    for _, drawn_scan in drawn_set.groupby("scan"):
+        scan = raw_scan(drawn_scan["number"].item())
+        height = drawn_scan["rms_height"].item()
         scaled = replace(scan, heights=scan.heights * height / scan.heights.std())
         for name, value in metrics(scaled).items():
-            assert one[name].item() == pytest.approx(value, rel=1e-9)
+            assert drawn_scan[name].item() == pytest.approx(value, rel=1e-9)
         pair = bodies(mirror_stitch(scaled), None, CONTACT)
         direct = pull_off_of_pair(pair, CONTACT, SETTINGS["ranges"])["pull_off_force"].values
-        np.testing.assert_allclose(one["pull_off_force"].squeeze("scan"), direct, rtol=0.15)
-        means = one["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
+        np.testing.assert_allclose(drawn_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15)
+        means = drawn_scan["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
         np.testing.assert_allclose(means.sel(rho=5.6), direct[:, 2].mean(axis=(1, 2)), rtol=1e-3)
         np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
 
@@ -50,8 +51,7 @@ def test_every_scan_of_the_pool_is_drawn_as_often_as_the_others():
     pool, draws = pool_of(*POOL), 300
     numbers = [draw_scans(pool, generator(2, n), 2)["number"].values for n in range(draws)]
     _, counts = np.unique(numbers, return_counts=True)
-    expected, deviation = draws / 3, np.sqrt(draws * 2 / 9)
-    assert (np.abs(counts - expected) < 4 * deviation).all()
+    assert (np.abs(counts - draws / 3) < 4 * np.sqrt(draws * 2 / 9)).all()
 
 
 def test_sets_that_would_need_a_flatter_scan_are_drawn_again_or_refused():
@@ -64,12 +64,12 @@ def test_sets_that_would_need_a_flatter_scan_are_drawn_again_or_refused():
     assert_says(message, "expected sets of 5 scans", "10 +- 30 nm", "found none")
 
 
-def measured(scans):
+def measured_forces(scans):
     """Forces of measured scans on two spheres: log-normal, correlated along the range."""
     rng = np.random.default_rng(scans)
-    of_scan = rng.normal(size=(scans, 1, 1, 1, 1, 1)) * np.array([0.3, 0.6])[:, None, None]
-    of_contact = 0.5 * rng.normal(size=(scans, 2, 1, 1, 3, 3))
-    forces = np.exp(of_scan + of_contact + np.log([1.0, 2.0])[:, None, None, None])
+    scan_effect = rng.normal(size=(scans, 1, 1, 1, 1, 1)) * np.array([0.3, 0.6])[:, None, None]
+    contact_effect = 0.5 * rng.normal(size=(scans, 2, 1, 1, 3, 3))
+    forces = np.exp(scan_effect + contact_effect + np.log([1.0, 2.0])[:, None, None, None])
     axes = ("scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x")
     return xr.DataArray(
         forces, {"contact_model": ["rigid", "plastic"], "rho": [1.0, 5.6]}, axes, name="forces"
@@ -77,8 +77,8 @@ def measured(scans):
 
 
 def test_measured_scans_get_another_mean_and_keep_their_distribution():
-    forces = measured(5)
-    ratio = with_sampled_mean(forces, generator(4)) / forces
+    forces = measured_forces(5)
+    ratio = scale_to_sampled_mean(forces, generator(4)) / forces
     assert ratio.dims == forces.dims
     factor = ratio.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0)
     np.testing.assert_allclose(ratio, factor.broadcast_like(ratio), rtol=1e-12)
@@ -86,20 +86,22 @@ def test_measured_scans_get_another_mean_and_keep_their_distribution():
 
 
 def test_means_of_measured_scans_spread_as_their_interval_says():
-    forces = measured(5)
+    forces = measured_forces(5)
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
     low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
     means = np.array(
         [
-            with_sampled_mean(forces, generator(5, n)).mean(
+            scale_to_sampled_mean(forces, generator(5, n)).mean(
                 ["scan", "sphere_scan", "contact_y", "contact_x"]
             )
             for n in range(400)
         ]
     )
-    inside = ((means > low) & (means < high)).mean(axis=0)
-    np.testing.assert_allclose(inside, 0.9, atol=4 * np.sqrt(0.09 / 400))
+    share = ((means > low) & (means < high)).mean(axis=0)
+    np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))
 
 
 def test_a_single_measured_scan_stays_as_it_is():
-    xr.testing.assert_identical(with_sampled_mean(measured(1), generator(6)), measured(1))
+    xr.testing.assert_identical(
+        scale_to_sampled_mean(measured_forces(1), generator(6)), measured_forces(1)
+    )

@@ -1,4 +1,4 @@
-"""Inference on forces whose answer is known."""
+"""Inference from forces of known range and work of adhesion."""
 
 import numpy as np
 import pytest
@@ -18,27 +18,25 @@ def infer_model(forces, published=MEAN_FORCE, sampling=SAMPLING):
 
 
 def test_inference_finds_the_range_and_work_that_made_the_forces():
-    inferred = infer_model(power_forces())
-    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
-    assert float(inferred.range_from_ratios) == pytest.approx(4.0, rel=0.01)
-    assert float(inferred.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
-    assert float(inferred.best_error) < 0.01
-    for name, known in (("region_range", 4.0), ("region_work", 0.05)):
-        low, high = inferred[name].sel(bound=["low", "high"]).values
-        assert low < known < high
+    fits = infer_model(power_forces())
+    assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
+    assert float(fits.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
+    assert float(fits.best_error) < 0.01
+    for name, value in (("region_range", 4.0), ("region_work", 0.05)):
+        low, high = fits[name].sel(bound=["low", "high"]).values
+        assert low < value < high
 
 
 def test_interval_is_of_the_confidence_that_is_asked_for():
-    half, most = (
-        infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, confidence))
-        for confidence in (0.5, 0.95)
-    )
-    assert half.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
-    narrow, wide = (one.mean_force_interval.diff("bound") for one in (half, most))
-    assert (narrow.values < wide.values).all()
-    np.testing.assert_array_equal(half.mean_force, most.mean_force)
-    low, high = np.quantile(half.sampled_range, [0.25, 0.75])
-    np.testing.assert_allclose(half.range_of_adhesion_interval, [low, high])
+    narrow = infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.5))
+    wide = infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.95))
+    assert narrow.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
+    narrow_widths = narrow.mean_force_interval.diff("bound").values
+    assert (narrow_widths < wide.mean_force_interval.diff("bound").values).all()
+    np.testing.assert_array_equal(narrow.mean_force, wide.mean_force)
+    low, high = np.quantile(narrow.sampled_range, [0.25, 0.75])
+    np.testing.assert_allclose(narrow.range_of_adhesion_interval, [low, high])
 
 
 def test_missing_scans_do_not_count():
@@ -55,10 +53,10 @@ def test_a_surface_without_a_published_force_does_not_enter_the_fit():
     forces = power_forces()
     forces[0] *= 100
     published = np.where(np.arange(4) == 0, np.nan, MEAN_FORCE)
-    inferred = infer_model(forces, published)
-    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
-    assert float(inferred.range_from_ratios) == pytest.approx(4.0, rel=0.01)
-    assert inferred.mean_force.sizes["surface"] == 4
+    fits = infer_model(forces, published)
+    assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
+    assert fits.mean_force.sizes["surface"] == 4
 
 
 def test_fit_is_the_least_of_a_fine_search():
@@ -91,13 +89,13 @@ def two_ranges():
 
 
 def test_ratios_that_are_met_twice_give_two_minima():
-    inferred = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
-    assert sorted(inferred.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
-    np.testing.assert_allclose(inferred.minimum_work[:2], 0.05, rtol=0.02)
-    assert inferred.minimum_error[0] <= inferred.minimum_error[1] < 0.02
-    assert inferred.minimum_error[0] == inferred.best_error == inferred.error_of_range.min()
-    assert inferred.minimum_range[0] == inferred.range_of_adhesion
-    assert inferred.minimum_range.isnull().values.tolist() == [False, False, True]
+    fits = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
+    assert sorted(fits.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
+    np.testing.assert_allclose(fits.minimum_work[:2], 0.05, rtol=0.02)
+    assert fits.minimum_error[0] <= fits.minimum_error[1] < 0.02
+    assert fits.minimum_error[0] == fits.best_error == fits.error_of_range.min()
+    assert fits.minimum_range[0] == fits.range_of_adhesion
+    assert fits.minimum_range.isnull().values.tolist() == [False, False, True]
 
 
 def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
@@ -108,10 +106,10 @@ def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
 
 
 def test_one_scan_is_fitted_without_interval():
-    inferred = infer_model(power_forces(scans=1))
-    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    fits = infer_model(power_forces(scans=1))
+    assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
     for name in ("range_of_adhesion", "work_of_adhesion", "best_error", "mean_force"):
-        assert inferred[f"{name}_interval"].isnull().all(), name
+        assert fits[f"{name}_interval"].isnull().all(), name
 
 
 def make_adhesion(plastic):
@@ -132,29 +130,30 @@ def infer(plastic, sampling=SAMPLING):
 
 
 def test_published_range_beyond_the_sweep_has_no_forces():
-    beyond = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
+    distant = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
-    inferred = inference.infer(adhesion, beyond, "uncd", 0.1, 30e-9, SAMPLING)
-    assert inferred.force_mean.sel(pair="published").isnull().all()
-    assert inferred.ratio_at_pair_interval.sel(pair="published").isnull().all()
-    assert inferred.force_mean.sel(pair="fitted").notnull().all()
+    fits = inference.infer(adhesion, distant, "uncd", 0.1, 30e-9, SAMPLING)
+    assert fits.force_mean.sel(pair="published").isnull().all()
+    assert fits.ratio_at_pair_interval.sel(pair="published").isnull().all()
+    assert fits.force_mean.sel(pair="fitted").notnull().all()
 
 
 def test_models_are_compared_with_the_same_samples():
-    """Half the force everywhere is fitted as well, by twice the work: the ratio is certain."""
-    inferred = infer(power_forces(spread=0.5))
-    assert inferred.model_error_ratio.dims == ()
-    assert float(inferred.model_error_ratio) == pytest.approx(1.0)
-    np.testing.assert_allclose(inferred.model_error_ratio_interval, 1.0)
-    rigid, plastic = (inferred.sel(contact_model=model) for model in ("rigid", "plastic"))
+    """Twice the work fits half the force equally well: the ratio is certain."""
+    fits = infer(power_forces(spread=0.5))
+    assert fits.model_error_ratio.dims == ()
+    assert float(fits.model_error_ratio) == pytest.approx(1.0)
+    np.testing.assert_allclose(fits.model_error_ratio_interval, 1.0)
+    rigid = fits.sel(contact_model="rigid")
+    plastic = fits.sel(contact_model="plastic")
     np.testing.assert_allclose(rigid.sampled_error, plastic.sampled_error)
     np.testing.assert_allclose(rigid.sampled_work, 2 * plastic.sampled_work)
 
 
 def test_forces_stand_at_the_published_and_at_the_fitted_pair():
     forces = power_forces(spread=0.1)
-    inferred = infer(forces).sel(contact_model="plastic")
+    fits = infer(forces).sel(contact_model="plastic")
     mean = 0.04 * forces.sel(rho=5.0).mean(["scan", "sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(inferred["force_mean"].sel(pair="published"), mean)
-    np.testing.assert_allclose(inferred["ratio_at_pair"].sel(pair="published"), mean / mean[1])
-    np.testing.assert_allclose(inferred["force_mean"].sel(pair="fitted"), MEAN_FORCE, rtol=0.1)
+    np.testing.assert_allclose(fits["force_mean"].sel(pair="published"), mean)
+    np.testing.assert_allclose(fits["ratio_at_pair"].sel(pair="published"), mean / mean[1])
+    np.testing.assert_allclose(fits["force_mean"].sel(pair="fitted"), MEAN_FORCE, rtol=0.1)

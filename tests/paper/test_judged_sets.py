@@ -1,4 +1,4 @@
-"""Numbers of many sets: reproducible, those of each set alone, what claims ask for."""
+"""Numbers of many sets: reproducible, independent for each set, one for every claim."""
 
 import numpy as np
 import pandas as pd
@@ -12,8 +12,8 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.paper.inference import Pair, Published, infer
 from hardcontact.paper.judged_sets import (
     SetSettings,
-    drawn_scans,
-    gathered_sources,
+    draw_set_scans,
+    gather_sources,
     judge_sets,
     set_adhesion,
 )
@@ -40,31 +40,37 @@ def test_every_replicated_claim_has_a_number_of_every_set(sets):
     replicated = REPLICATED["id"]
     assert sets["value"].dims == ("set", "claim")
     assert sets["claim"].values.tolist() == replicated.tolist()
-    missing = sets["claim"].values[np.isnan(sets["value"]).any("set")]
-    assert set(missing) <= {"half_width_of_range", "half_width_of_work"}  # nothing fits so well
+    without_number = sets["claim"].values[np.isnan(sets["value"]).any("set")]
+    assert set(without_number) <= {
+        "half_width_of_range",
+        "half_width_of_work",
+    }  # no fit is good enough
     height = sets["value"].sel(claim="afm_rms_height_uncd")
     np.testing.assert_allclose(height, 17.4, rtol=1e-12)
 
 
 def test_numbers_are_those_of_each_set(sets):
-    sources, models = make_sources(), ["rigid", "plastic"]
+    sources = make_sources()
+    models = ["rigid", "plastic"]
     for number in (1, 3):
         numbers = sets["value"].sel(set=number)
-        drawn = drawn_scans(sources, 1, number)
-        adhesion = set_adhesion(sources, drawn, 1, number)
-        inferred = infer(adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE))
+        drawn_scans = draw_set_scans(sources, 1, number)
+        adhesion = set_adhesion(sources, drawn_scans, 1, number)
+        inference = infer(adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE))
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=models)
-        np.testing.assert_allclose(inferred["range_of_adhesion"].sel(contact_model=models), ranges)
+        np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
         assert numbers.sel(claim="range_of_adhesion") == ranges.sel(contact_model="plastic")
-        gradient = drawn["ncd"]["rms_gradient"].mean().item()
+        gradient = drawn_scans["ncd"]["rms_gradient"].mean().item()
         assert numbers.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
 
 
 def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
     fewer = judge_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1))
     xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
-    other = judge_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
-    assert not np.allclose(other["value"].isel(set=0), sets["value"].isel(set=0), equal_nan=True)
+    other_seed = judge_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
+    assert not np.allclose(
+        other_seed["value"].isel(set=0), sets["value"].isel(set=0), equal_nan=True
+    )
     assert len(np.unique(sets["range_of_adhesion"])) > 2
 
 
@@ -77,7 +83,7 @@ def test_fits_and_the_band_are_kept_for_figures(sets):
 def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     adhesion = make_adhesion()
     means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
-    twice = {
+    smooth_means = {
         name: 2 * means.sel(surface=name, drop=True).expand_dims("sphere_scan")
         for name in SUBSTRATES
     }
@@ -90,7 +96,7 @@ def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
                 ),
             }
         )
-        for name, forces in twice.items()
+        for name, forces in smooth_means.items()
     }
     pools = {name: make_pool(name) for name in SUBSTRATES}
     chunks = {
@@ -99,7 +105,7 @@ def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         for first in (1, 7)
     }
     study = {"topography": make_sources().topography, "adhesion": adhesion}
-    sources = gathered_sources(study, chunks, smooth, make_masters())
+    sources = gather_sources(study, chunks, smooth, make_masters())
     np.testing.assert_allclose(sources.sphere_factor, 0.5, rtol=1e-12)
     assert set(sources.sphere_factor.dims) == {"contact_model", "surface", "rho"}
     for name, pool in pools.items():
@@ -108,8 +114,8 @@ def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
 
 def test_surfaces_that_are_all_measured_make_sets_too():
     sources = make_sources(measured=SUBSTRATES)
-    judged = judge_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
+    sets = judge_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
     gradient = sources.topography["rms_gradient_mean"].sel(surface="ncd")
-    assert judged["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient
-    ranges = judged["range_of_adhesion"].sel(contact_model="plastic")
+    assert sets["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient
+    ranges = sets["range_of_adhesion"].sel(contact_model="plastic")
     assert ranges[0] != ranges[1]

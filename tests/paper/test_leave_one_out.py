@@ -1,4 +1,4 @@
-"""Fits without one surface: one that does not follow the law of the others decides them."""
+"""Fits without one surface: a surface that contradicts the law of the others decides them."""
 
 import numpy as np
 import pandas as pd
@@ -24,10 +24,10 @@ def test_the_pair_is_found_where_the_surface_that_contradicts_it_is_left_out():
     measured["odd"] *= 5
     fits = leave_one_out_fits(forces_at_one_joule(), measured)
     assert fits["left_out"].values.tolist() == [NONE_LEFT_OUT, *STANDOFFS]
-    without = fits.sel(left_out="odd", set=2)
-    assert without["range_of_adhesion"].item() == pytest.approx(RANGE, rel=0.01)
-    assert without["work_of_adhesion"].item() == pytest.approx(WORK, rel=0.03)
-    assert without["best_error"].item() < 0.02
-    unmeasured = fitted_pairs(forces_at_one_joule(), measured.drop("odd")).sel(set=2)
-    xr.testing.assert_equal(unmeasured, without.drop_vars("left_out"))
+    fits_without_odd = fits.sel(left_out="odd", set=2)
+    assert fits_without_odd["range_of_adhesion"].item() == pytest.approx(RANGE, rel=0.01)
+    assert fits_without_odd["work_of_adhesion"].item() == pytest.approx(WORK, rel=0.03)
+    assert fits_without_odd["best_error"].item() < 0.02
+    fits_of_unmeasured = fitted_pairs(forces_at_one_joule(), measured.drop("odd")).sel(set=2)
+    xr.testing.assert_equal(fits_of_unmeasured, fits_without_odd.drop_vars("left_out"))
     assert (fits["best_error"].sel(left_out=[NONE_LEFT_OUT, "a", "b"]) > 0.1).all()

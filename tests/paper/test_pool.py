@@ -12,10 +12,10 @@ from hardcontact.paper.pool import height_weights, pool_heights
 from hardcontact.surfaces.height_map import metrics, mirror_stitch
 
 
-def direct_force(scan, factor, contact_pixels, rho, place):
+def direct_force(scan, factor, contact_pixels, rho, contact):
     """Eq. 3 on a scan times a factor, in N at 1 J/m2, summed over every pixel."""
     stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
-    gap = gap_map(bodies(stitched, None, CONTACT), place)
+    gap = gap_map(bodies(stitched, None, CONTACT), contact)
     return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixels, rho)
 
 
@@ -25,9 +25,9 @@ def pool():
 
 
 def test_heights_reach_as_far_as_a_set_can():
-    # Four scans alike and one apart: it lies (n - 1)/sqrt(n) deviations from the mean.
-    apart = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
-    reach = (apart.max() - apart.mean()) / apart.std(ddof=1)
+    # One scan differs from four equal scans: it is (n - 1)/sqrt(n) deviations from the mean.
+    sample = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
+    reach = (sample.max() - sample.mean()) / sample.std(ddof=1)
     np.testing.assert_allclose(HEIGHTS[[0, -1]], [10 - 4 * reach, 10 + 4 * reach])
     np.testing.assert_allclose(np.diff(np.sqrt(HEIGHTS), 2), 0, atol=1e-12)
     np.testing.assert_array_equal(pool_heights(TARGETS, 1, 7), [10.0])
@@ -35,25 +35,26 @@ def test_heights_reach_as_far_as_a_set_can():
 
 def test_interpolation_is_exact_at_its_heights_and_of_cubics_in_the_root():
     np.testing.assert_allclose(height_weights(HEIGHTS, HEIGHTS), np.eye(7), atol=1e-12)
-    between = np.array([4.0, 9.9, 16.0])
+    heights = np.array([4.0, 9.9, 16.0])
 
     def cubic(height):
         return 1 + np.sqrt(height) - 0.3 * height + 0.02 * height**1.5
 
-    np.testing.assert_allclose(height_weights(HEIGHTS, between) @ cubic(HEIGHTS), cubic(between))
-    np.testing.assert_array_equal(height_weights(np.array([10.0]), between), np.ones((3, 1)))
+    np.testing.assert_allclose(height_weights(HEIGHTS, heights) @ cubic(HEIGHTS), cubic(heights))
+    np.testing.assert_array_equal(height_weights(np.array([10.0]), heights), np.ones((3, 1)))
 
 
 def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
-    count, scan = CONTACT.pixels(GRID.pixel_size), raw_scan(4)
+    count = CONTACT.pixels(GRID.pixel_size)
+    scan = raw_scan(4)
     assert count > 1
-    computed = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
+    forces = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
     for i in (0, 6):
         factor = HEIGHTS[i] / scan.heights.std()
         for k, rho in enumerate(SETTINGS["ranges"]):
             for model, pixels in enumerate((1, count)):
-                expected = direct_force(scan, factor, pixels, rho, (0, 1))
-                assert computed[i, model, k, 0, 1] == pytest.approx(expected, rel=1e-5)
+                force = direct_force(scan, factor, pixels, rho, (0, 1))
+                assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)
 
 
 def test_roughness_is_that_of_the_scan_as_it_was_drawn(pool):
@@ -63,16 +64,17 @@ def test_roughness_is_that_of_the_scan_as_it_was_drawn(pool):
 
 
 def test_interpolated_mean_forces_are_those_of_the_direct_sum(pool):
-    between, scan = np.array([9.3]), raw_scan(3)
-    places = [(0, 0), (0, 1), (1, 0), (1, 1)]
-    factor = between.item() / scan.heights.std()
-    direct = np.mean([direct_force(scan, factor, 1, 5.6, place) for place in places])
+    height = np.array([9.3])
+    scan = raw_scan(3)
+    contacts = [(0, 0), (0, 1), (1, 0), (1, 1)]
+    factor = height.item() / scan.heights.std()
+    direct = np.mean([direct_force(scan, factor, 1, 5.6, contact) for contact in contacts])
     log_forces = pool["log_force"].sel(scan=3, contact_model="rigid", rho=5.6).values
-    interpolated = np.tensordot(height_weights(HEIGHTS, between)[0], log_forces, 1)
+    interpolated = np.tensordot(height_weights(HEIGHTS, height)[0], log_forces, 1)
     assert np.exp(interpolated).mean() == pytest.approx(direct, rel=1e-3)
 
 
 def test_a_scan_does_not_depend_on_those_computed_with_it(pool):
-    alone = pool_of(4)
-    np.testing.assert_array_equal(alone["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))
+    single = pool_of(4)
+    np.testing.assert_array_equal(single["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))
     assert not np.allclose(pool["log_force"].sel(scan=3), pool["log_force"].sel(scan=4))

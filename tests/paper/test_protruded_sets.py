@@ -1,4 +1,4 @@
-"""Protrusions in sets: forces on coatings with them, and fits of sets with these forces."""
+"""Protrusions in sets: forces on coatings with protrusions, and fits of sets to these forces."""
 
 from dataclasses import replace
 
@@ -14,8 +14,8 @@ from hardcontact.paper import protruded_sets
 from hardcontact.paper.inference import Pair, Published
 from hardcontact.paper.protruded_sets import (
     compute_protruded,
+    empty_protruded,
     judge_protruded,
-    none_protruded,
 )
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.protrusions import Protrusions, Roughness, add_protrusions
@@ -29,58 +29,61 @@ ROUGHNESS = Roughness(10.0, 0.5, 0.7, 3.0)
 
 @pytest.mark.parametrize("bearer", ["uncd", "ruby"])
 def test_a_variant_does_not_depend_on_those_computed_with_it(bearer):
-    both = compute_protruded([1, 2], 2, SOURCES, ROUGHNESS, bearer)
-    alone = compute_protruded([2], 2, SOURCES, ROUGHNESS, bearer)
-    assert both["pull_off_force"].sizes == {"variant": 2, "rho": 3, "contact": 2 * 2 * 2}
-    xr.testing.assert_equal(both.sel(variant=[2]), alone)
+    variants = compute_protruded([1, 2], 2, SOURCES, ROUGHNESS, bearer)
+    variant = compute_protruded([2], 2, SOURCES, ROUGHNESS, bearer)
+    assert variants["pull_off_force"].sizes == {"variant": 2, "rho": 3, "contact": 2 * 2 * 2}
+    xr.testing.assert_equal(variants.sel(variant=[2]), variant)
 
 
 @pytest.mark.parametrize("bearer", ["uncd", "ruby"])
 def test_protrusions_without_height_change_no_force(bearer, monkeypatch):
-    drawn = Protrusions(density=50.0, height=0.0, width=50.0)
-    monkeypatch.setattr(protruded_sets, "draw_protrusions", lambda *_: drawn)
+    flat_protrusions = Protrusions(density=50.0, height=0.0, width=50.0)
+    monkeypatch.setattr(protruded_sets, "draw_protrusions", lambda *_: flat_protrusions)
     variant = compute_protruded([1], 2, SOURCES, ROUGHNESS, bearer)
     np.testing.assert_allclose(variant["mean_change"], 1, rtol=1e-9)
 
 
 def test_protrusions_of_the_sphere_are_the_same_for_all_coatings_and_keep_their_height():
-    others = SOURCES._replace(settings=SOURCES.settings | {"surface": "ncd"})
+    ncd_sources = SOURCES._replace(settings=SOURCES.settings | {"surface": "ncd"})
     variants = [
-        compute_protruded([2], 1, sources, ROUGHNESS, "ruby") for sources in (SOURCES, others)
+        compute_protruded([2], 1, sources, ROUGHNESS, "ruby") for sources in (SOURCES, ncd_sources)
     ]
     for name in ("density", "height", "width"):
         assert variants[0][name].item() == variants[1][name].item()
     assert (variants[0]["pull_off_force"] != variants[1]["pull_off_force"]).any()
 
 
-@pytest.mark.parametrize("on_sphere", [False, True])
-def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(on_sphere):
+@pytest.mark.parametrize("sphere_is_bumpy", [False, True])
+def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(sphere_is_bumpy):
     """Forces depend on the sum of both heights, whichever surface has them."""
     contact = replace(SETTINGS["contact"], count=1)
     scan = mirror_stitch(raw_scan(1))
     flat = replace(raw_scan(1), heights=np.zeros((64, 64)))
     protrusions = Protrusions(density=20.0, height=3.0, width=40.0)
     bumps = mirror_stitch(add_protrusions(np.random.default_rng(1), flat, protrusions, 10.0))
-    together = bodies(replace(scan, heights=scan.heights + bumps.heights), None, contact)
-    substrate, sphere = (scan, bumps) if on_sphere else (bumps, scan)
-    # The apex is in the middle of the sphere's scan and stands above the place of the contact.
-    shift = sphere.pixels // 4 - together.geometry.positions[0]
+    combined_pair = bodies(replace(scan, heights=scan.heights + bumps.heights), None, contact)
+    substrate, sphere = (scan, bumps) if sphere_is_bumpy else (bumps, scan)
+    # The apex is in the middle of the scan of the sphere, above the position of the contact.
+    shift = sphere.pixels // 4 - combined_pair.geometry.positions[0]
     sphere = replace(sphere, heights=np.roll(sphere.heights, (shift, shift), axis=(0, 1)))
-    apart = bodies(substrate, sphere, contact)
-    forces = [plastic_forces(pair, [contact], SETTINGS["ranges"]) for pair in (together, apart)]
+    separate_pair = bodies(substrate, sphere, contact)
+    forces = [
+        plastic_forces(pair, [contact], SETTINGS["ranges"])
+        for pair in (combined_pair, separate_pair)
+    ]
     np.testing.assert_allclose(forces[0], forces[1], rtol=1e-6)
 
 
 def test_the_pair_is_that_of_forces_that_agree():
-    """Forces that fall as exp(-m/rho) give the pair that the measured ones were made with."""
+    """Forces that fall as exp(-m/rho) give the pair from which the measured forces were made."""
     heights = {"smooth": 12.0, "rough": 40.0, "rougher": 70.0}
     curves = {name: 1e-3 * np.exp(-height / RANGES) for name, height in heights.items()}
-    measured = {
+    measured_forces = {
         name: PAIR[1] * 1e-3 * np.exp(-height / PAIR[0]) for name, height in heights.items()
     }
-    forces = pd.DataFrame({"mean_force": measured, "median_force": measured})
-    curves["smooth"] = curves["smooth"] * 3  # what the protruded surface replaces
-    curves["rough"] = curves["rough"] * 2  # what protrusions on the sphere halve
+    forces = pd.DataFrame({"mean_force": measured_forces, "median_force": measured_forces})
+    curves["smooth"] = curves["smooth"] * 3  # replaced by the protruded surface
+    curves["rough"] = curves["rough"] * 2  # halved by protrusions on the sphere
     sets = xr.Dataset(
         {
             "mean_force": (("set", "surface", "rho"), [list(curves.values())] * 2),
@@ -89,12 +92,12 @@ def test_the_pair_is_that_of_forces_that_agree():
         {"set": [1, 2], "surface": list(heights), "rho": RANGES},
     )
     # Two contacts with this mean on a smooth sphere, which roughness of the sphere halves.
-    on_smooth = 2 * 1e-3 * np.exp(-heights["smooth"] / RANGES)
+    mean_on_smooth_sphere = 2 * 1e-3 * np.exp(-heights["smooth"] / RANGES)
     smooth = xr.Dataset(
         {
             "pull_off_force": (
                 ("variant", "rho", "contact"),
-                (on_smooth[:, None] * [0.5, 1.5])[None],
+                (mean_on_smooth_sphere[:, None] * [0.5, 1.5])[None],
             ),
             "mean_change": (("variant", "rho"), np.ones((1, RANGES.size))),
             "density": ("variant", [1.0]),
@@ -106,17 +109,17 @@ def test_the_pair_is_that_of_forces_that_agree():
     )
     halved = smooth.assign(mean_change=smooth["mean_change"] / 2).assign_attrs(surface="rough")
     protruded = [smooth, halved]
-    judged = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR)).sel(variant=7)
-    np.testing.assert_allclose(judged["range_of_adhesion"], PAIR[0], rtol=0.01)
-    np.testing.assert_allclose(judged["work_of_adhesion"], PAIR[1], rtol=0.03)
-    np.testing.assert_allclose(judged["mean_force"], measured["smooth"], rtol=0.03)
-    assert judged["agrees"].values.tolist() == [1, 1]
-    forces.loc["smooth", "median_force"] /= 3  # the two contacts have a median that is the mean
-    other = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR))
-    assert other["agrees"].values.tolist() == [[0, 0]]
-    assert judged["mean_at_published"].item() == pytest.approx(measured["smooth"], rel=1e-3)
-    assert judged["spread_at_published"].item() == pytest.approx(np.log(3) / 2)
-    none = judge_protruded(
-        [none_protruded("smooth", RANGES)], "smooth", sets, Published(forces, PAIR)
+    fits = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR)).sel(variant=7)
+    np.testing.assert_allclose(fits["range_of_adhesion"], PAIR[0], rtol=0.01)
+    np.testing.assert_allclose(fits["work_of_adhesion"], PAIR[1], rtol=0.03)
+    np.testing.assert_allclose(fits["mean_force"], measured_forces["smooth"], rtol=0.03)
+    assert fits["agrees"].values.tolist() == [1, 1]
+    forces.loc["smooth", "median_force"] /= 3  # the median of two contacts is their mean
+    fits_of_skewed = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR))
+    assert fits_of_skewed["agrees"].values.tolist() == [[0, 0]]
+    assert fits["mean_at_published"].item() == pytest.approx(measured_forces["smooth"], rel=1e-3)
+    assert fits["spread_at_published"].item() == pytest.approx(np.log(3) / 2)
+    fits_of_no_variant = judge_protruded(
+        [empty_protruded("smooth", RANGES)], "smooth", sets, Published(forces, PAIR)
     )
-    assert none["agrees"].sizes == {"variant": 0, "set": 2}
+    assert fits_of_no_variant["agrees"].sizes == {"variant": 0, "set": 2}

@@ -33,7 +33,7 @@ VARIANTS = [variant | {"label": variant["name"], "group": "any"} for variant in 
 
 
 def scan_forces(surface, factor=1.0):
-    """Range 4 nm and 0.05 J/m² at the first load, 2 nm and 0.1 J/m² at the second."""
+    """Forces of 4 nm and 0.05 J/m² at the first load, of 2 nm and 0.1 J/m² at the second load."""
     index = SUBSTRATES.index(surface)
     forces = [power_curves(4.0, 0.05)[index], power_curves(2.0, 0.1)[index]]
     return xr.Dataset(
@@ -43,7 +43,7 @@ def scan_forces(surface, factor=1.0):
 
 
 def master_forces(side, change):
-    """The force changes by `change` at the cutoff of the largest effect, not at the other."""
+    """Forces that change by `change` at one cutoff, the one with the larger effect."""
     ratio = np.array([1.0, 1 + change] if side == "small" else [1 + change, 1.0])
     force = np.outer(ratio, [2e-6, 1e-6])
     return xr.Dataset(
@@ -64,7 +64,7 @@ def realization_forces(change):
 
 
 @pytest.fixture(scope="module")
-def varied():
+def variants():
     adhesion = {
         (surface, variant): scan_forces(surface, 1.0 if variant == "study" else 2.0)
         for surface in SUBSTRATES
@@ -80,26 +80,25 @@ def varied():
     return robustness(adhesion, masters, VARIANTS, TABLE.iloc[::-1], CHOICES)
 
 
-def test_loads_are_chosen_by_name(varied):
-    known = varied.sel(variant=["baseline", "lighter"])
-    np.testing.assert_allclose(known.range_of_adhesion, [4.0, 2.0], rtol=0.01)
-    np.testing.assert_allclose(known.work_of_adhesion, [0.05, 0.1], rtol=0.02)
-    np.testing.assert_allclose(known.best_error, 0, atol=0.01)
+def test_loads_are_chosen_by_name(variants):
+    load_variants = variants.sel(variant=["baseline", "lighter"])
+    np.testing.assert_allclose(load_variants.range_of_adhesion, [4.0, 2.0], rtol=0.01)
+    np.testing.assert_allclose(load_variants.work_of_adhesion, [0.05, 0.1], rtol=0.02)
+    np.testing.assert_allclose(load_variants.best_error, 0, atol=0.01)
 
 
-def test_scans_of_a_variant_are_those_of_the_surfaces_it_names(varied):
-    """Forces of one surface twice as large: no range and work meets all four."""
-    assert varied.best_error.sel(variant="curved") > 0.05
+def test_scans_of_a_variant_are_those_of_the_surfaces_it_names(variants):
+    """Forces on one surface are twice as large: no range and work fits all four."""
+    assert variants.best_error.sel(variant="curved") > 0.05
 
 
-def test_another_probe_changes_the_critical_band_alone(varied):
-    rough = varied.sel(variant="rough_sphere")
+def test_another_probe_changes_the_critical_band_alone(variants):
+    rough = variants.sel(variant="rough_sphere")
     for name in ("range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
                  "work_of_adhesion_interval", "best_error"):  # fmt: skip
         assert rough[name].isnull().all(), name
-        assert varied[name].drop_sel(variant="rough_sphere").notnull().all(), name
+        assert variants[name].drop_sel(variant="rough_sphere").notnull().all(), name
     for name, change in (("baseline", 0.2), ("rough_sphere", 1.0)):
         decades = 0.1 / change
-        expected = [10 ** (1 + decades), 10 ** (4 - decades)]
-        computed = varied.critical_wavelength.sel(variant=name, side=["small", "large"])
-        np.testing.assert_allclose(computed, expected)
+        edges = variants.critical_wavelength.sel(variant=name, side=["small", "large"])
+        np.testing.assert_allclose(edges, [10 ** (1 + decades), 10 ** (4 - decades)])

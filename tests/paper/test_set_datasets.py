@@ -1,4 +1,4 @@
-"""Datasets of one set: those of the study, with other scans."""
+"""Datasets of a set equal those of the study, but for the scans."""
 
 import numpy as np
 import pytest
@@ -8,14 +8,14 @@ from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.judged_sets import (
-    drawn_scans,
+    draw_set_scans,
     set_adhesion,
     set_band,
     set_topography,
 )
 from hardcontact.surfaces.height_map import METRICS
 
-#: Seed of the study, and number of the set.
+#: Seed of the study and number of the set.
 DRAW = 1, 3
 NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
 CONTACTS = ["contact_y", "contact_x"]
@@ -23,16 +23,17 @@ CONTACTS = ["contact_y", "contact_x"]
 
 def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():
     sources = make_sources(measured=["mcd"])
-    drawn, study = drawn_scans(sources, *DRAW), sources.topography
-    topography = set_topography(study, drawn, CONFIDENCE)
+    drawn_scans = draw_set_scans(sources, *DRAW)
+    study = sources.topography
+    topography = set_topography(study, drawn_scans, CONFIDENCE)
     for name in METRICS:
-        of_uncd = topography[name].sel(surface="uncd")
-        np.testing.assert_allclose(of_uncd, drawn["uncd"][name], rtol=1e-12)
+        uncd_metric = topography[name].sel(surface="uncd")
+        np.testing.assert_allclose(uncd_metric, drawn_scans["uncd"][name], rtol=1e-12)
         mean = topography[f"{name}_mean"].sel(surface="uncd").item()
-        assert mean == pytest.approx(drawn["uncd"][name].mean().item(), rel=1e-12)
-        for other in ("mcd", "ruby"):
+        assert mean == pytest.approx(drawn_scans["uncd"][name].mean().item(), rel=1e-12)
+        for surface in ("mcd", "ruby"):
             np.testing.assert_array_equal(
-                topography[name].sel(surface=other), study[name].sel(surface=other)
+                topography[name].sel(surface=surface), study[name].sel(surface=surface)
             )
     heights = topography["rms_height_mean"].sel(surface="uncd").item()
     assert heights == pytest.approx(17.4, rel=1e-12)
@@ -43,11 +44,11 @@ def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():
 
 def test_forces_of_drawn_scans_are_those_on_the_rough_sphere():
     sources = make_sources()
-    drawn = drawn_scans(sources, *DRAW)
-    adhesion = set_adhesion(sources, drawn, *DRAW)
+    drawn_scans = draw_set_scans(sources, *DRAW)
+    adhesion = set_adhesion(sources, drawn_scans, *DRAW)
     assert adhesion["pull_off_force"].dims == sources.adhesion["pull_off_force"].dims
     assert adhesion.attrs == sources.adhesion.attrs
-    for surface, scans in drawn.items():
+    for surface, scans in drawn_scans.items():
         ratio = adhesion["pull_off_force"].sel(surface=surface) / scans["pull_off_force"]
         np.testing.assert_allclose(ratio.sel(contact_model="rigid"), 0.9, rtol=1e-12)
         np.testing.assert_allclose(ratio.sel(contact_model="plastic"), 0.95, rtol=1e-12)
@@ -55,26 +56,25 @@ def test_forces_of_drawn_scans_are_those_on_the_rough_sphere():
 
 def test_measured_scans_keep_their_forces_but_for_one_factor_a_range():
     sources = make_sources(measured=["mcd"])
-    adhesion = set_adhesion(sources, drawn_scans(sources, *DRAW), *DRAW)
-    of_mcd, own = (
-        one["pull_off_force"].sel(surface="mcd").transpose("contact_model", "rho", ...)
-        for one in (adhesion, sources.adhesion)
-    )
-    ratio = (of_mcd / own).values.reshape(2, own.sizes["rho"], -1)
+    adhesion = set_adhesion(sources, draw_set_scans(sources, *DRAW), *DRAW)
+    set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
+    study_forces = sources.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
+    ranges = study_forces.sizes["rho"]
+    ratio = (set_forces / study_forces).sel(surface="mcd").values.reshape(2, ranges, -1)
     np.testing.assert_allclose(ratio, ratio[..., :1] * np.ones(ratio.shape[-1]), rtol=1e-12)
     assert not np.isclose(ratio, 1).any()
-    # Beside these larger arrays of contacts, those of drawn scans are filled up with nothing.
-    of_uncd = adhesion["pull_off_force"].sel(surface="uncd")
-    assert np.isfinite(of_uncd).sum() == SCANS * 2 * own.sizes["rho"] * 9
+    # Arrays of drawn scans have fewer contacts; they are padded with NaN.
+    uncd_forces = adhesion["pull_off_force"].sel(surface="uncd")
+    assert np.isfinite(uncd_forces).sum() == SCANS * 2 * ranges * 9
 
 
 def test_band_of_masters_that_are_alike_is_that_of_one():
     masters = make_masters()
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
     band = set_band(alike, 5, 0.1, NO_SAMPLES, 3)
-    expected = critical_band(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
+    single_band = critical_band(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
     for name in ("scale_ratio", "scale_change", "critical_wavelength"):
-        np.testing.assert_allclose(band[name], expected[name], rtol=1e-12)
+        np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 
 
 def test_masters_are_drawn_again_for_every_set_and_surface():
@@ -86,5 +86,4 @@ def test_masters_are_drawn_again_for_every_set_and_surface():
     error = deviation / np.sqrt(5)
     np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.14)
     assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(300))[~np.isnan(mean)].all()
-    first, second = ratio[:, 0, 0, 0], ratio[:, 0, 1, 0]
-    assert abs(np.corrcoef(first, second)[0, 1]) < 0.2
+    assert abs(np.corrcoef(ratio[:, 0, 0, 0], ratio[:, 0, 1, 0])[0, 1]) < 0.2

@@ -1,4 +1,4 @@
-"""Heights of the sphere's apex: those that give a force, and none where no height does."""
+"""Heights of the apex of the sphere that give a force, and NaN if no height gives it."""
 
 import numpy as np
 import pandas as pd
@@ -37,13 +37,13 @@ def test_forces_that_agree_leave_no_height_missing():
         {"surface": ["a", "b"], "rho": [2.0, 5.6]},
         {"sphere_radius": RADIUS},
     )
-    measured = pd.DataFrame({"mean_force": 0.05 * forces[:, 1]}, index=["a", "b"])
-    measured["median_force"] = measured["mean_force"] / 2
-    heights = standoff(adhesion, measured, 0.05, pd.Series({"a": 3.0, "b": 20.0}))
-    at_pair = heights.sel(rho=5.6)
+    published = pd.DataFrame({"mean_force": 0.05 * forces[:, 1]}, index=["a", "b"])
+    published["median_force"] = published["mean_force"] / 2
+    heights = standoff(adhesion, published, 0.05, pd.Series({"a": 3.0, "b": 20.0}))
+    pair_heights = heights.sel(rho=5.6)
     for work in ("published", "fitted"):
-        required = at_pair["required_height"].sel(work_of_adhesion=work)
+        required = pair_heights["required_height"].sel(work_of_adhesion=work)
         np.testing.assert_allclose(
-            required.sel(statistic="mean"), at_pair["computed_height"].sel(statistic="mean")
+            required.sel(statistic="mean"), pair_heights["computed_height"].sel(statistic="mean")
         )
         assert (required.sel(statistic="median") > required.sel(statistic="mean")).all()

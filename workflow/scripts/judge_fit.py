@@ -8,7 +8,7 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.inference import PLASTIC, Pair, Published
 from hardcontact.paper.leave_one_out import leave_one_out_fits
-from hardcontact.paper.protruded_sets import judge_protruded, none_protruded
+from hardcontact.paper.protruded_sets import empty_protruded, judge_protruded
 from hardcontact.paper.standoff import standoff
 
 with job(snakemake) as job:
@@ -31,7 +31,7 @@ with job(snakemake) as job:
     for output, bearer in (("protruded", "one coating"), ("protruded_sphere", "the sphere")):
         chunks = [read(path) for path in job.input[output]]
         # There are none without substitutes.
-        chunks = chunks or [none_protruded(coating, plastic_sets["rho"].values)]
+        chunks = chunks or [empty_protruded(coating, plastic_sets["rho"].values)]
         protruded_fits = judge_protruded(chunks, coating, plastic_sets, Published(pull_off, pair))
         job.write(
             protruded_fits.assign_attrs(job.parameters),

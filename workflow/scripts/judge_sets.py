@@ -7,7 +7,7 @@ from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import single_masters, stacked_forces
 from hardcontact.paper.inference import Pair, Published
-from hardcontact.paper.judged_sets import SetSettings, gathered_sources, judge_sets
+from hardcontact.paper.judged_sets import SetSettings, gather_sources, judge_sets
 
 with job(snakemake) as job:
     params = job.parameters
@@ -15,7 +15,7 @@ with job(snakemake) as job:
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
     keys = [[surface] for surface in params["masters"]]
     masters = zip(keys, map(read, job.input.masters), strict=True)
-    sources = gathered_sources(
+    sources = gather_sources(
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
         read_all(params["chunks"], job.input.pools),
         dict(zip(params["pooled"], map(read, job.input.smooth_spheres), strict=True)),

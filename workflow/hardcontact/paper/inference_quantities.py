@@ -58,26 +58,24 @@ def error_overlap(laws: xr.Dataset) -> xr.Dataset:
 
 
 def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
-    """Return the pressure of Eq. 1 at the published pair over the most of a mechanism (law).
+    """Return the pressure of Eq. 1 at the published pair relative to known mechanisms (law).
 
-    An energy C/g^m gives the pressure m C/g^(m + 1). The number is the ratio at the gap rho; the
-    interval reaches to the largest ratio, which goes as g^(m + 1) exp(-g/rho), at (m + 1) rho.
+    An energy C/g^m gives the pressure m C/g^(m + 1); C is the largest known strength of the
+    mechanism. The number is the ratio at the gap rho. The ratio at the gap g goes as
+    g^(m + 1) exp(-g/rho); the interval ends at its maximum, at (m + 1) rho.
     """
-    others = [law for law in LAWS if law != EXPONENTIAL]
-    power = xr.DataArray([law.exponent + 1 for law in others], dims="law")
-    known = xr.DataArray(
-        [law.max_strength for law in others], {"law": [law.name for law in others]}
-    )
+    laws = [law for law in LAWS if law != EXPONENTIAL]
+    power = xr.DataArray([law.exponent + 1 for law in laws], dims="law")
+    strength = xr.DataArray([law.max_strength for law in laws], {"law": [law.name for law in laws]})
     rho = 1e-9 * paper["range_of_adhesion"]
-    at_one_range, largest = (
-        paper["work_of_adhesion"]
-        / rho
-        * np.exp(-gap)
-        * (gap * rho) ** power
-        / ((power - 1) * known)
-        for gap in (xr.ones_like(known), power)
-    )
-    return number(at_one_range, at_one_range, largest)
+    pressure = paper["work_of_adhesion"] / rho
+
+    def pressure_ratio(gap: xr.DataArray) -> xr.DataArray:
+        """Return the ratio at a gap in units of rho."""
+        return pressure * np.exp(-gap) * (gap * rho) ** power / ((power - 1) * strength)
+
+    ratio_at_rho = pressure_ratio(xr.ones_like(strength))
+    return number(ratio_at_rho, ratio_at_rho, pressure_ratio(power))
 
 
 def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:

@@ -1,6 +1,6 @@
-"""Sets of scans, drawn from a pool and judged as the study is.
+"""Sets of scans, drawn from a pool and judged like the scans of the study.
 
-A set takes scans of a pool and gives each its height, from which its forces follow.
+A set consists of scans of a pool. Each scan gets a new rms height, from which its forces follow.
 """
 
 from collections.abc import Mapping
@@ -25,77 +25,82 @@ from hardcontact.surfaces.roughness_table import averages
 Floats = NDArray[np.float64]
 
 #: Scans of one set, by substrate.
-Drawn = Mapping[str, xr.Dataset]
+DrawnScans = Mapping[str, xr.Dataset]
 
-#: How often a set is drawn in search of one with the heights asked for.
-TRIES = 1000
+#: Largest number of draws in search of a set with possible heights.
+MAX_DRAWS = 1000
 #: Metrics that do not change with the height of a scan.
-SHAPES = ("skewness", "kurtosis")
-#: Variables of the inference of a set that are kept.
-INFERRED = [
+HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
+#: Variables of the inference of a set that sets.nc contains.
+INFERENCE_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
     "minimum_error", "mean_force", "ratio",
 ]  # fmt: skip
-#: Variables of the critical band of a set that are kept.
-BAND = ["scale_ratio", "scale_change", "critical_wavelength"]
+#: Variables of the critical band of a set that sets.nc contains.
+BAND_VARIABLES = ["scale_ratio", "scale_change", "critical_wavelength"]
 
 
 class Sources(NamedTuple):
-    """What all sets are made from."""
+    """Datasets from which all sets are made."""
 
-    topography: xr.Dataset  #: Of the study.
-    adhesion: xr.Dataset  #: Of the study.
-    pools: Mapping[str, xr.Dataset]  #: By substrate; a substrate without one keeps its scans.
+    topography: xr.Dataset  #: topography.nc of the study.
+    adhesion: xr.Dataset  #: adhesion.nc of the study.
+    pools: Mapping[str, xr.Dataset]  #: By substrate; a substrate without a pool keeps its scans.
     #: (contact_model, surface, rho) force on the rough sphere relative to a smooth one.
     sphere_factor: xr.DataArray
-    masters: xr.Dataset  #: Of `all_surfaces.stacked_forces` at one load.
+    masters: xr.Dataset  #: From `all_surfaces.stacked_forces` at one load.
 
 
 class SetSettings(NamedTuple):
-    """How sets are drawn and judged."""
+    """Settings of the draws and of the judgement."""
 
-    seed: int  #: The seed of the study.
-    replicates: int  #: Sets drawn.
-    realizations: int  #: Masters of each substrate in a set.
-    reference_surface: str  #: The surface that ratios are taken to.
-    tolerance: float  #: Relative change of the force that ends the critical band.
-    confidence: float  #: Of the intervals.
+    seed: int  #: Seed of the study.
+    replicates: int  #: Number of sets.
+    realizations: int  #: Number of masters of each substrate in a set.
+    reference_surface: str  #: Surface to which force ratios are taken.
+    tolerance: float  #: Relative change of the force that defines an edge.
+    confidence: float  #: Confidence of the intervals.
 
 
-def gathered_sources(
+def gather_sources(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     smooth: Mapping[str, xr.Dataset],
     masters: xr.Dataset,
 ) -> Sources:
-    """Return what sets are made from.
+    """Gather the datasets from which sets are made.
 
     Parameters
     ----------
     study : mapping of str to xarray.Dataset
         ``topography`` and ``adhesion`` of the study.
     chunks : mapping of tuple to xarray.Dataset
-        Of `pool.compute_pool`, by substrate, first and last scan.
+        From `pool.compute_pool`, by substrate, first and last scan.
     smooth : mapping of str to xarray.Dataset
-        Mean forces of the study's scans on a smooth sphere, by substrate.
+        Mean forces of the scans of the study on a smooth sphere, by substrate.
     masters : xarray.Dataset
-        Of `all_surfaces.stacked_forces` at one load.
+        From `all_surfaces.stacked_forces` at one load.
+
+    Returns
+    -------
+    Sources
+        The chunks are joined to pools; the factor of the sphere follows from both forces.
     """
-    pools: dict[str, list[xr.Dataset]] = {}
+    pool_chunks: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
-        pools.setdefault(surface, []).append(chunk)
+        pool_chunks.setdefault(surface, []).append(chunk)
     forces = study["adhesion"]["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
     for surface, scans in smooth.items():
         plastic = scans["pull_off_force"].squeeze("load", drop=True)
-        by_model = xr.concat([scans["rigid_pull_off_force"], plastic], rough["contact_model"])
-        change = rough.sel(surface=surface, drop=True) / by_model.mean(["scan", "sphere_scan"])
-        factor.loc[{"surface": surface}] = change
+        smooth_forces = xr.concat([scans["rigid_pull_off_force"], plastic], rough["contact_model"])
+        smooth_mean = smooth_forces.mean(["scan", "sphere_scan"])
+        factor.loc[{"surface": surface}] = rough.sel(surface=surface, drop=True) / smooth_mean
     return Sources(
         study["topography"],
         study["adhesion"],
-        {surface: xr.concat(parts, "scan") for surface, parts in pools.items()},
+        {surface: xr.concat(pool, "scan") for surface, pool in pool_chunks.items()},
         factor,
         masters,
     )
@@ -104,47 +109,82 @@ def gathered_sources(
 def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
     """Draw a set of scans of one substrate from its pool, without replacement.
 
-    With six scans or more a height could be negative: a set with a height below those of the pool
-    is drawn again. Returns METRICS and ``number`` in the pool over scan, which counts from 1, and
-    ``pull_off_force`` (scan, contact_model, rho, contact_y, contact_x) in N on a smooth sphere.
-    Raises ValueError if no set is found.
+    The rms heights of the set get the mean and the deviation of the pool. With six scans or more a
+    height may be negative. A set with a height below all heights of the pool is therefore drawn
+    again.
+
+    Parameters
+    ----------
+    pool : xarray.Dataset
+        From `pool.compute_pool`.
+    rng : numpy.random.Generator
+        Random numbers.
+    scans : int
+        Number of scans.
+
+    Returns
+    -------
+    xarray.Dataset
+        By scan, from 1 on: METRICS, ``number`` of the scan in the pool, and ``pull_off_force``
+        (scan, contact_model, rho, contact_y, contact_x) in N on a smooth sphere.
+
+    Raises
+    ------
+    ValueError
+        If no set with possible heights is found.
     """
-    least = pool["rms_height_of_force"].values.min()
-    mean, deviation = pool.attrs["mean_rms_height"], pool.attrs["rms_height_deviation"]
-    for _ in range(TRIES):
-        drawn = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
-        heights = group_heights(drawn["rms_height"].values, mean, deviation)
-        if heights.min() >= least * (1 - 1e-9):
-            return _at_heights(drawn, heights)
+    lowest = pool["rms_height_of_force"].values.min()
+    mean = pool.attrs["mean_rms_height"]
+    deviation = pool.attrs["rms_height_deviation"]
+    for _ in range(MAX_DRAWS):
+        pool_scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
+        heights = group_heights(pool_scans["rms_height"].values, mean, deviation)
+        if heights.min() >= lowest * (1 - 1e-9):
+            return _scale_scans(pool_scans, heights)
     raise ValueError(
         f"expected sets of {scans} scans with rms heights of {mean:.3g} +- {deviation:.3g} nm, "
-        f"found none above {least:.3g} nm in {TRIES} tries"
+        f"found none above {lowest:.3g} nm in {MAX_DRAWS} tries"
     )
 
 
-def _at_heights(drawn: xr.Dataset, heights: Floats) -> xr.Dataset:
-    """Return scans of a pool with their forces and metrics at other rms heights (scan,) in nm."""
-    factor = heights / drawn["rms_height"].values
-    weights = height_weights(drawn["rms_height_of_force"].values, heights)
-    log_forces = np.einsum("na,na...->n...", weights, drawn["log_force"].values)
+def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
+    """Return the forces and metrics of scans of a pool at other rms heights (scan,) in nm."""
+    factor = heights / pool_scans["rms_height"].values
+    weights = height_weights(pool_scans["rms_height_of_force"].values, heights)
+    log_forces = np.einsum("na,na...->n...", weights, pool_scans["log_force"].values)
     axes = ("scan", "contact_model", "rho", "contact_y", "contact_x")
     variables = {
-        name: ("scan", drawn[name].values * (1.0 if name in SHAPES else factor), drawn[name].attrs)
+        name: (
+            "scan",
+            pool_scans[name].values * (1.0 if name in HEIGHT_INDEPENDENT_METRICS else factor),
+            pool_scans[name].attrs,
+        )
         for name in METRICS
     } | {
         "pull_off_force": (axes, np.exp(log_forces), {"units": "N"}),
-        "number": ("scan", drawn["scan"].values),
+        "number": ("scan", pool_scans["scan"].values),
     }
     coordinates = {"scan": np.arange(1, len(heights) + 1)}
-    return xr.Dataset(variables, coordinates | {name: drawn[name] for name in axes[1:]})
+    return xr.Dataset(variables, coordinates | {name: pool_scans[name] for name in axes[1:]})
 
 
-def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
-    """Return the forces of measured scans times one sample of what their mean may be.
+def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
+    """Scale the forces of measured scans to a sampled mean.
 
-    Other scans of the surface would have another mean force; the scans that there are keep their
-    distribution over contacts, and a single scan is left as it is. Forces (scan, sphere_scan,
-    contact_model, rho, contact_y, contact_x) are in N.
+    Other scans of the surface would have another mean force. The distribution over contacts stays
+    the same. A single scan keeps its forces.
+
+    Parameters
+    ----------
+    forces : xarray.DataArray
+        Forces (scan, sphere_scan, contact_model, rho, contact_y, contact_x) in N.
+    rng : numpy.random.Generator
+        Random numbers.
+
+    Returns
+    -------
+    xarray.DataArray
+        Scaled forces in N.
     """
     axes = ("scan", "contact_model", "rho")
     means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
@@ -155,62 +195,67 @@ def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.Data
     return (forces * factor).transpose(*forces.dims)
 
 
-def drawn_scans(sources: Sources, seed: int, number: int) -> dict[str, xr.Dataset]:
-    """Return the scans of a set by substrate, of those with a pool; as many as the study has."""
+def draw_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, xr.Dataset]:
+    """Draw the scans of a set for every substrate with a pool; as many as the study has."""
     counts = sources.topography["rms_height"].count("scan").to_series()
     return {
-        name: draw_scans(pool, generator(seed, name, number, "set", "scans"), counts[name])
+        name: draw_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in sources.pools.items()
     }
 
 
-def set_topography(study: xr.Dataset, drawn: Drawn, confidence: float) -> xr.Dataset:
-    """Return METRICS, their averages and what depends on no scan, as topography.nc has them."""
-    parts = [
-        drawn[name] if name in drawn else study.sel(surface=name, drop=True)
+def set_topography(study: xr.Dataset, drawn_scans: DrawnScans, confidence: float) -> xr.Dataset:
+    """Return the topography of a set, as in topography.nc: METRICS, their averages and labels."""
+    surface_scans = [
+        drawn_scans[name] if name in drawn_scans else study.sel(surface=name, drop=True)
         for name in study["surface"].values
     ]
-    scans = xr.concat([part[list(METRICS)] for part in parts], study["surface"], join="outer")
+    metrics = [scans[list(METRICS)] for scans in surface_scans]
+    set_scans = xr.concat(metrics, study["surface"], join="outer")
     constant = [name for name in study if str(name).startswith("all_scales_")]
-    named = study[[*constant, "label", "basis", "calibrated_to_table1"]]
-    return xr.merge([named, scans, averages(scans, confidence)], combine_attrs="override")
+    labels = study[[*constant, "label", "basis", "calibrated_to_table1"]]
+    return xr.merge([labels, set_scans, averages(set_scans, confidence)], combine_attrs="override")
 
 
-def set_adhesion(sources: Sources, drawn: Drawn, seed: int, number: int) -> xr.Dataset:
-    """Return the pull-off forces of a set, as adhesion.nc has them.
+def set_adhesion(
+    sources: Sources, drawn_scans: DrawnScans, seed: int, set_number: int
+) -> xr.Dataset:
+    """Return the pull-off forces of a set, as in adhesion.nc.
 
-    Forces of drawn scans are those on a smooth sphere times what its roughness changes. Other
-    substrates keep their scans and get another mean.
+    Forces of drawn scans are their forces on a smooth sphere times the factor of the rough sphere.
+    Other substrates keep their scans and get another mean.
     """
-    study, parts = sources.adhesion, []
+    study = sources.adhesion
+    surface_forces = []
     for surface in study["surface"].values.tolist():
-        if surface in drawn:
+        if surface in drawn_scans:
             factor = sources.sphere_factor.sel(surface=surface, drop=True)
-            forces = (drawn[surface]["pull_off_force"] * factor).expand_dims(sphere_scan=[1])
+            forces = (drawn_scans[surface]["pull_off_force"] * factor).expand_dims(sphere_scan=[1])
         else:
-            own = study["pull_off_force"].sel(surface=surface, drop=True)
-            own = own.dropna("scan", how="all").dropna("sphere_scan", how="all")
-            rng = generator(seed, surface, number, "set", "mean force")
-            forces = with_sampled_mean(own, rng)
-        parts.append(forces)
-    stacked = xr.concat(parts, study["surface"], join="outer")
+            study_forces = study["pull_off_force"].sel(surface=surface, drop=True)
+            study_forces = study_forces.dropna("scan", how="all").dropna("sphere_scan", how="all")
+            rng = generator(seed, surface, set_number, "set", "mean force")
+            forces = scale_to_sampled_mean(study_forces, rng)
+        surface_forces.append(forces)
+    stacked_forces = xr.concat(surface_forces, study["surface"], join="outer")
     return study[["label", "basis", "contact_pixels"]].assign(
-        pull_off_force=stacked.transpose(*study["pull_off_force"].dims)
+        pull_off_force=stacked_forces.transpose(*study["pull_off_force"].dims)
     )
 
 
 def set_band(
-    masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, number: int
+    masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
-    """Return the critical band of some masters of each substrate, drawn with replacement."""
-    parts = []
+    """Return the critical band of masters of each substrate, drawn with replacement."""
+    surface_ratios = []
     for surface in masters["surface"].values.tolist():
-        known = masters["ratio"].sel(surface=surface).dropna("realization", how="all")
-        rng = generator(sampling.seed, surface, number, "set", "masters")
-        chosen = rng.choice(known.realization, realizations)
-        ratio = known.sel(realization=chosen).assign_coords(realization=range(realizations))
-        parts.append(ratio.drop_vars("surface"))
-    ratio = xr.concat(parts, masters["surface"])
+        study_ratio = masters["ratio"].sel(surface=surface).dropna("realization", how="all")
+        rng = generator(sampling.seed, surface, set_number, "set", "masters")
+        drawn_masters = rng.choice(study_ratio.realization, realizations)
+        ratio = study_ratio.sel(realization=drawn_masters)
+        ratio = ratio.assign_coords(realization=range(realizations))
+        surface_ratios.append(ratio.drop_vars("surface"))
+    ratio = xr.concat(surface_ratios, masters["surface"])
     return critical_band(masters.drop_dims("realization").assign(ratio=ratio), tolerance, sampling)
 
 
@@ -218,7 +263,7 @@ def judge_sets(
     sources: Sources,
     statements: pd.DataFrame,
     constants: pd.DataFrame,
-    measured: Published,
+    published: Published,
     settings: SetSettings,
 ) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
@@ -226,28 +271,33 @@ def judge_sets(
     Parameters
     ----------
     sources : Sources
-        What sets are made from.
+        Datasets from which sets are made.
     statements, constants : pandas.DataFrame
-        Of `evaluation.replicated_statements` and `published.constants`.
-    measured : Published
+        From `evaluation.replicated_statements` and `published.constants`.
+    published : Published
         Published forces, range and work of adhesion.
     settings : SetSettings
-        How sets are drawn and judged.
+        Settings of the draws and of the judgement.
 
     Returns
     -------
     xarray.Dataset
-        Over set: ``value`` (claim), INFERRED (contact_model, ...) and BAND (side, ...). Over
-        (contact_model, surface, rho) ``sphere_factor``, NaN of a surface without a pool.
+        By set: ``value`` (claim), INFERENCE_VARIABLES (contact_model, ...) and BAND_VARIABLES
+        (side, ...). ``sphere_factor`` (contact_model, surface, rho), NaN for a surface without a
+        pool.
     """
     numbers = range(1, settings.replicates + 1)
     sets = []
-    for number in progress(numbers, len(numbers), "sets"):
-        datasets = _set_datasets(sources, constants["value"], measured, settings, number)
+    for set_number in progress(numbers, len(numbers), "sets"):
+        datasets = _set_datasets(sources, constants["value"], published, settings, set_number)
         value = claim_values(statements, datasets, constants)
         claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
-        kept = [claims, datasets["inference"][INFERRED], datasets["band"][BAND]]
-        sets.append(xr.merge(kept, join="exact", combine_attrs="drop_conflicts"))
+        variables = [
+            claims,
+            datasets["inference"][INFERENCE_VARIABLES],
+            datasets["band"][BAND_VARIABLES],
+        ]
+        sets.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
         sphere_factor=sources.sphere_factor.assign_attrs(
             units="1", long_name="pull-off force on the rough sphere over that on a smooth one"
@@ -258,21 +308,23 @@ def judge_sets(
 def _set_datasets(
     sources: Sources,
     constants: "pd.Series[float]",
-    measured: Published,
+    published: Published,
     settings: SetSettings,
-    number: int,
+    set_number: int,
 ) -> dict[str, xr.Dataset]:
     """Return the datasets of one set by the names that claims give them."""
     sampling = Sampling(settings.seed, 0, settings.confidence)
-    drawn = drawn_scans(sources, settings.seed, number)
-    adhesion = set_adhesion(sources, drawn, settings.seed, number)
-    band = set_band(sources.masters, settings.realizations, settings.tolerance, sampling, number)
+    drawn_scans = draw_set_scans(sources, settings.seed, set_number)
+    adhesion = set_adhesion(sources, drawn_scans, settings.seed, set_number)
+    band = set_band(
+        sources.masters, settings.realizations, settings.tolerance, sampling, set_number
+    )
     return {
-        "topography": set_topography(sources.topography, drawn, settings.confidence),
+        "topography": set_topography(sources.topography, drawn_scans, settings.confidence),
         "adhesion": adhesion,
         "inference": infer(
             adhesion,
-            measured,
+            published,
             settings.reference_surface,
             constants["error_threshold"],
             constants["force_floor"],

@@ -47,7 +47,9 @@ def leave_one_out_fits(mean_forces: xr.DataArray, published: pd.Series) -> xr.Da
 
     Parameters
     ----------
-    mean_forces, published
+    mean_forces : xarray.DataArray
+        As for `fitted_pairs`.
+    published : pandas.Series
         As for `fitted_pairs`.
 
     Returns

@@ -1,7 +1,7 @@
-"""The pool that sets of substitute scans are drawn from: forces of each scan at several heights.
+"""Pool of substitute scans from which sets are drawn: forces of each scan at several rms heights.
 
 A set multiplies the heights of each of its scans by a factor. Forces on a smooth sphere are
-computed at a few rms heights that span what a set may ask for, and interpolated between them.
+computed at a few rms heights, which span all heights of sets, and are interpolated between them.
 """
 
 from collections.abc import Mapping, Sequence
@@ -25,18 +25,18 @@ from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
-#: Least height of a pool, over the mean height: no set of a few scans has a smoother one.
-LEAST = 0.05
+#: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
+MIN_HEIGHT_RATIO = 0.05
 
 
 class PoolSettings(TypedDict):
-    """What the scans of a pool and their contacts are made with."""
+    """Settings of the scans of a pool and of their contacts."""
 
-    seed: int  #: The seed of the study.
+    seed: int  #: Seed of the study.
     surface: str  #: Name of the substrate.
     scan: ScanGrid
-    contact: Contact  #: With a smooth sphere.
-    ranges: list[float]  #: Of adhesion, in nm.
+    contact: Contact  #: Contact with a smooth sphere.
+    ranges: list[float]  #: Ranges of adhesion in nm.
 
 
 class PoolSources(NamedTuple):
@@ -44,21 +44,37 @@ class PoolSources(NamedTuple):
 
     density: Spectrum  #: C_iso of the substrate.
     targets: Targets
-    heights: Floats  #: Of `pool_heights`.
+    heights: Floats  #: From `pool_heights`.
     settings: PoolSettings
 
 
 def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources:
     """Read spectrum, targets, rms heights and settings of the scans of a pool.
 
-    Inputs (paths as attributes) and parameters are those of the rule. Raises ValueError if the
-    paper has no rms height of the surface.
+    Parameters
+    ----------
+    inputs : object
+        Paths as attributes: ``spectrum``, ``published_table1`` and ``published_constants``.
+    parameters : mapping
+        Parameters of the rule.
+
+    Returns
+    -------
+    PoolSources
+        Everything from which scans of the pool are made.
+
+    Raises
+    ------
+    ValueError
+        If the paper has no rms height of the surface.
     """
     spectrum = dataset.read(inputs.spectrum)
     table1 = published.table1(inputs.published_table1)
     constants = published.constants(inputs.published_constants)
-    surface, definitions = parameters["surface"], parameters["table1"]
-    grid, rows = ScanGrid(**parameters["scan"]), rows_of_surface(table1, surface, **definitions)
+    surface = parameters["surface"]
+    definitions = parameters["table1"]
+    grid = ScanGrid(**parameters["scan"])
+    rows = rows_of_surface(table1, surface, **definitions)
     targets = scan_targets(spectrum, rows, constants, definitions, grid)
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
@@ -77,27 +93,54 @@ def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources
 
 
 def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
-    """Return the rms heights (amplitudes,), in nm and ascending, that forces are computed at.
+    """Return the rms heights at which the forces of a pool are computed.
 
-    No value of a sample of n lies farther from its mean than (n - 1)/sqrt(n) of its standard
-    deviations. The heights are evenly spaced in their root: forces change faster where heights are
-    small. A set of one scan has no deviation, so that a single height is enough.
+    No value of a sample of n is farther from its mean than (n - 1)/sqrt(n) of its standard
+    deviations. The heights are evenly spaced in their root, because forces change faster at small
+    heights. A set of one scan has no deviation and needs a single height.
+
+    Parameters
+    ----------
+    targets : Targets
+        Mean and deviation of the rms heights of a set.
+    scans : int
+        Number of scans in a set.
+    amplitudes : int
+        Number of heights.
+
+    Returns
+    -------
+    numpy.ndarray
+        Ascending heights (amplitudes,) in nm.
     """
     mean = targets.means["rms_height"]
     if scans == 1:
         return np.array([mean])
     reach = targets.deviation * (scans - 1) / np.sqrt(scans)
-    least = max(mean - reach, LEAST * mean)
-    return np.asarray(np.linspace(least**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
+    lowest = max(mean - reach, MIN_HEIGHT_RATIO * mean)
+    return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
 
 
-def height_weights(heights: Floats, at: Floats) -> Floats:
-    """Return the weights (at, amplitude) of a cubic spline in the root of heights (nm)."""
+def height_weights(heights: Floats, targets: Floats) -> Floats:
+    """Return the weights that interpolate between heights by a cubic spline in their root.
+
+    Parameters
+    ----------
+    heights : numpy.ndarray
+        Ascending heights (amplitude,) in nm.
+    targets : numpy.ndarray
+        Heights (target,) in nm of the interpolation.
+
+    Returns
+    -------
+    numpy.ndarray
+        Weights (target, amplitude).
+    """
     if len(heights) == 1:
-        return np.ones((len(at), 1))
+        return np.ones((len(targets), 1))
     degree = min(3, len(heights) - 1)
     spline = make_interp_spline(np.sqrt(heights), np.eye(len(heights)), k=degree)
-    return np.asarray(spline(np.sqrt(at)))
+    return np.asarray(spline(np.sqrt(targets)))
 
 
 def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
@@ -106,22 +149,22 @@ def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
     Parameters
     ----------
     numbers : sequence of int
-        Of the scans in the pool.
+        Numbers of the scans in the pool.
     sources : PoolSources
-        Mean and deviation of its targets become attributes.
+        From `read_pool_sources`. Mean and deviation of its targets become attributes.
 
     Returns
     -------
     xarray.Dataset
-        Over scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x),
-        the logarithm of forces in N, and METRICS of the scan as it was drawn.
+        By scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x), the
+        logarithm of forces in N, and METRICS of the unscaled scan.
     """
-    parts = [
+    scans = [
         _pool_scan(number, sources)
         for number in progress(numbers, len(numbers), "scans of the pool")
     ]
     targets = sources.targets
-    return xr.concat(parts, pd.Index(list(numbers), name="scan")).assign_attrs(
+    return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(
         mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.deviation
     )
 
@@ -139,8 +182,22 @@ def forces_at_heights(
 ) -> xr.Dataset:
     """Return the forces on a levelled scan at several rms heights, and its roughness.
 
-    Returns METRICS of the scan as it is, and ``log_force`` (rms_height_of_force, contact_model,
-    rho, contact_y, contact_x), the logarithm of forces in N on a smooth sphere.
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled scan.
+    heights : numpy.ndarray
+        Rms heights in nm.
+    contact : Contact
+        Contact with a smooth sphere.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        METRICS of the unscaled scan, and ``log_force`` (rms_height_of_force, contact_model, rho,
+        contact_y, contact_x), the logarithm of forces in N.
     """
     roughness = metrics(scan)
     forces = []
@@ -149,9 +206,8 @@ def forces_at_heights(
         pair = bodies(mirror_stitch(scaled), None, contact)
         forces.append(pull_off_of_pair(pair, contact, ranges)["pull_off_force"])
     axis = xr.DataArray(heights, dims="rms_height_of_force", name="rms_height_of_force")
-    computed = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
-    log_force: xr.DataArray = xr.apply_ufunc(np.log, computed).astype("float32")
-    places = range(contact.count)
+    height_forces = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
+    log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     return xr.Dataset(
         {
             "log_force": log_force.assign_attrs(
@@ -164,7 +220,7 @@ def forces_at_heights(
         },
         {
             "rms_height_of_force": ("rms_height_of_force", heights, {"units": "nm"}),
-            "contact_y": places,
-            "contact_x": places,
+            "contact_y": range(contact.count),
+            "contact_x": range(contact.count),
         },
     )

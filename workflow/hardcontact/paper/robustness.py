@@ -1,7 +1,6 @@
-"""Range and work of adhesion and the critical band under every variant of the study's choices.
+"""Range and work of adhesion and the critical band under every variant of the choices of the study.
 
-The intervals of all variants come from the same random numbers, so that only what they vary makes
-them differ.
+The intervals of all variants come from the same random numbers: only the variants make them differ.
 """
 
 from collections.abc import Mapping, Sequence
@@ -18,14 +17,14 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.contact.all_surfaces import single_masters, stacked_forces
 from hardcontact.paper.inference import infer_model
 
-#: What is inferred of every variant of the forces.
-INFERRED = [
+#: Variables inferred from every variant of the forces.
+INFERENCE_VARIABLES = [
     "range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
     "work_of_adhesion_interval", "best_error", "minimum_range", "minimum_work", "minimum_error",
 ]  # fmt: skip
 
-#: What is computed for every variant of the filtered masters.
-CRITICAL = ["critical_wavelength", "critical_wavelength_interval"]
+#: Variables computed for every variant of the filtered masters.
+BAND_VARIABLES = ["critical_wavelength", "critical_wavelength_interval"]
 
 #: Files of masters, each with its surface, variant and probe.
 Masters = Sequence[tuple[Sequence[str], xr.Dataset]]
@@ -33,15 +32,15 @@ Masters = Sequence[tuple[Sequence[str], xr.Dataset]]
 
 @dataclass(frozen=True)
 class Choices:
-    """What all variants share."""
+    """Choices that all variants share."""
 
     substrates: list[str]
-    basis: dict[str, str]  #: Of surfaces, whether their scans are measured or substitutes.
-    reference_surface: str  #: The surface whose force divides the others.
-    probe: str  #: The study's sphere of the filtered masters.
-    error_threshold: float  #: Of the mean relative error.
-    tolerance: float  #: Relative change of the force that ends the critical band.
-    realizations: int  #: Masters that count.
+    basis: dict[str, str]  #: By surface: measured or substitute scans.
+    reference_surface: str  #: Surface to which force ratios are taken.
+    probe: str  #: Sphere of the study on filtered masters.
+    error_threshold: float  #: A mean relative error below it is small.
+    tolerance: float  #: Relative change of the force that defines an edge.
+    realizations: int  #: Number of masters of each surface.
     sampling: Sampling
 
 
@@ -59,32 +58,35 @@ def robustness(
     adhesion : mapping of tuple to xarray.Dataset
         ``pull_off_force`` (scan, sphere_scan, load, rho) in N, by surface and variant of its scans.
     masters : sequence of (keys, xarray.Dataset)
-        Files of masters as of `single_masters`, with their surface, variant and probe.
+        Files of masters as for `single_masters`, with their surface, variant and probe.
     variants : sequence of dict
-        The ``name``, ``label`` and ``group`` of each, the ``variant`` of each substrate's scans,
-        the ``load`` by its name, and the ``probe`` of the filtered masters; another probe than the
-        study's leaves range and work as they are.
+        ``name``, ``label`` and ``group`` of each variant; ``variant``, the variant of the scans by
+        substrate; ``load``, the name of the load; ``probe``, the sphere on filtered masters. A
+        variant of the probe has no range and work of adhesion.
     published : pandas.DataFrame
-        Of `published.pull_off`.
+        From `published.pull_off`.
     choices : Choices
-        What all variants share.
+        Choices that all variants share.
 
     Returns
     -------
     xarray.Dataset
-        Over variant: INFERRED, and CRITICAL (side) of all substrates pooled.
+        By variant: INFERENCE_VARIABLES, and BAND_VARIABLES (side) pooled over all substrates.
     """
     target = published.mean_force.reindex(choices.substrates).to_numpy()
     forces = {key: scans["pull_off_force"] for key, scans in adhesion.items()}
-    parts = [
+    variant_datasets = [
         xr.merge(
-            [_range_and_work(forces, target, variant, choices), _band(masters, variant, choices)]
+            [
+                _infer_range_and_work(forces, target, variant, choices),
+                _pooled_band(masters, variant, choices),
+            ]
         )
         for variant in progress(variants, len(variants), "variants")
     ]
     names = pd.Index([variant["name"] for variant in variants], name="variant")
-    varied = xr.concat(parts, names, coords="minimal", join="outer")
-    return varied.assign_coords(
+    merged = xr.concat(variant_datasets, names, coords="minimal", join="outer")
+    return merged.assign_coords(
         variant_label=("variant", [variant["label"] for variant in variants]),
         group=("variant", [variant["group"] for variant in variants]),
     ).assign_attrs(
@@ -95,32 +97,34 @@ def robustness(
     )
 
 
-def _range_and_work(
+def _infer_range_and_work(
     forces: Mapping[tuple[Any, ...], xr.DataArray],
     target: np.ndarray,
     variant: dict[str, Any],
     choices: Choices,
 ) -> xr.Dataset:
-    """Return what forces on scans say of one variant; nothing of another probe."""
+    """Return INFERENCE_VARIABLES of one variant; an empty dataset for another probe."""
     if variant["probe"] != choices.probe:
         return xr.Dataset()
-    parts = [
+    surface_forces = [
         forces[name, variant["variant"][name]].sel(load=variant["load"], drop=True)
         for name in choices.substrates
     ]
-    stacked = xr.concat(parts, pd.Index(choices.substrates, name="surface"), join="outer")
-    inferred = infer_model(
-        stacked.expand_dims(["contact_y", "contact_x"], [-2, -1]),
+    stacked_scans = xr.concat(
+        surface_forces, pd.Index(choices.substrates, name="surface"), join="outer"
+    )
+    fits = infer_model(
+        stacked_scans.expand_dims(["contact_y", "contact_x"], [-2, -1]),
         target,
         choices.substrates.index(choices.reference_surface),
         choices.error_threshold,
         choices.sampling,
     )
-    return inferred[INFERRED]
+    return fits[INFERENCE_VARIABLES]
 
 
-def _band(masters: Masters, variant: dict[str, Any], choices: Choices) -> xr.Dataset:
-    """Return CRITICAL (side) of all substrates of one variant pooled."""
+def _pooled_band(masters: Masters, variant: dict[str, Any], choices: Choices) -> xr.Dataset:
+    """Return BAND_VARIABLES (side) of one variant, pooled over all substrates."""
     files = [
         ([surface], file)
         for (surface, scans, probe), file in masters
@@ -129,4 +133,4 @@ def _band(masters: Masters, variant: dict[str, Any], choices: Choices) -> xr.Dat
     curves = stacked_forces(single_masters(files, choices.realizations, variant["load"]))
     curves = curves.sel(surface=choices.substrates)
     band = critical_band(curves, choices.tolerance, choices.sampling)
-    return band[CRITICAL].sel(group="pooled", drop=True)
+    return band[BAND_VARIABLES].sel(group="pooled", drop=True)

@@ -18,7 +18,7 @@ from hardcontact.paper import error_map
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.theory.closed_form import gaussian_share
 
-#: Number of tabulated heights of the apex, and the highest one: rms heights plus ranges of adhesion.
+#: Number of tabulated heights of the apex; the highest one in rms heights plus ranges of adhesion.
 TABULATED_HEIGHTS = 20001
 HIGHEST_IN_RMS, HIGHEST_IN_RANGES = 10, 40
 STATISTICS = ["mean", "median"]
@@ -67,7 +67,7 @@ def standoff(
     work : float
         The published work of adhesion in J/m².
     rms_heights : pandas.Series
-        Root mean square height of substrate and sphere together in nm, by surface.
+        Root of the sum of the squared rms heights of substrate and sphere in nm, by surface.
 
     Returns
     -------
