@@ -80,7 +80,7 @@ def test_region_holds_the_places_of_small_error_and_no_more():
 
 
 def two_ranges():
-    """Forces of two surfaces whose ratio is the published one at 1 and at 8 nm, W 0.05 at both."""
+    """Forces on two surfaces with the published ratio at 1 nm and at 8 nm, both for W = 0.05."""
     rhos = np.geomspace(0.5, 16, 11)
     ratio = np.exp(0.5 * np.log(rhos) * np.log(rhos / 8))
     forces = np.stack([20 * ratio, np.ones_like(ratio)])[:, None, None, :, None, None]

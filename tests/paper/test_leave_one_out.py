@@ -20,14 +20,14 @@ def forces_at_one_joule():
 
 
 def test_the_pair_is_found_where_the_surface_that_contradicts_it_is_left_out():
-    measured = pd.Series({name: WORK * 1e-3 * np.exp(-m / RANGE) for name, m in STANDOFFS.items()})
-    measured["odd"] *= 5
-    fits = leave_one_out_fits(forces_at_one_joule(), measured)
+    forces = pd.Series({name: WORK * 1e-3 * np.exp(-m / RANGE) for name, m in STANDOFFS.items()})
+    forces["odd"] *= 5
+    fits = leave_one_out_fits(forces_at_one_joule(), forces)
     assert fits["left_out"].values.tolist() == [NONE_LEFT_OUT, *STANDOFFS]
     fits_without_odd = fits.sel(left_out="odd", set=2)
     assert fits_without_odd["range_of_adhesion"].item() == pytest.approx(RANGE, rel=0.01)
     assert fits_without_odd["work_of_adhesion"].item() == pytest.approx(WORK, rel=0.03)
     assert fits_without_odd["best_error"].item() < 0.02
-    fits_of_unmeasured = fitted_pairs(forces_at_one_joule(), measured.drop("odd")).sel(set=2)
+    fits_of_unmeasured = fitted_pairs(forces_at_one_joule(), forces.drop("odd")).sel(set=2)
     xr.testing.assert_equal(fits_of_unmeasured, fits_without_odd.drop_vars("left_out"))
     assert (fits["best_error"].sel(left_out=[NONE_LEFT_OUT, "a", "b"]) > 0.1).all()

@@ -20,11 +20,11 @@ def ends(dataset, name="value"):
 
 def test_fewer_than_two_values_have_no_interval():
     values = xr.DataArray([[1.0, np.nan], [np.nan, np.nan]], dims=("surface", "scan"))
-    computed = numbers.mean_over_scans(values, 0.95)
-    np.testing.assert_array_equal(computed.value, [1.0, np.nan])
-    assert computed.value_interval.isnull().all()
-    one = numbers.mean_over_scans(xr.DataArray([2.0], dims="realization"), 0.95, "realization")
-    assert float(one.value) == 2.0 and one.value_interval.isnull().all()
+    mean = numbers.mean_over_scans(values, 0.95)
+    np.testing.assert_array_equal(mean.value, [1.0, np.nan])
+    assert mean.value_interval.isnull().all()
+    single = numbers.mean_over_scans(xr.DataArray([2.0], dims="realization"), 0.95, "realization")
+    assert float(single.value) == 2.0 and single.value_interval.isnull().all()
 
 
 def test_a_number_that_is_zero_in_every_scan_is_zero():
@@ -44,14 +44,14 @@ def test_intervals_hold_the_mean_as_often_as_they_say():
 
 def test_a_value_of_zero_leaves_no_interval_on_logarithms():
     values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
-    computed = numbers.mean_over_scans(values, 0.95)
-    np.testing.assert_array_equal(computed.value, [1.0, 1.5])
-    assert computed.value_interval.isnull().all("bound").values.tolist() == [True, False]
+    mean = numbers.mean_over_scans(values, 0.95)
+    np.testing.assert_array_equal(mean.value, [1.0, 1.5])
+    assert mean.value_interval.isnull().all("bound").values.tolist() == [True, False]
 
 
 def test_least_of_two_numbers_and_of_their_ends():
-    computed = numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0, 2.0, 9.0))
-    assert (float(computed.value), *ends(computed)) == (3.0, 1.0, 8.0)
+    minimum = numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0, 2.0, 9.0))
+    assert (float(minimum.value), *ends(minimum)) == (3.0, 1.0, 8.0)
     assert numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0)).value_interval.isnull().all()
 
 
@@ -67,37 +67,35 @@ def test_a_variable_as_a_number():
     force = numbers.variable_as_number(dataset, "force")
     means = contacts.mean(("sphere_scan", "contact")).values
     assert float(force.value) == pytest.approx(means.mean())
-    middle = np.log(means).mean()
-    expected = stats.ttest_1samp(np.log(means), 0).confidence_interval(0.7)
-    np.testing.assert_allclose(
-        force.value_interval, means.mean() * np.exp(np.array(expected) - middle)
-    )
+    log_interval = stats.ttest_1samp(np.log(means), 0).confidence_interval(0.7)
+    interval = means.mean() * np.exp(np.array(log_interval) - np.log(means).mean())
+    np.testing.assert_allclose(force.value_interval, interval)
     assert ends(numbers.variable_as_number(dataset, "work")) == [0.5, 2.0]
-    without = numbers.variable_as_number(dataset, "rms_height")
-    assert without.value.dims == ("scan",) and without.value_interval.isnull().all()
+    height = numbers.variable_as_number(dataset, "rms_height")
+    assert height.value.dims == ("scan",) and height.value_interval.isnull().all()
     with pytest.raises(KeyError, match="expected an attribute named 'confidence', found none"):
         numbers.variable_as_number(dataset.drop_attrs(), "force")
 
 
 def test_quotient_holds_all_ratios_of_the_intervals():
-    computed = numbers.quotient(scalar(4.0, 2.0, 8.0), scalar(2.0, 1.0, 4.0))
-    assert (float(computed.value), *ends(computed)) == (2.0, 0.5, 8.0)
+    ratio = numbers.quotient(scalar(4.0, 2.0, 8.0), scalar(2.0, 1.0, 4.0))
+    assert (float(ratio.value), *ends(ratio)) == (2.0, 0.5, 8.0)
     below_zero = numbers.quotient(scalar(4.0, -2.0, 8.0), scalar(2.0, -1.0, 4.0))
     assert ends(below_zero) == [0.0, np.inf]
     assert numbers.quotient(scalar(4.0), scalar(2.0)).value_interval.isnull().all()
 
 
 @pytest.mark.parametrize(
-    ("signed", "expected"),
+    ("signed", "absolute"),
     [((2, 1, 3), (2, 1, 3)), ((-2, -3, -1), (2, 1, 3)), ((-0.5, -2, 1), (0.5, 0, 2))],
 )
-def test_absolute_value(signed, expected):
-    computed = numbers.absolute_value(scalar(*map(float, signed)))
-    assert (float(computed.value), *ends(computed)) == expected
+def test_absolute_value(signed, absolute):
+    result = numbers.absolute_value(scalar(*map(float, signed)))
+    assert (float(result.value), *ends(result)) == absolute
 
 
 def test_decades_between_numbers():
     values = xr.DataArray([1.0, 1000.0, 10.0], dims="surface")
-    computed = numbers.decades(number(values, values / 10, values * 10), "surface")
-    assert float(computed.value) == pytest.approx(3)
-    np.testing.assert_allclose(computed.value_interval, [1, 5])
+    decades = numbers.decades(number(values, values / 10, values * 10), "surface")
+    assert float(decades.value) == pytest.approx(3)
+    np.testing.assert_allclose(decades.value_interval, [1, 5])

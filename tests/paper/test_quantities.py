@@ -1,4 +1,4 @@
-"""Derived quantities of claims: against integrals, known powers and distributions, known curves."""
+"""Derived quantities of claims: compared with integrals, powers, distributions and curves."""
 
 import json
 
@@ -21,9 +21,9 @@ PAPER = xr.Dataset(PARAMETERS.to_dict())
 MODELS = {"contact_model": ["rigid", "plastic"]}
 
 
-def near(number, expected, **tolerance):
-    """Expect the value of a number."""
-    np.testing.assert_allclose(np.asarray(number["value"]), expected, **tolerance)
+def near(number, value, **tolerance):
+    """Assert that a number has this value."""
+    np.testing.assert_allclose(np.asarray(number["value"]), value, **tolerance)
 
 
 def make_adhesion(forces, ranges=(0.05, 2.0, 5.6, 8.0)):
@@ -146,7 +146,7 @@ def test_deformation_energy_of_one_wave():
 
 
 def test_slopes_of_a_power_of_the_range():
-    """The area that attracts grows by one power more than the force."""
+    """The attracting area grows by one power more than the force."""
     near(force.force_slope(make_adhesion(powers(0.6))), [0.6, 0.6])
     near(force.area_slope(make_adhesion(powers(0.6))), [1.6, 1.6])
 
@@ -160,7 +160,7 @@ def test_ratios_of_forces_are_taken_scan_by_scan():
 
 
 def test_the_force_on_a_smooth_sphere_changes_where_pixels_are_coarse():
-    """Pixels as wide as the disk of interaction: the sum over them is no integral any more."""
+    """If pixels are as wide as the disk of interaction, the sum over them is not an integral."""
     adhesion = make_adhesion(powers(0.5))
     assert force.smooth_sphere_change(adhesion)["value"] < 1e-9
     coarse = adhesion.assign_attrs(pixel_size=np.sqrt(RADIUS * 0.05) * 4)
@@ -178,9 +178,9 @@ DISTRIBUTIONS = {
 def test_misfit_is_small_for_the_right_distribution_alone(misfit):
     forces = DISTRIBUTIONS[misfit].rvs(1000, random_state=4)
     two_values = np.tile([1e-8, 1e-5], 500)
-    for values, expected in ((forces, True), (two_values, False)):
+    for values, fits in ((forces, True), (two_values, False)):
         adhesion = make_adhesion(np.broadcast_to(values, (2, 1, 1, 1000)), [5.6])
-        assert ((misfit(adhesion)["value"] < 0.05) == expected).all()
+        assert ((misfit(adhesion)["value"] < 0.05) == fits).all()
     near(force.force_decades(adhesion), [3.0, 3.0])
 
 
@@ -192,24 +192,25 @@ def test_sinusoid_share_is_an_integral(rho):
     def attraction(x):
         return np.exp(-PARAMETERS["sinusoid_amplitude"] * (1 - np.cos(x)) / rho)
 
-    expected = quad(attraction, 0, np.pi / 2)[0] / quad(attraction, 0, np.pi)[0]
-    near(inference.sinusoid_share(PAPER).sel(rho=rho), expected)
+    share = quad(attraction, 0, np.pi / 2)[0] / quad(attraction, 0, np.pi)[0]
+    near(inference.sinusoid_share(PAPER).sel(rho=rho), share)
 
 
 @pytest.mark.parametrize(
-    ("law", "known"),
+    ("law", "known_pressure"),
     [
         ("retarded", lambda gap: np.pi**2 * constants.hbar * constants.c / (240 * gap**4)),
         ("van_der_waals", lambda gap: 5e-19 / (6 * np.pi * gap**3)),
         ("electrostatic", lambda gap: constants.epsilon_0 / (2 * gap**2)),  # of one volt
     ],
 )
-def test_strength_is_the_largest_ratio_of_pressures_at_any_gap(law, known):
-    rho, gaps = 5.6e-9, np.geomspace(1e-10, 1e-6, 4001)
-    expected = (0.0463 / rho * np.exp(-gaps / rho) / known(gaps)).max()
+def test_strength_is_the_largest_ratio_of_pressures_at_any_gap(law, known_pressure):
+    rho = 5.6e-9
+    gaps = np.geomspace(1e-10, 1e-6, 4001)
+    largest = (0.0463 / rho * np.exp(-gaps / rho) / known_pressure(gaps)).max()
     strength = inference.strength_over_known(PAPER).sel(law=law)
-    near(strength, 0.0463 / rho * np.exp(-1) / known(rho))
-    np.testing.assert_allclose(strength.value_interval, [strength.value, expected], rtol=1e-5)
+    near(strength, 0.0463 / rho * np.exp(-1) / known_pressure(rho))
+    np.testing.assert_allclose(strength.value_interval, [strength.value, largest], rtol=1e-5)
 
 
 def test_errors_overlap_if_they_have_a_value_in_common():
@@ -235,11 +236,11 @@ def test_interaction_radius_and_its_share_of_the_force():
 
 
 def test_force_at_short_range_is_linear_between_ranges():
-    computed = xr.Dataset({"mean_force": ("rho", [1.0, 5.0])}, {"rho": [0.1, 1.1]})
+    forces = xr.Dataset({"mean_force": ("rho", [1.0, 5.0])}, {"rho": [0.1, 1.1]})
     shift = PARAMETERS["atomic_range_upper_bound"] - 0.1
-    near(inference.short_range_force(computed, PAPER), 0.0463 * (1 + 4 * shift))
-    beyond = computed.assign_coords(rho=[2.0, 3.0])
-    assert np.isnan(inference.short_range_force(beyond, PAPER)["value"])
+    near(inference.short_range_force(forces, PAPER), 0.0463 * (1 + 4 * shift))
+    longer_ranges = forces.assign_coords(rho=[2.0, 3.0])
+    assert np.isnan(inference.short_range_force(longer_ranges, PAPER)["value"])
 
 
 def test_errors_at_short_ranges_and_at_the_second_minimum():
@@ -267,12 +268,12 @@ def band():
     """Curves that leave the tolerance at 46 and 1750 nm."""
     cutoffs = [10.0, 43.0, 200.0, 1000.0, 1800.0, 5000.0]
     ratio = [[1.0, 1.05, 2.0, 4.0, np.nan, np.nan], [np.nan, np.nan, 0.4, 0.7, 0.95, 1.0]]
-    by_cutoff = ("side", "cutoff_wavelength")
+    dims = ("side", "cutoff_wavelength")
     critical = np.array([46.0, 1750.0])
     return xr.Dataset(
         {
-            "scale_ratio": (by_cutoff, ratio),
-            "scale_change": (by_cutoff, np.abs(np.array(ratio) - 1)),
+            "scale_ratio": (dims, ratio),
+            "scale_change": (dims, np.abs(np.array(ratio) - 1)),
             "critical_wavelength": ("side", critical),
             "critical_wavelength_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
         },
@@ -300,11 +301,11 @@ def test_the_edge_of_a_curve_that_never_leaves_is_its_last_cutoff(band):
 
 def test_the_first_edge_is_that_of_the_first_surface_to_leave():
     cutoffs = [20.0, 100.0, 1000.0, 5000.0]
-    known = np.array([[1, 1, np.nan, np.nan], [np.nan, np.nan, 1, 1]])
+    curve = np.array([[1, 1, np.nan, np.nan], [np.nan, np.nan, 1, 1]])
     edges = [[60.0, 40.0, 30.0], [1500.0, np.nan, 9000.0]]
     band = xr.Dataset(
         {
-            "scale_change": (("side", "group", "cutoff_wavelength"), np.stack([known] * 3, axis=1)),
+            "scale_change": (("side", "group", "cutoff_wavelength"), np.stack([curve] * 3, axis=1)),
             "critical_wavelength": (("side", "group"), edges),
             "critical_wavelength_interval": (
                 ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
@@ -313,9 +314,9 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
         {"side": ["small", "large"], "group": ["uncd", "mcd", "pooled"],
          "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
     )  # fmt: skip
-    first = inference.first_edge(band)
-    near(first, [40.0, 1500.0])
-    np.testing.assert_allclose(first["value_interval"].sel(side="small"), [36, 44])
+    first_edge = inference.first_edge(band)
+    near(first_edge, [40.0, 1500.0])
+    np.testing.assert_allclose(first_edge["value_interval"].sel(side="small"), [36, 44])
 
 
 def test_the_force_on_a_plane_is_that_of_derjaguin():
@@ -331,25 +332,23 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 @pytest.mark.parametrize("seed", range(3))
 def test_one_curve_gives_one_verdict(seed):
-    """The edge lies beyond the published one where no cutoff outside the band changes the force."""
+    """The edge is within the published band if no cutoff outside the band changes the force."""
     cutoffs = [10.0, 20.0, 43.0, 80.0, 500.0, 1800.0, 2700.0, 5000.0]
     noise = np.random.default_rng(seed).normal(size=(40, 1, 2, 8))
-    known = np.array([np.arange(8) < 4, np.arange(8) >= 4])
+    has_cutoff = np.array([np.arange(8) < 4, np.arange(8) >= 4])
     dims = ("surface", "realization", "side", "cutoff_wavelength")
     scales = xr.Dataset(
         {
-            "ratio": (dims, np.where(known, 1 + 0.12 * noise, np.nan)),
+            "ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
             "unfiltered_wavelength": (("surface", "side"), np.tile([1.0, 2e4], (40, 1))),
         },
         {"surface": [f"s{number}" for number in range(40)], "side": ["small", "large"],
          "cutoff_wavelength": cutoffs},
     )  # fmt: skip
     curves = critical_band(scales, 0.1, Sampling(0, 0, 0.95))
-    edge, change = (
-        number["value"]
-        for number in (inference.band_edge(curves), inference.change_outside_band(curves, PAPER))
-    )
-    beyond = {"small": edge.sel(side="small") > 43, "large": edge.sel(side="large") < 1800}
-    for side, holds in beyond.items():
+    edge = inference.band_edge(curves)["value"]
+    change = inference.change_outside_band(curves, PAPER)["value"]
+    is_inside = {"small": edge.sel(side="small") > 43, "large": edge.sel(side="large") < 1800}
+    for side, holds in is_inside.items():
         np.testing.assert_array_equal(holds, change.sel(side=side) < 0.1)
         assert 0 < int(holds.sum()) < holds.size

@@ -43,7 +43,7 @@ def scan_forces(surface, factor=1.0):
 
 
 def master_forces(side, change):
-    """Forces that change by `change` at one cutoff, the one with the larger effect."""
+    """Forces that change by `change` at the cutoff with the larger effect only."""
     ratio = np.array([1.0, 1 + change] if side == "small" else [1 + change, 1.0])
     force = np.outer(ratio, [2e-6, 1e-6])
     return xr.Dataset(

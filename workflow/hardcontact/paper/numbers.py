@@ -1,6 +1,6 @@
-"""Numbers with intervals: the arithmetic of what claims are about.
+"""Numbers with intervals, and their arithmetic.
 
-A number is a dataset of `value` and `value_interval`, which is NaN where no interval is known.
+A number is a dataset of `value` and `value_interval`, which is NaN if no interval is known.
 """
 
 import numpy as np
@@ -13,24 +13,53 @@ from hardcontact.base.statistics import (
     student_log_interval,
 )
 
-#: Dimensions of single contacts, and of the sphere scans they are made with.
+#: Dimensions of single contacts, and of the scans of the sphere.
 CONTACTS = ("sphere_scan", "contact", "contact_y", "contact_x")
 
 
 def number(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
-    """Return the Dataset of a value and its interval; the ends are of its shape or one for all."""
+    """Return a number from a value and the ends of its interval.
+
+    Parameters
+    ----------
+    value : xarray.DataArray
+        The value (...).
+    low, high : xarray.DataArray or float
+        Ends (...), or one for all values; NaN for no interval.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``value`` (...) and ``value_interval`` (..., bound).
+    """
     zero = xr.zeros_like(value)
     return xr.Dataset({"value": value, "value_interval": interval_between(zero + low, zero + high)})
 
 
 def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable as a number, with its own interval, or that over scans, or none.
+    """Return a variable as a number.
 
-    A variable of single contacts becomes its mean over contacts and scans, with the attribute
-    `confidence` of its dataset. It is a KeyError if the variable, or the confidence it needs, is
-    not there.
+    The interval of the variable becomes that of the number. A variable of single contacts becomes
+    its mean over contacts and scans, with an interval over scans. Other variables get no interval.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        The attribute ``confidence`` is that of the interval over scans.
+    name : str
+        Name of the variable.
+
+    Returns
+    -------
+    xarray.Dataset
+        The number.
+
+    Raises
+    ------
+    KeyError
+        If the variable, or the confidence that it needs, does not exist.
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
@@ -48,9 +77,22 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 
 
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
-    """Return the mean over scans, or along another dimension, with `student_log_interval`.
+    """Return the mean over scans as a number, with `student_log_interval`.
 
-    Without an interval where some of the values are not positive; of zero width where all are zero.
+    Parameters
+    ----------
+    values : xarray.DataArray
+        Values (..., dim).
+    confidence : float
+        Confidence of the interval.
+    dim : str
+        Dimension of the mean.
+
+    Returns
+    -------
+    xarray.Dataset
+        The number. Its interval is NaN if a value is not positive, and has zero width if all values
+        are zero.
     """
     positive = ((values > 0) | values.isnull()).all(dim)
     interval = student_log_interval(values.where(positive), confidence, dim)
@@ -60,7 +102,7 @@ def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") 
 
 
 def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Dataset:
-    """Return the mean over scans of values of either sign, with `student_interval`."""
+    """Return the mean over scans (..., scan) of values of any sign, with `student_interval`."""
     interval = student_interval(values, confidence, "scan")
     return xr.Dataset({"value": values.mean("scan"), "value_interval": interval})
 
@@ -68,12 +110,11 @@ def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Datase
 def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
     """Return the ratio of two positive numbers; negative ends of their intervals count as zero.
 
-    The ends of the interval are ratios of the ends of theirs: it is wider than its confidence
-    says if the two numbers are independent.
+    The ends of the interval are ratios of the ends of both intervals. If the two numbers are
+    independent, the interval is wider than its confidence.
     """
-    (upper_low, upper_high), (lower_low, lower_high) = (
-        bounds(given, "value") for given in (upper, lower)
-    )
+    upper_low, upper_high = bounds(upper, "value")
+    lower_low, lower_high = bounds(lower, "value")
     return number(
         upper["value"] / lower["value"],
         upper_low.clip(0) / lower_high,
@@ -82,14 +123,14 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
 
 
 def absolute_value(signed: xr.Dataset) -> xr.Dataset:
-    """Return the absolute value of a number; an interval that spans zero becomes one from zero."""
+    """Return the absolute value of a number; an interval across zero becomes one from zero."""
     low, high = bounds(signed, "value")
     return number(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
 
 
-def least(first: xr.Dataset, second: xr.Dataset) -> xr.Dataset:
-    """Return the smaller of two numbers of the same dimensions, and of their intervals' ends."""
-    return xr.concat([first, second], dim="of_two").min("of_two", skipna=False)
+def least(number_a: xr.Dataset, number_b: xr.Dataset) -> xr.Dataset:
+    """Return the smaller of two numbers, and the smaller ends of their intervals."""
+    return xr.concat([number_a, number_b], dim="operand").min("operand", skipna=False)
 
 
 def decades(numbers: xr.Dataset, dim: str) -> xr.Dataset:
