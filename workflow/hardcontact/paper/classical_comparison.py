@@ -1,6 +1,6 @@
 """Effective works of adhesion and classical models, for the published and the computed forces.
 
-The effective work of adhesion is that of the smooth sphere with the pull-off force of a rough one.
+At the effective work of adhesion a smooth sphere has the pull-off force of the rough sphere.
 Lengths in nm, forces in N, works of adhesion in J/m².
 """
 

@@ -32,7 +32,7 @@ def slope_over_height(topography: xr.Dataset) -> xr.Dataset:
 
 
 def curvature_over_height(topography: xr.Dataset) -> xr.Dataset:
-    """Return the same ratio of rms curvatures divided by that of the rms heights (surface)."""
+    """Return the same ratio of the rms curvatures, divided by the ratio of heights (surface)."""
     return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 
@@ -65,7 +65,7 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
 def force_slope(adhesion: xr.Dataset) -> xr.Dataset:
     """Return d ln F / d ln rho of the mean force at the reference range (surface, contact_model).
 
-    The slope is taken scan by scan, the interval is that of its mean over the scans.
+    The number is the mean of the slopes of all scans, with an interval over scans.
     """
     mean = mean_over_contacts(adhesion["pull_off_force"])
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))

@@ -90,7 +90,7 @@ def infer(
     xarray.Dataset
         By contact_model: the variables of `infer_model`. By contact_model, pair and surface: the
         variables of `force_statistics` and ``ratio_at_pair``. ``model_error_ratio``, the smallest
-        error of rigid contact relative to that of plastic contact.
+        error of rigid contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
     target = published.forces.mean_force.reindex(surfaces).to_numpy()

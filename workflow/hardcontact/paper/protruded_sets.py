@@ -67,7 +67,7 @@ def published_roughness(
 def compute_protruded(
     numbers: Sequence[int], scans: int, sources: PoolSources, roughness: Roughness, bearer: str
 ) -> xr.Dataset:
-    """Compute the forces between sphere and coating where one of them has protrusions.
+    """Compute the forces between sphere and coating if either of them has protrusions.
 
     Forces depend on the gap alone. Protrusions of the sphere are therefore added to the heights of
     the coating, at random places of each scan, as of many spheres. The coating with protrusions of

@@ -1,1 +1,1 @@
-"""What decides the band: closed form, statistics, laws, scan sizes."""
+"""Theory of the critical band: closed form, statistics, laws, scan sizes."""

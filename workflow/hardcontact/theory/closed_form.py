@@ -79,7 +79,7 @@ def contact_share(contact: Contact) -> float:
 
 
 def smooth_force(contact: Contact) -> float:
-    """Return the force (N) on a smooth surface, 2 pi R W, with that of the area in contact."""
+    """Return the force (N) on a smooth surface: 2 pi R W and the force of the area in contact."""
     return float(dmt_pull_off(contact.work, contact.radius)) * (1 + contact_share(contact))
 
 

@@ -19,8 +19,8 @@ down to the level t at which 2 pi R_lambda sigma_lambda L(t) = A. The mean gap t
 
     g(lambda) = sigma_lambda ∫_-∞^t Phi = sigma_lambda (t + L(t)),
 
-lowers ln F by g/rho: the second lambda_S is where g = c rho. The short edge is the shorter one of
-both lambda_S, since either change is enough. The long edge is at least the size of a summit, 2.5
+lowers ln F by g/rho: the second lambda_S is where g = c rho. The short edge is the shorter of both
+lambda_S, since either change is enough. The long edge is at least the size of a summit, 2.5
 delta as in `closed_form`.
 """
 

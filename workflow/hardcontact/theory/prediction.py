@@ -232,7 +232,7 @@ def prediction(
     -------
     dict of str to Number
         By name. Intervals follow from `nearest_errors` if the table covers contact and spectrum.
-        Otherwise there are none, and the force has the status ``"outside"``. ``continued_force`` is
+        Otherwise they are NaN, and the force has the status ``"outside"``. ``continued_force`` is
         the force with the extrapolated spectrum.
 
     Raises
