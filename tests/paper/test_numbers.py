@@ -7,11 +7,11 @@ from scipy import stats
 
 from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.paper import numbers
-from hardcontact.paper.numbers import number
+from hardcontact.paper.numbers import number_with_interval
 
 
 def scalar(value, low=np.nan, high=np.nan):
-    return number(xr.DataArray(value), low, high)
+    return number_with_interval(xr.DataArray(value), low, high)
 
 
 def ends(dataset, name="value"):
@@ -47,12 +47,6 @@ def test_a_value_of_zero_leaves_no_interval_on_logarithms():
     mean = numbers.mean_over_scans(values, 0.95)
     np.testing.assert_array_equal(mean.value, [1.0, 1.5])
     assert mean.value_interval.isnull().all("bound").values.tolist() == [True, False]
-
-
-def test_least_of_two_numbers_and_of_their_ends():
-    minimum = numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0, 2.0, 9.0))
-    assert (float(minimum.value), *ends(minimum)) == (3.0, 1.0, 8.0)
-    assert numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0)).value_interval.isnull().all()
 
 
 def test_a_variable_as_a_number():
@@ -96,6 +90,6 @@ def test_absolute_value(signed, absolute):
 
 def test_decades_between_numbers():
     values = xr.DataArray([1.0, 1000.0, 10.0], dims="surface")
-    decades = numbers.decades(number(values, values / 10, values * 10), "surface")
+    decades = numbers.decades(number_with_interval(values, values / 10, values * 10), "surface")
     assert float(decades.value) == pytest.approx(3)
     np.testing.assert_allclose(decades.value_interval, [1, 5])

@@ -58,7 +58,7 @@ def test_roughness_of_all_scales_over_that_of_scans():
 
 
 def test_contact_height_is_taken_scan_by_scan():
-    """Where apex and roughness scatter alike, their ratio does not."""
+    """If apex and roughness scatter together, their ratio does not scatter."""
     rms = np.array([16.0, 17.0, 19.0])
     adhesion = xr.Dataset({"closest_approach": (("scan", "contact"), -3.4 * rms[:, None])})
     topography = xr.Dataset({"rms_height": ("scan", rms)})
@@ -70,8 +70,8 @@ def test_contact_height_is_taken_scan_by_scan():
 def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
     """Contacts bear the pressure h' E*/2; strips around them attract with W/r, r the range.
 
-    Of a contact with the area A and the perimeter P, d = pi A/P is its diameter, and the strip is
-    d (3/16 · 4 r/(h' d))^(2/3) wide.
+    A contact with the area A and the perimeter P has the diameter d = pi A/P. The strip around it
+    is d (3/16 · 4 r/(h' d))^(2/3) wide.
     """
     modulus, work, reach, slope = 289.7e9, 0.0463, 0.3, np.array([0.31, 1.17])
     curvature = np.array([1.99, 6.32])  # 1/nm
@@ -90,18 +90,18 @@ def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
 
 def test_elastic_contact_beside_rigid_and_plastic_contact():
     rigid = np.array([[1.0, 2.0], [2.0, 4.0]])
-    by_contact = ("scan", "contact")
+    dims = ("scan", "contact")
     elastic = xr.Dataset(
         {
-            "rigid_pull_off_force": (by_contact, rigid),
-            "elastic_pull_off_force": (by_contact, 0.99 * rigid),
-            "hard_share": (by_contact, [[0.2, 0.4], [0.5, 0.7]]),
-            "contact_area": (by_contact, [[100.0, 100.0], [400.0, 400.0]]),
+            "rigid_pull_off_force": (dims, rigid),
+            "elastic_pull_off_force": (dims, 0.99 * rigid),
+            "hard_share": (dims, [[0.2, 0.4], [0.5, 0.7]]),
+            "contact_area": (dims, [[100.0, 100.0], [400.0, 400.0]]),
         },
         attrs={"hardness": 25e9, "preload": 10e-6, "confidence": 0.95},
     )
     near(contact.elastic_change(elastic), 0.01)
-    # Of three surfaces with other areas and shares the second counts.
+    # The median of three surfaces is the second one.
     scale = xr.DataArray([0.1, 1.0, 1.3], dims="surface")
     areas, shares = elastic["contact_area"] * scale, elastic["hard_share"] * scale
     three = elastic.assign(contact_area=areas, hard_share=shares)
@@ -118,12 +118,12 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
     scaling = xr.Dataset({"edge": edge, "edge_interval": ends}, attrs={"rho": 5.6, "area": 400.0})
     exponent = contact.typical_long_edge_exponent(scaling)
     near(exponent, 0.6)
-    half = 2 * np.log(1.1) / np.log(4)
-    np.testing.assert_allclose(exponent.value_interval, [0.6 - half, 0.6 + half])
+    half_width = 2 * np.log(1.1) / np.log(4)
+    np.testing.assert_allclose(exponent.value_interval, [0.6 - half_width, 0.6 + half_width])
 
 
 def test_deformation_energy_of_one_wave():
-    """E* q h²/8 of a wave of amplitude h; of many waves of the same length the same a height²."""
+    """A wave of the amplitude h has E* q h²/8; many waves of this length have the same sum."""
     q, height, modulus, work = 0.02, 3.0, 289.7e9, 0.0463
     wavevector = np.linspace(0.0199, 0.0201, 201)
     width = wavevector[1] - wavevector[0]
@@ -138,8 +138,8 @@ def test_deformation_energy_of_one_wave():
         attrs={"effective_modulus": modulus, "work_of_adhesion": work, "confidence": 0.95},
     )
     amplitude = np.sqrt(2) * height
-    expected = modulus * q * 1e9 * (amplitude * 1e-9) ** 2 / 8 / work
-    near(contact.deformation_over_adhesion(topography, elastic), [expected, np.nan])
+    relative_energy = modulus * q * 1e9 * (amplitude * 1e-9) ** 2 / 8 / work
+    near(contact.deformation_over_adhesion(topography, elastic), [relative_energy, np.nan])
 
 
 # --- forces -----------------------------------------------------------------------------------

@@ -28,7 +28,7 @@ CHOICES = {
 
 
 def law_power(law, rho, slope):
-    """The force of a law where that of exponential laws is rho^slope: a moment of its mixture."""
+    """The force of a law if exponential laws have rho^slope: a moment of its mixture."""
     if law.exponential:
         return rho**slope
     m = law.exponent
@@ -52,7 +52,7 @@ def forces(spread=0.1):
 
 
 def masters(slope_of_filtered=0.3):
-    """Masters whose force grows by 4 % a cutoff, and with another power of the range."""
+    """Masters whose force grows by 4 % per cutoff, and with another power of the range."""
     cutoffs = np.geomspace(20.0, 5000.0, 8)
     growth = {"small": 1 + 0.04 * np.arange(8.0), "large": 1 + 0.04 * np.arange(8.0)[::-1]}
     growth["small"][6:], growth["large"][:2] = np.nan, np.nan
@@ -99,40 +99,40 @@ def compared_at_published_pair(slope_of_filtered=0.3):
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_force_of_a_law_is_a_moment_of_its_mixture(law):
     for slope in SLOPES:
-        found = law_forces(law, LENGTHS, RANGES, RANGES**slope)
-        np.testing.assert_allclose(found, law_power(law, LENGTHS, slope), rtol=1e-4)
+        mixture = law_forces(law, LENGTHS, RANGES, RANGES**slope)
+        np.testing.assert_allclose(mixture, law_power(law, LENGTHS, slope), rtol=1e-4)
 
 
 @pytest.mark.parametrize("number", range(len(LAWS)))
 def test_fit_finds_the_law_that_made_the_forces(number):
     law, rho = LAWS[number], LENGTHS[120]
-    compared = compare_laws(forces(), masters(), published(law, rho, 0.03), **CHOICES)
-    fitted = compared.sel(law=law.name, case="fitted")
+    laws = compare_laws(forces(), masters(), published(law, rho, 0.03), **CHOICES)
+    fitted = laws.sel(law=law.name, case="fitted")
     assert fitted.range_of_law.item() == pytest.approx(rho)
     assert fitted.work_of_adhesion.item() == pytest.approx(0.03, rel=1e-3)
     assert fitted.fit_error.item() < 1e-3
-    np.testing.assert_allclose(fitted.ratio, compared.published_ratio, rtol=1e-3)
-    errors = compared.fit_error.sel(case="fitted")
+    np.testing.assert_allclose(fitted.ratio, laws.published_ratio, rtol=1e-3)
+    errors = laws.fit_error.sel(case="fitted")
     ratio = errors / errors.sel(law="exponential")
-    np.testing.assert_allclose(compared.error_over_exponential, ratio, rtol=1e-9)
+    np.testing.assert_allclose(laws.error_over_exponential, ratio, rtol=1e-9)
 
 
 def test_equivalent_lengths_are_those_of_the_closed_form():
-    compared = compared_at_published_pair()
+    laws = compared_at_published_pair()
     target = 0.05 * 5.6**SLOPES
     for law in LAWS:
         curves = np.array([law_power(law, LENGTHS, slope) for slope in SLOPES])
-        at, work, error = fit(curves, target)
-        found = compared.sel(law=law.name, case="equivalent")
-        assert found.range_of_law.item() == pytest.approx(LENGTHS[at], rel=0.07)
-        assert found.fit_error.item() == pytest.approx(error, abs=2e-3)
-        assert found.work_of_adhesion.item() == pytest.approx(work, rel=0.02)
+        best, work, error = fit(curves, target)
+        equivalent = laws.sel(law=law.name, case="equivalent")
+        assert equivalent.range_of_law.item() == pytest.approx(LENGTHS[best], rel=0.07)
+        assert equivalent.fit_error.item() == pytest.approx(error, abs=2e-3)
+        assert equivalent.work_of_adhesion.item() == pytest.approx(work, rel=0.02)
 
 
 def test_edges_are_alike_where_filters_change_every_range_alike():
-    compared = compared_at_published_pair()
+    laws = compared_at_published_pair()
     cutoffs = masters().cutoff_wavelength.values
-    # 10 % lie half way between 8 % and 12 %, in the logarithm of the cutoff.
-    expected = [np.sqrt(cutoffs[2] * cutoffs[3]), np.sqrt(cutoffs[5] * cutoffs[4])]
-    edges = compared.critical_wavelength.sel(group="pooled")
-    np.testing.assert_allclose(edges, np.broadcast_to(expected, edges.shape), rtol=1e-3)
+    # 10 % is half way between 8 % and 12 %, in the logarithm of the cutoff.
+    pooled_edges = [np.sqrt(cutoffs[2] * cutoffs[3]), np.sqrt(cutoffs[5] * cutoffs[4])]
+    edges = laws.critical_wavelength.sel(group="pooled")
+    np.testing.assert_allclose(edges, np.broadcast_to(pooled_edges, edges.shape), rtol=1e-3)

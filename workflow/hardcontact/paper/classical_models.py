@@ -100,7 +100,8 @@ def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values
     (1975) 327.
     Unverified against the primary source.
     """
-    height, asperity = roughness.height * NANOMETRE, 1 / roughness.curvature * NANOMETRE
+    height = roughness.height * NANOMETRE
+    asperity = 1 / roughness.curvature * NANOMETRE
     return modulus * height**1.5 / (np.sqrt(asperity) * work)
 
 

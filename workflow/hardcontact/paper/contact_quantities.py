@@ -1,7 +1,7 @@
 """Numbers about contact (height, area, deformation), classical models and effective works.
 
-Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `numbers.number`
-does; in brackets its dimensions.
+Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `paper.numbers`
+defines it; its dimensions are in brackets.
 """
 
 import json
@@ -15,14 +15,14 @@ from hardcontact.paper.numbers import (
     decades,
     mean_over_contacts,
     mean_over_scans,
-    number,
+    number_with_interval,
     quotient,
     signed_mean_over_scans,
     variable_as_number,
 )
 
 NM2 = 1e-18  # in m²
-#: nm; the wavelengths that decide are some 2 µm.
+#: Radius in nm of a sphere that is much larger than the decisive wavelengths, some 2 µm.
 LARGE_RADIUS = 50e3
 
 
@@ -33,22 +33,24 @@ def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
 
 def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
     """Return effective works of adhesion of printed forces, without their rounding (surface)."""
-    return number(classical["effective_work_of_adhesion"].sel(against="published", drop=True))
+    return number_with_interval(
+        classical["effective_work_of_adhesion"].sel(against="published", drop=True)
+    )
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter, up to that by another convention of the same symbols ().
+    """Return the Tabor parameter, with an interval up to another convention of its symbols ().
 
-    It is (4 R W²/(K² z0³))^(1/3) with K = 4 E*/3, in place of (R W²/(E*² z0³))^(1/3).
+    This convention is (4 R W²/(K² z0³))^(1/3) with K = 4 E*/3 in place of (R W²/(E*² z0³))^(1/3).
     """
     tabor = classical["tabor_parameter"]
-    return number(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
+    return number_with_interval(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
 
 
 def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
-    """Return the least error of a classical model over that of the force sum.
+    """Return the smallest error of a classical model relative to the force sum.
 
-    Over metrics, model, against and contact_model.
+    Its dimensions are metrics, model, against and contact_model.
     """
     return quotient(
         variable_as_number(classical, "mean_relative_error"),
@@ -57,10 +59,10 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
 
 
 def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
-    """Return the height of the sphere's apex in contact over the mean plane.
+    """Return the height of the apex of the sphere in contact above the mean plane.
 
-    In rms heights of the scan (surface, contact_model). Under a smooth sphere all contact pixels
-    are at least as high.
+    It is in rms heights of the scan (surface, contact_model). All contact pixels under a smooth
+    sphere are at least as high.
     """
     approach = mean_over_contacts(adhesion["closest_approach"])
     return mean_over_scans(-approach / topography["rms_height"], adhesion.attrs["confidence"])
@@ -69,20 +71,20 @@ def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the area in nm² of the pixels in contact (contact_model)."""
     pixel_area: float = adhesion.attrs["pixel_size"] ** 2
-    return number(adhesion["contact_pixels"] * pixel_area)
+    return number_with_interval(adhesion["contact_pixels"] * pixel_area)
 
 
 def finer_pixel_change(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the plastic force at the smallest range on finer pixels over the study's (surface)."""
+    """Return the relative plastic force at the smallest range on finer pixels (surface)."""
     return mean_over_scans(adhesion["finer_pixel_change"], adhesion.attrs["confidence"])
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the difference of mean elastic and rigid force over the rigid one (surface)."""
-    soft, rigid = (
-        mean_over_contacts(elastic[f"{model}_pull_off_force"]) for model in ("elastic", "rigid")
-    )
-    return absolute_value(signed_mean_over_scans(soft / rigid - 1, elastic.attrs["confidence"]))
+    """Return the change of the mean force by elasticity, relative to rigid contact (surface)."""
+    elastic_force = mean_over_contacts(elastic["elastic_pull_off_force"])
+    rigid_force = mean_over_contacts(elastic["rigid_pull_off_force"])
+    change = elastic_force / rigid_force - 1
+    return absolute_value(signed_mean_over_scans(change, elastic.attrs["confidence"]))
 
 
 def typical_hard_share(elastic: xr.Dataset) -> xr.Dataset:
@@ -94,7 +96,7 @@ def typical_hard_share(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area that carries the preload at the hardness over the elastic one ().
+    """Return the area that carries the preload at the hardness relative to elastic contact ().
 
     It is the median over the surfaces.
     """
@@ -104,10 +106,10 @@ def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
-    """Return the elastic energy of conforming contact over the work of adhesion (surface).
+    """Return the elastic energy of conforming contact relative to the work of adhesion (surface).
 
-    E*/4 (1/2π) ∫ q² C dq of a surface's AFM scans, those of one body; Persson and Tosatti,
-    J. Chem. Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
+    The energy is E*/4 (1/2π) ∫ q² C dq for the AFM scans of one body; Persson and Tosatti, J. Chem.
+    Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
     """
     spectrum = topography["psd_isotropic"].sel(surface=elastic["surface"]).fillna(0)
     moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
@@ -124,38 +126,39 @@ def typical_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
 def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
     """Return the exponent of the long edge against the root of the radius ().
 
-    It is the median over the surfaces, for spheres much larger than scales of the roughness, of
-    R >= LARGE_RADIUS. The interval takes the edges of the smallest and the largest at their worst.
+    It is the median over the surfaces, for spheres of at least LARGE_RADIUS. The interval follows
+    from the ends of the intervals at the smallest and the largest of these spheres.
     """
     case = {name: scaling.attrs[name] for name in ("rho", "area")}
     large = scaling.sel(side="large").sel(case, method="nearest")
     large = large.sel(radius=large["radius"] >= LARGE_RADIUS)
-    smallest, largest = large.isel(radius=0), large.isel(radius=-1)
+    smallest = large.isel(radius=0)
+    largest = large.isel(radius=-1)
     ratio = quotient(variable_as_number(largest, "edge"), variable_as_number(smallest, "edge"))
     root = (largest["radius"] / smallest["radius"]) ** 0.5
     return (ratio.map(np.log) / np.log(root)).median("surface", skipna=False)
 
 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return how far a surface is from sticking, with the roughness of all scales (surface).
+    """Return the repulsion in contacts relative to the attraction around them (surface).
 
-    Two large rough surfaces do not stick above one, which balances attraction beside the contacts
-    and repulsion in them: h' r/(k l) (h' d/(4 r))^(2/3) / (pi (3/16)^(2/3)) with the rms slope h',
-    the rms curvature h'', d = 4 h'/h'', l = W/E*, k = 2 and r the range of adhesion, here the
-    smallest of atomic interactions. Pastewka and Robbins, Proceedings of the National Academy of
-    Sciences 111 (2014) 3298.
+    Two large rough surfaces stick if it is below one: h' r/(k l) (h' d/(4 r))^(2/3) / (pi
+    (3/16)^(2/3)) with the rms slope h' and the rms curvature h'' of all scales, d = 4 h'/h'', l =
+    W/E*, k = 2. The range of adhesion r is the shortest range of atomic interactions. Pastewka and
+    Robbins, Proceedings of the National Academy of Sciences 111 (2014) 3298.
     """
     names = json.loads(topography.attrs["table1_variables"])
-    slope, curvature = (topography[names[f"all_rms_{name}"]] for name in ("slope", "curvature"))
-    bodies = (
+    slope = topography[names["all_rms_slope"]]
+    curvature = topography[names["all_rms_curvature"]]
+    bodies = [
         Material(
             modulus=paper[f"{body}_youngs_modulus"].item(),
             poisson_ratio=paper[f"{body}_poisson_ratio"].item(),
         )
         for body in ("sphere", "substrate")
-    )
+    ]
     length = 1e9 * paper["work_of_adhesion"] / effective_modulus(*bodies)  # nm
     reach = paper["atomic_range_lower_bound"]
     repulsion = slope * reach / (2 * length)
     attraction = np.pi * (3 / 16) ** (2 / 3) * (reach * curvature / slope**2) ** (2 / 3)
-    return number(repulsion / attraction)
+    return number_with_interval(repulsion / attraction)

@@ -14,7 +14,7 @@ from scipy import stats
 from hardcontact.paper.numbers import (
     mean_over_contacts,
     mean_over_scans,
-    number,
+    number_with_interval,
     quotient,
     signed_mean_over_scans,
     variable_as_number,
@@ -95,14 +95,15 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
 
     Eq. 3 on the pixels of the study: the sum over a paraboloid is a product of sums over both axes.
     """
-    radius, pixel = adhesion.attrs["sphere_radius"], adhesion.attrs["pixel_size"]
+    radius = adhesion.attrs["sphere_radius"]
+    pixel = adhesion.attrs["pixel_size"]
     rho = adhesion["rho"]
     reach = int(
         12 * np.sqrt(radius * rho.max()) / pixel
     )  # there the attraction is exp(-72) of the apex
     position = xr.DataArray(pixel * np.arange(-reach, reach + 1), dims="position")
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
-    return number(force.max() / force.min() - 1)
+    return number_with_interval(force.max() / force.min() - 1)
 
 
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
@@ -128,7 +129,7 @@ def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
 def _force_statistic(adhesion: xr.Dataset, statistic: Callable[[np.ndarray], float]) -> xr.Dataset:
     """Return a statistic of all forces (n,) at the reference range; it has no interval."""
     forces = _forces_at_reference(adhesion["pull_off_force"], adhesion)
-    return number(
+    return number_with_interval(
         xr.apply_ufunc(
             lambda row: statistic(row[np.isfinite(row)]),
             forces.stack(sample=["scan", "sphere_scan", "contact_y", "contact_x"]),

@@ -14,7 +14,7 @@ from hardcontact.base.statistics import bounds
 from hardcontact.paper.numbers import (
     mean_over_contacts,
     mean_over_scans,
-    number,
+    number_with_interval,
     variable_as_number,
 )
 from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
@@ -33,7 +33,7 @@ def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def short_range_error(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the smallest error at the ranges of atomic interactions (contact_model)."""
     error = inference["error_of_range"]
-    return number(
+    return number_with_interval(
         error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
     )
 
@@ -45,7 +45,9 @@ def error_of_second_minimum(inference: xr.Dataset, paper: xr.Dataset) -> xr.Data
     threshold.
     """
     second_error = inference["minimum_error"].sel(minimum=2, drop=True).fillna(np.inf)
-    return number(second_error.where(inference["best_error"] < paper["error_threshold"]))
+    return number_with_interval(
+        second_error.where(inference["best_error"] < paper["error_threshold"])
+    )
 
 
 def error_overlap(laws: xr.Dataset) -> xr.Dataset:
@@ -54,7 +56,7 @@ def error_overlap(laws: xr.Dataset) -> xr.Dataset:
     Above one the intervals of all errors overlap.
     """
     low, high = bounds(laws, "fit_error")
-    return number(high.min("law") / low.max("law"))
+    return number_with_interval(high.min("law") / low.max("law"))
 
 
 def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
@@ -75,12 +77,12 @@ def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
         return pressure * np.exp(-gap) * (gap * rho) ** power / ((power - 1) * strength)
 
     ratio_at_rho = pressure_ratio(xr.ones_like(strength))
-    return number(ratio_at_rho, ratio_at_rho, pressure_ratio(power))
+    return number_with_interval(ratio_at_rho, ratio_at_rho, pressure_ratio(power))
 
 
 def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:
     """Return the smallest mean relative error of the force ratios (contact_model)."""
-    return number(inference["ratio_error"].min("rho_fine"))
+    return number_with_interval(inference["ratio_error"].min("rho_fine"))
 
 
 def half_width_of_range(inference: xr.Dataset) -> xr.Dataset:
@@ -96,12 +98,12 @@ def half_width_of_work(inference: xr.Dataset) -> xr.Dataset:
 def _half_width(region: xr.DataArray) -> xr.Dataset:
     low = region.sel(bound="low", drop=True)
     high = region.sel(bound="high", drop=True)
-    return number((high - low) / 2)
+    return number_with_interval((high - low) / 2)
 
 
 def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
     """Return the radius sqrt(D rho) in nm of the disk that attracts the published sphere ()."""
-    return number((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
+    return number_with_interval((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
 
 
 def interaction_radius_at_fit(inference: xr.Dataset) -> xr.Dataset:
@@ -118,7 +120,7 @@ def interaction_share(paper: xr.Dataset) -> xr.Dataset:
     """
     area = paper["sphere_diameter"] * paper["range_of_adhesion"]
     share = 1 - np.exp(-(interaction_radius(paper)["value"] ** 2) / area)
-    return number(xr.DataArray(share))
+    return number_with_interval(xr.DataArray(share))
 
 
 def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
@@ -131,7 +133,7 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     ranges = [paper[f"sinusoid_range_{name}"].item() for name in ("short", "long")]
     ratio = paper["sinusoid_amplitude"].item() / np.array(ranges)
     share = (1 + special.modstruve(0, ratio) / special.iv(0, ratio)) / 2
-    return number(xr.DataArray(share, {"rho": ranges}, "rho"))
+    return number_with_interval(xr.DataArray(share, {"rho": ranges}, "rho"))
 
 
 def band_edge(band: xr.Dataset) -> xr.Dataset:
@@ -139,7 +141,7 @@ def band_edge(band: xr.Dataset) -> xr.Dataset:
 
     The last cutoff of the side is the bound if the force never leaves its tolerance.
     """
-    return number(edges_or_last_cutoffs(band), *bounds(band, "critical_wavelength"))
+    return number_with_interval(edges_or_last_cutoffs(band), *bounds(band, "critical_wavelength"))
 
 
 def first_edge(band: xr.Dataset) -> xr.Dataset:

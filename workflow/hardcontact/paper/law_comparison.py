@@ -1,9 +1,10 @@
-"""What the law of attraction decides: work of adhesion, ratios of forces, the critical band.
+"""Laws of attraction compared: work of adhesion, ratios of forces, the critical band.
 
-Every law has one length, its range rho = W/|p(0)|, and is compared in three cases: with the length
-and work that come nearest to the forces of Eq. 1 at the published pair, with those that come
-nearest to the measured forces, and at an atomic spacing, with the work alone fitted to these. The
-first case asks what the paper claims: whether another form would have given similar results.
+Every law has one length, its range rho = W/|p(0)|. It is compared in three cases. In the first
+case length and work are fitted to the forces of Eq. 1 at the published pair, in the second case to
+the measured forces. In the third case the length follows from an atomic spacing, and only the work
+is fitted to the measured forces. The first case tests a claim of the paper: another law would have
+given similar results.
 """
 
 from collections.abc import Sequence
@@ -29,31 +30,31 @@ from hardcontact.theory.interaction_laws import (
 
 #: Lengths and works of adhesion at which laws are compared.
 CASES = ["equivalent", "fitted", "atomic"]
-#: Ranges (nm) of a law that are tried: from and to, and the step of their logarithm.
-LENGTHS, LENGTH_STEP = (0.1, 40.0), 0.03
+#: Smallest and largest range (nm) of a law in fits, and the step of their logarithm.
+LENGTH_LIMITS, LENGTH_STEP = (0.1, 40.0), 0.03
 
-#: Forces of all scans, and samples of them.
-Sampled = Sequence[np.ndarray]
+#: Means over all scans, and samples of these means.
+MeanAndSamples = Sequence[np.ndarray]
 
 NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
 
 
-class _Aims(NamedTuple):
-    """What the forces of a law are fitted to, over all scans and over samples of them."""
+class _Targets(NamedTuple):
+    """Forces to which laws are fitted, for all scans and for samples of them."""
 
-    lengths: np.ndarray  #: (n,) ranges of a law that are tried, in nm.
-    exponential: Sampled  #: (..., surface, 1) forces of Eq. 1 at the published pair, in N.
-    measured: Sampled  #: (surface, 1) measured forces, in N.
-    exponential_errors: Sampled  #: (...) of the best fits of Eq. 1 to the measured forces.
+    lengths: np.ndarray  #: (n,) ranges of a law in fits, in nm.
+    exponential: MeanAndSamples  #: (..., surface, 1) forces of Eq. 1 at the published pair, in N.
+    measured: MeanAndSamples  #: (surface, 1) measured forces, in N.
+    exponential_errors: MeanAndSamples  #: (...) of the best fits of Eq. 1 to the measured forces.
 
 
 class _Fit(NamedTuple):
-    """The best length of a law (...), its position, and the work of adhesion and error there."""
+    """The best fit (...) of a law."""
 
-    position: np.ndarray
-    length: np.ndarray  #: In nm.
-    work: np.ndarray  #: In J/m².
-    error: np.ndarray
+    position: np.ndarray  #: Index of the best length.
+    length: np.ndarray  #: Best length in nm.
+    work: np.ndarray  #: Work of adhesion in J/m².
+    error: np.ndarray  #: Mean relative error.
 
 
 def compare_laws(
@@ -72,46 +73,52 @@ def compare_laws(
     Parameters
     ----------
     forces : xarray.Dataset
-        ``pull_off_force`` (surface, scan, rho) of exponential laws, in N at 1 J/m², and the names
+        ``pull_off_force`` (surface, scan, rho) of exponential laws, in N at 1 J/m², and the labels
         of the surfaces.
     masters : xarray.Dataset
-        `stacked_forces` of filtered masters over such ranges, which may be fewer.
+        `stacked_forces` of filtered masters at the same or fewer ranges.
     published : pandas.DataFrame
-        As from `published.pull_off`.
+        From `published.pull_off`.
     pair : Pair
         Published range and work of adhesion of Eq. 1.
     spacing : float
-        Between atoms where flats touch, in nm, in the case "atomic".
+        Distance in nm between atoms of flats that touch, in the case "atomic".
     reference_surface : str
-        The surface whose force divides the others.
+        Surface to which force ratios are taken.
     tolerance : float
-        Relative change of the force that ends the critical band.
+        Relative change of the force that defines an edge.
     sampling : Sampling
-        Of all intervals.
+        Random numbers and confidence of all intervals.
 
     Returns
     -------
     xarray.Dataset
-        Over law ``error`` (target, length) at the best work of adhesion. Over law and case, with
+        By law: ``error`` (target, length) at the best work of adhesion. By law and case, with
         intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²), ``fit_error``, ``ratio``
-        (surface) and ``critical_wavelength`` (side, group; nm); ``implied_over_known`` as of the
-        function of this name. Over law ``error_over_exponential``, that of the best fit to the
-        published forces over that of Eq. 1, with an interval of both from the same samples.
+        (surface) and ``critical_wavelength`` (side, group; nm); ``implied_over_known`` from the
+        function of this name. By law: ``error_over_exponential``, the error of the best fit to the
+        published forces relative to the best fit of Eq. 1, with an interval from common samples.
     """
     target = published.mean_force.reindex(forces.surface.values.tolist())
     ratio = target / target[reference_surface]
     means = mean_forces(forces.pull_off_force, sampling, purpose="laws")
-    base = target.index.to_list().index(reference_surface)
-    aims = _aims(forces.rho.values, means, target.to_numpy(), pair)
-    parts = []
+    reference = target.index.to_list().index(reference_surface)
+    targets = _law_targets(forces.rho.values, means, target.to_numpy(), pair)
+    law_datasets = []
     for law in LAWS:
         fits = _fit_law(
-            law, forces.rho.values, means, aims, spacing=spacing, base=base, sampling=sampling
+            law,
+            forces.rho.values,
+            means,
+            targets,
+            spacing=spacing,
+            reference=reference,
+            sampling=sampling,
         ).assign_coords(surface=target.index.to_list())
         lengths = fits.range_of_law.to_series()
         bands = [_band(law, length, masters, tolerance, sampling) for length in lengths]
-        parts.append(fits.merge(xr.concat(bands, lengths.index)))
-    laws: xr.Dataset = xr.concat(parts, pd.Index([law.name for law in LAWS], name="law"))
+        law_datasets.append(fits.merge(xr.concat(bands, lengths.index)))
+    laws: xr.Dataset = xr.concat(law_datasets, pd.Index([law.name for law in LAWS], name="law"))
     return laws.assign(
         label=forces.label,
         basis=forces.basis,
@@ -126,90 +133,100 @@ def compare_laws(
     )
 
 
-def _aims(ranges: np.ndarray, means: Sampled, measured: np.ndarray, pair: Pair) -> _Aims:
-    """Return what laws are fitted to: measured forces (surface,) and those of Eq. 1.
+def _law_targets(
+    ranges: np.ndarray, means: MeanAndSamples, measured: np.ndarray, pair: Pair
+) -> _Targets:
+    """Return the forces to which laws are fitted: measured forces (surface,) and those of Eq. 1.
 
-    The means (..., surface, k) over scans at ranges (k,) in nm are in N. The forces of Eq. 1 are
-    those of the same sample.
+    The means (..., surface, k) over scans at ranges (k,) in nm are in N. The forces of Eq. 1 come
+    from the same samples.
     """
     rho, work = pair
-    lengths = range_grid(rho, LENGTH_STEP, *LENGTHS)
+    lengths = range_grid(rho, LENGTH_STEP, *LENGTH_LIMITS)
     column = measured[:, None]
     errors = [
         _best_fit(law_forces(EXPONENTIAL, lengths, ranges, mean) / column, lengths).error
         for mean in means
     ]
     exponential = [law_forces(EXPONENTIAL, [rho], ranges, mean) * work for mean in means]
-    return _Aims(lengths, exponential, [column] * len(means), errors)
+    return _Targets(lengths, exponential, [column] * len(means), errors)
 
 
 def _fit_law(
     law: Law,
     ranges: np.ndarray,
-    means: Sampled,
-    aims: _Aims,
+    means: MeanAndSamples,
+    targets: _Targets,
     *,
     spacing: float,
-    base: int,
+    reference: int,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the fits of all cases of one law, and its error at every length.
 
-    The means (..., surface, k) over scans at ranges (k,) in nm are in N; base is the index of the
-    reference surface.
+    The means (..., surface, k) over scans at ranges (k,) in nm are in N. `reference` is the index
+    of the reference surface.
     """
-    lengths, measured = aims.lengths, aims.measured
+    lengths = targets.lengths
+    measured = targets.measured
     atomic = np.array([spacing / float(law.spacing(1.0))])
     curves = [law_forces(law, lengths, ranges, mean) for mean in means]
     atomic_forces = [law_forces(law, atomic, ranges, mean) for mean in means]
-    error_ratio, drawn_ratios = (
-        _best_fit(curve / aim, lengths).error / error
-        for curve, aim, error in zip(curves, measured, aims.exponential_errors, strict=True)
-    )
+    ratio, ratio_samples = [
+        _best_fit(curve / forces, lengths).error / error
+        for curve, forces, error in zip(curves, measured, targets.exponential_errors, strict=True)
+    ]
     fits = xr.concat(
         [
-            _fit_case(lengths, curves, aims.exponential, base, sampling),
-            _fit_case(lengths, curves, measured, base, sampling),
-            _fit_case(atomic, atomic_forces, measured, base, sampling),
+            _fit_case(lengths, curves, targets.exponential, reference, sampling),
+            _fit_case(lengths, curves, measured, reference, sampling),
+            _fit_case(atomic, atomic_forces, measured, reference, sampling),
         ],
         pd.Index(CASES, name="case"),
     )
-    targets = {"Eq. 1": aims.exponential[0], "published": measured[0]}
-    errors = [fit_work(curves[0] / aim, np.ones(len(aim)))[1] for aim in targets.values()]
+    forces_by_target = {"Eq. 1": targets.exponential[0], "published": measured[0]}
+    errors = [
+        fit_work(curves[0] / forces, np.ones(len(forces)))[1]
+        for forces in forces_by_target.values()
+    ]
     implied = implied_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
     return fits.assign(
-        sampling.with_interval("error_over_exponential", (), error_ratio, drawn_ratios, ONE)
+        sampling.with_interval("error_over_exponential", (), ratio, ratio_samples, ONE)
         | {
             "error": (("target", "length"), errors, ONE),
             "implied_over_known": ("case", implied, ONE),
         }
-    ).assign_coords(length=("length", lengths, NM), target=list(targets))
+    ).assign_coords(length=("length", lengths, NM), target=list(forces_by_target))
 
 
 def _fit_case(
-    lengths: np.ndarray, forces: Sampled, aims: Sampled, base: int, sampling: Sampling
+    lengths: np.ndarray,
+    forces: MeanAndSamples,
+    targets: MeanAndSamples,
+    reference: int,
+    sampling: Sampling,
 ) -> xr.Dataset:
     """Return length, work and error of the best fit of one case, and ratios at this length.
 
-    Forces (..., surface, n) in N at the lengths (n,) in nm are fitted to the aims (..., surface,
-    1); base is the index of the reference surface.
+    Forces (..., surface, n) in N at the lengths (n,) in nm are fitted to targets (..., surface, 1).
+    `reference` is the index of the reference surface.
     """
-    value, drawn = (
-        _best_fit(force / aim, lengths) for force, aim in zip(forces, aims, strict=True)
-    )
-    ratio, ratios = (
-        force[..., value.position] / force[..., [base], value.position] for force in forces
-    )
+    value, samples = [
+        _best_fit(force / target, lengths) for force, target in zip(forces, targets, strict=True)
+    ]
+    ratio, ratio_samples = [
+        force[..., value.position] / force[..., [reference], value.position] for force in forces
+    ]
     return xr.Dataset(
-        sampling.with_interval("range_of_law", (), value.length, drawn.length, NM)
-        | sampling.with_interval("work_of_adhesion", (), value.work, drawn.work, ENERGY)
-        | sampling.with_interval("fit_error", (), value.error, drawn.error, ONE)
-        | sampling.with_interval("ratio", "surface", ratio, ratios, ONE)
+        sampling.with_interval("range_of_law", (), value.length, samples.length, NM)
+        | sampling.with_interval("work_of_adhesion", (), value.work, samples.work, ENERGY)
+        | sampling.with_interval("fit_error", (), value.error, samples.error, ONE)
+        | sampling.with_interval("ratio", "surface", ratio, ratio_samples, ONE)
     )
 
 
 def _best_fit(relative: np.ndarray, lengths: np.ndarray) -> _Fit:
-    """Return the best fit of forces (..., surface, length) relative to what they are fitted to."""
+    """Return the best fit of forces (..., surface, length) relative to their targets."""
     best, work, error = fit(relative, np.ones(relative.shape[-2]))
     return _Fit(best, np.where(np.isfinite(error), lengths[best], np.nan), work, error)
 

@@ -17,7 +17,7 @@ from hardcontact.base.statistics import (
 CONTACTS = ("sphere_scan", "contact", "contact_y", "contact_x")
 
 
-def number(
+def number_with_interval(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
     """Return a number from a value and the ends of its interval.
@@ -63,12 +63,12 @@ def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
-        return number(value, *bounds(dataset, name))
+        return number_with_interval(value, *bounds(dataset, name))
     if "scan" in value.dims and set(CONTACTS) & set(value.dims):
         if "confidence" not in dataset.attrs:
             raise KeyError("expected an attribute named 'confidence', found none")
         return mean_over_scans(mean_over_contacts(value), dataset.attrs["confidence"])
-    return number(value)
+    return number_with_interval(value)
 
 
 def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
@@ -96,7 +96,8 @@ def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") 
     """
     positive = ((values > 0) | values.isnull()).all(dim)
     interval = student_log_interval(values.where(positive), confidence, dim)
-    mean, count = values.mean(dim), values.count(dim)
+    mean = values.mean(dim)
+    count = values.count(dim)
     zeros = ((values == 0).sum(dim) == count) & (count > 1)
     return xr.Dataset({"value": mean, "value_interval": interval.where(~zeros, mean)})
 
@@ -115,7 +116,7 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
     """
     upper_low, upper_high = bounds(upper, "value")
     lower_low, lower_high = bounds(lower, "value")
-    return number(
+    return number_with_interval(
         upper["value"] / lower["value"],
         upper_low.clip(0) / lower_high,
         upper_high / lower_low.clip(0),
@@ -125,12 +126,7 @@ def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
 def absolute_value(signed: xr.Dataset) -> xr.Dataset:
     """Return the absolute value of a number; an interval across zero becomes one from zero."""
     low, high = bounds(signed, "value")
-    return number(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
-
-
-def least(number_a: xr.Dataset, number_b: xr.Dataset) -> xr.Dataset:
-    """Return the smaller of two numbers, and the smaller ends of their intervals."""
-    return xr.concat([number_a, number_b], dim="operand").min("operand", skipna=False)
+    return number_with_interval(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
 
 
 def decades(numbers: xr.Dataset, dim: str) -> xr.Dataset:

@@ -81,7 +81,8 @@ def standoff(
     )
     computed_forces = xr.concat([forces.mean("contact"), forces.median("contact")], "statistic")
     computed_forces = computed_forces.transpose("surface", "statistic", "rho")
-    surfaces, ranges = computed_forces["surface"].values, computed_forces["rho"].values
+    surfaces = computed_forces["surface"].values
+    ranges = computed_forces["rho"].values
     published_forces = published.loc[surfaces, [f"{name}_force" for name in STATISTICS]].to_numpy()
     fitted_work, _ = error_map.fit_work(
         computed_forces.isel(statistic=0).values, published_forces[:, 0]

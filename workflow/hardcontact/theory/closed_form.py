@@ -49,7 +49,7 @@ TRANSITION = 1.0
 #: A surface counts as smooth if its force exceeds this share of the force on a smooth surface. The
 #: area in contact does not count in either force.
 SMOOTH_SHARE = 0.9
-#: Generations of summits upon summits.
+#: Number of generations of summits on summits.
 GENERATIONS = 8
 #: Wavelength, in radii of its clump, below which waves are roughness on a summit.
 SUMMIT = 2.5

@@ -137,7 +137,8 @@ def elasticity(sigma: float, approaches: Approaches, contact: Contact) -> float:
     float
         E of the mean force.
     """
-    t, s = approaches.mean(), sigma / contact.range
+    t = approaches.mean()
+    s = sigma / contact.range
     h = float(hazard(t))
     many_points_share = special.ndtr(t - s)
     first_term = float(gaussian_share(sigma, t * sigma, contact.range))
