@@ -14,16 +14,16 @@ from hardcontact.theory import summits
 from hardcontact.theory.summits import banded, draw_size, moment
 
 RADIUS = 250e3
-#: Of a sphere so flat that its highest summits obey the laws of high levels.
+#: Radius of a sphere so flat that its highest summits obey the laws of high levels.
 FLAT = 1e9
 
 
-def whole(spectrum):
+def full_band(spectrum):
     return banded(spectrum, 0, np.inf)
 
 
 def test_moments_are_those_of_a_gaussian_autocorrelation():
-    waves = whole(rounded(4, 100))
+    waves = full_band(rounded(4, 100))
     assert moment(waves, 0) == pytest.approx(16, rel=0.01)
     assert moment(waves, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
     assert moment(waves, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
@@ -31,12 +31,14 @@ def test_moments_are_those_of_a_gaussian_autocorrelation():
 
 def test_clumps_of_a_gaussian_autocorrelation():
     levels = np.array([1.5, 2.5, 4.0])
-    expected = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
-    assert summits.clump_radius(whole(rounded(4, 100)), levels) == pytest.approx(expected, rel=0.01)
+    radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
+    assert summits.clump_radius(full_band(rounded(4, 100)), levels) == pytest.approx(
+        radii, rel=0.01
+    )
 
 
 def test_clumps_at_high_levels_are_as_dense_as_summits_of_a_smooth_surface():
-    waves, level = whole(rounded(4, 100)), 5.0
+    waves, level = full_band(rounded(4, 100)), 5.0
     density = stats.norm.sf(level) / (np.pi * summits.clump_radius(waves, [level])[0] ** 2)
     euler = level * np.exp(-(level**2) / 2) * moment(waves, 2) / 2 / moment(waves, 0)
     assert density == pytest.approx(euler / (2 * np.pi) ** 1.5, rel=0.08)
@@ -46,27 +48,28 @@ def test_short_waves_of_no_height_make_no_clumps():
     q = np.geomspace(2 * np.pi / 1e4, 2 * np.pi, 600)
     long = 2 * np.pi * (4 * 100) ** 2 * np.exp(-((q * 100) ** 2) / 2)
     fine = np.where(q > 2 * np.pi / 3, 2 * np.pi * 0.1**2 / np.pi / (q[-1] / 3) ** 2, 0)
-    both, alone = (whole(Spectrum(q, values)) for values in (long + fine, long + 1e-9))
-    assert moment(both, 2) > 1.5 * moment(alone, 2)  # counted by slopes there would be many
-    assert summits.clump_radius(both, [3.5]) == pytest.approx(
-        summits.clump_radius(alone, [3.5]), rel=0.03
+    all_waves = full_band(Spectrum(q, long + fine))
+    long_waves = full_band(Spectrum(q, long + 1e-9))
+    assert moment(all_waves, 2) > 1.5 * moment(long_waves, 2)  # slopes would count many summits
+    assert summits.clump_radius(all_waves, [3.5]) == pytest.approx(
+        summits.clump_radius(long_waves, [3.5]), rel=0.03
     )
 
 
 def test_without_area_the_highest_point_is_gumbel_s():
-    waves = whole(rounded(4, 100))
-    found = summits.closest_approaches(waves, FLAT, 0.0)
+    waves = full_band(rounded(4, 100))
+    approaches = summits.closest_approaches(waves, FLAT, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
     location = np.sqrt(2 * np.log(FLAT * moment(waves, 2) / 2 / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
-    assert found.weights.sum() == pytest.approx(1)
-    assert found.mean() == pytest.approx(gumbel.mean(), rel=0.03)
-    deviation = np.sqrt(found.mean(found.levels**2) - found.mean() ** 2)
+    assert approaches.weights.sum() == pytest.approx(1)
+    assert approaches.mean() == pytest.approx(gumbel.mean(), rel=0.03)
+    deviation = np.sqrt(approaches.mean(approaches.levels**2) - approaches.mean() ** 2)
     assert deviation == pytest.approx(gumbel.std(), rel=0.2)
 
 
 def test_a_large_area_of_contact_is_the_bearing_area():
-    waves, area = whole(rounded(4, 100)), 3e6
+    waves, area = full_band(rounded(4, 100)), 3e6
     level = summits.closest_approaches(waves, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=0.05)
@@ -82,16 +85,16 @@ def test_the_highest_point_of_random_surfaces():
         (random_surface(generator(3, k), pixels, 10.0, spectrum).heights - sphere).max()
         for k in range(120)
     ]
-    expected = summits.closest_approaches(waves, radius, 0.0).mean() * np.sqrt(moment(waves, 0))
-    assert expected == pytest.approx(np.mean(highest), rel=0.08)
+    mean_height = summits.closest_approaches(waves, radius, 0.0).mean() * np.sqrt(moment(waves, 0))
+    assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
 
 
 def test_a_sphere_follows_flat_waves():
     spectrum = rough(4, 1e6)  # roughness without end
-    kept = summits.rough_waves(spectrum, RADIUS)
-    assert kept.wavevector[0] > 10 * spectrum.wavevector[0]
-    lost = banded(spectrum, 0, kept.wavevector[0])
-    assert np.sqrt(moment(lost, 4)) / 2 == pytest.approx(0.1 / RADIUS, rel=0.1)
+    rough_waves = summits.rough_waves(spectrum, RADIUS)
+    assert rough_waves.wavevector[0] > 10 * spectrum.wavevector[0]
+    followed_waves = banded(spectrum, 0, rough_waves.wavevector[0])
+    assert np.sqrt(moment(followed_waves, 4)) / 2 == pytest.approx(0.1 / RADIUS, rel=0.1)
     assert summits.rough_waves(spectrum, 1.0) is None
     assert summits.rough_waves(Spectrum(spectrum.wavevector, 0 * spectrum.density), RADIUS) is None
 
@@ -100,16 +103,16 @@ def test_a_sphere_follows_flat_waves():
 def test_the_highest_points_lie_within_the_draw_size_of_the_apex(rms_height, radius):
     pixels, pixel = 256, 40.0
     q = np.geomspace(2 * np.pi / (pixels * pixel), np.pi / pixel, 300)
-    known = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
-    known = Spectrum(q, known.density * rms_height**2 / moment(known, 0))
-    place = pixel * (np.arange(pixels) - pixels // 2)
-    squares = place[:, None] ** 2 + place**2
+    spectrum = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
+    spectrum = Spectrum(q, spectrum.density * rms_height**2 / moment(spectrum, 0))
+    position = pixel * (np.arange(pixels) - pixels // 2)
+    squares = position[:, None] ** 2 + position**2
     distances = []
     for draw in range(60):
-        heights = random_surface(generator(3, draw), pixels, pixel, known).heights
+        heights = random_surface(generator(3, draw), pixels, pixel, spectrum).heights
         heights = rms_height / heights.std() * heights
         for shift in product((0, 85, 170), repeat=2):  # the surface is periodic
-            above = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)
-            distances.append(squares.flat[above.argmax()])
-    reach = draw_size(known, radius, 0.0) / 2
+            heights_above_sphere = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)
+            distances.append(squares.flat[heights_above_sphere.argmax()])
+    reach = draw_size(spectrum, radius, 0.0) / 2
     assert np.sqrt(np.mean(distances)) == pytest.approx(reach, rel=0.15)
