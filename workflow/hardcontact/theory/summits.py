@@ -101,6 +101,11 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
 def correlation_lost(waves: Spectrum) -> tuple[Floats, Floats]:
     """Return the lost correlation 1 - r(d)/sigma² by distance, r the autocorrelation of heights.
 
+    Parameters
+    ----------
+    waves : Spectrum
+        C_iso in nm⁴.
+
     Returns
     -------
     tuple of numpy.ndarray
