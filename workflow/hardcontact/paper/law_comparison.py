@@ -172,7 +172,7 @@ def _fit_law(
     atomic = np.array([spacing / float(law.spacing(1.0))])
     curves = [law_forces(law, lengths, ranges, mean) for mean in means]
     atomic_forces = [law_forces(law, atomic, ranges, mean) for mean in means]
-    ratio, ratio_samples = [
+    error_ratios = [
         _best_fit(curve / forces, lengths).error / error
         for curve, forces, error in zip(curves, measured, targets.exponential_errors, strict=True)
     ]
@@ -191,7 +191,7 @@ def _fit_law(
     ]
     implied = implied_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
     return fits.assign(
-        sampling.with_interval("error_over_exponential", (), ratio, ratio_samples, ONE)
+        sampling.with_interval("error_over_exponential", (), error_ratios[0], error_ratios[1], ONE)
         | {
             "error": (("target", "length"), errors, ONE),
             "implied_over_known": ("case", implied, ONE),
@@ -211,17 +211,18 @@ def _fit_case(
     Forces (..., surface, n) in N at the lengths (n,) in nm are fitted to targets (..., surface, 1).
     `reference` is the index of the reference surface.
     """
-    value, samples = [
+    fits = [
         _best_fit(force / target, lengths) for force, target in zip(forces, targets, strict=True)
     ]
-    ratio, ratio_samples = [
+    value, samples = fits
+    ratios = [
         force[..., value.position] / force[..., [reference], value.position] for force in forces
     ]
     return xr.Dataset(
         sampling.with_interval("range_of_law", (), value.length, samples.length, NM)
         | sampling.with_interval("work_of_adhesion", (), value.work, samples.work, ENERGY)
         | sampling.with_interval("fit_error", (), value.error, samples.error, ONE)
-        | sampling.with_interval("ratio", "surface", ratio, ratio_samples, ONE)
+        | sampling.with_interval("ratio", "surface", ratios[0], ratios[1], ONE)
     )
 
 

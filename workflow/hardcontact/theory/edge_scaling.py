@@ -214,7 +214,9 @@ def _formula_edges(
     spectra: Mapping[str, Spectrum], grid: xr.Dataset, work: float, tolerance: float
 ) -> xr.DataArray:
     """Return the edges (side, surface, radius, area, rho) in nm by the formulas on a grid."""
-    radii, areas, rhos = [grid[name] for name in COMBINATION]
+    radii = grid["radius"]
+    areas = grid["area"]
+    rhos = grid["rho"]
     edges = [
         formula_edges(spectrum, contact_of_area(radius, rho, work, area), tolerance)
         for spectrum in spectra.values()

@@ -241,8 +241,8 @@ def prediction(
         If `trim_spectrum` refuses the spectrum.
     """
     waves = trim_spectrum(spectrum, name)
-    height, gradient, _ = map(float, all_scales_moments(waves))
-    longest, shortest = map(float, 2 * np.pi / waves.wavevector[[0, -1]])
+    height, gradient, _ = all_scales_moments(waves)
+    longest, shortest = 2 * np.pi / waves.wavevector[[0, -1]]
     form = closed_form(waves, contact)
     smooth = smooth_force(contact)
     widest_gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
@@ -263,10 +263,10 @@ def prediction(
     point = table_coordinates(waves, contact, form)
     ends = zip(VALIDATED_QUANTITIES[1:], edges(waves, contact, tolerance), strict=True)
     numbers = [
-        Number("shortest_wavelength", shortest, "nm"),
-        Number("longest_wavelength", longest, "nm"),
-        Number("rms_height", height, "nm"),
-        Number("rms_gradient", gradient),
+        Number("shortest_wavelength", float(shortest), "nm"),
+        Number("longest_wavelength", float(longest), "nm"),
+        Number("rms_height", float(height), "nm"),
+        Number("rms_gradient", float(gradient)),
         _force_number("pull_off_force", form, point, validated),
         *extrapolated,
         Number("force_scatter", force_statistics(waves, contact).spread),
