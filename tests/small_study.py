@@ -3,14 +3,22 @@
 import copy
 
 import pandas as pd
-from repository import PAPER, ROOT
+import yaml
+from repository import PAPER, QUICK, ROOT, merged
 
 from hardcontact.config import model
 from hardcontact.config.files import Files
 from hardcontact.config.patterns import Patterns
 from hardcontact.config.selection import CONTACT, Selection
+from hardcontact.config.store_keys import STORE_KEYS, store_digests
 
-PATTERNS = Patterns("results/paper", "results/store", "ruby")
+DIGESTS = {kind: "digest" for kind in STORE_KEYS}
+PATTERNS = Patterns("results/paper", "results/store", "ruby", DIGESTS)
+#: The paths of the quick study.
+QUICK_NUMBERS = model.configuration(merged(PAPER, yaml.safe_load((ROOT / QUICK).read_text())))
+QUICK_PATTERNS = Patterns(
+    "results/quick", "results/store-quick", "ruby", store_digests(QUICK_NUMBERS)
+)
 
 
 def selection(scans=(1, 2), measured=()):

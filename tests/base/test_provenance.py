@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from repository import run_snakemake
+from small_study import QUICK_PATTERNS
 
 from hardcontact.base import crate, dataset, provenance
 from hardcontact.base.origin import Origin, digest, digests, keep_records
@@ -91,7 +92,8 @@ def test_a_finished_study_has_no_faults(finished):
     assert faults == absent == 0 and checked > made  # all of the store, and the results
 
 
-FINAL, STITCHED = "results/quick", "results/store-quick/stitched/ncd/study/scan-2-flat.nc"
+FINAL = "results/quick"
+STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", variant="study", scan=2, shape="flat")
 #: Files that are changed, and what was made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/inference.nc", f"{FINAL}/claims.csv"],

@@ -79,7 +79,7 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     rows = study.masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
     assert study.master_sources(rows[1])["small_masters"] == [
-        "results/store/masters/polished_uncd/study/realization-2/small.nc"
+        "results/store/masters/digest/polished_uncd/study/realization-2/small.nc"
     ]
 
 

@@ -6,8 +6,10 @@ from string import Formatter
 import pytest
 
 from hardcontact.config.patterns import Patterns, wildcard_constraints
+from hardcontact.config.store_keys import STORE_KEYS
 
-PATTERNS = Patterns("results/a", "results/store", "ruby")
+DIGESTS = {kind: f"{number:08x}" for number, kind in enumerate(STORE_KEYS)}
+PATTERNS = Patterns("results/a", "results/store", "ruby", DIGESTS)
 #: Patterns of files that are the same as those of another pattern.
 SPECIAL_CASES = ("stitched_", "small_", "large_")
 INTERMEDIATES = {
@@ -36,6 +38,7 @@ VALUES = {
     "loads": ["H25GPa-F10uN", "H25GPa-F10uN+H16GPa-F10uN"],
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
     "purpose": ["scales", "drawn", "sets", "scaling"],
+    "settings": ["0123abcd", "01234567"],
 }
 
 

@@ -236,13 +236,13 @@ def assert_refused(study, path):
 
 def test_altered_files_are_never_used_and_made_again(copy, own):
     scales, spectra = (copy / RESULTS / f"{name}.nc" for name in ("scales", "spectra"))
-    stitched = copy / STORE / "stitched/twin/study/scan-1-flat.nc"
+    (stitched,) = (copy / STORE / "stitched").glob("*/twin/study/scan-1-flat.nc")
     flip_a_bit(scales)
     (copy / RESULTS / "edges.nc").unlink()  # made from the scales
     assert_refused(copy, scales)
     flip_a_bit(stitched)
     cut(spectra, 0.7)
-    (forces,) = (copy / STORE / "pull_off").glob("sphere/*/*/*/twin/study/scan-1.nc")
+    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/study/scan-1.nc")
     forces.unlink()  # made from the stitched scan
     (copy / RESULTS / "adhesion.nc").unlink()
     verified = run(copy, "verify")

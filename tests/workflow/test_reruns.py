@@ -7,43 +7,21 @@ each job has as inputs is compared without a run: the modules that its script re
 import ast
 import csv
 import importlib
-import multiprocessing
 import os
 import pkgutil
 import re
-import shutil
 import sys
 from pathlib import Path
 
 import pandas as pd
 import pytest
 import yaml
+from forked_runs import forked, linked_copy, run_here, without_library
 from repository import PARTS, QUICK, ROOT, run_snakemake
 
 import hardcontact
 
 pytestmark = pytest.mark.study
-
-
-def forked(function, *arguments):
-    """Return what a function returns in a process of its own, which starts without the library."""
-    context = multiprocessing.get_context("fork")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=lambda: theirs.send(function(*arguments)))
-    process.start()
-    theirs.close()
-    try:
-        return ours.recv()
-    except EOFError:
-        pytest.fail("the process ended without a result; see above what it printed")
-    finally:
-        process.join()
-
-
-def without_library():
-    """Forget the library that this process has loaded."""
-    for name in [name for name in sys.modules if name.partition(".")[0] == "hardcontact"]:
-        del sys.modules[name]
 
 
 def imports(path):
@@ -73,19 +51,7 @@ def load(script, *names):
 
 def run_dry(folder):
     """Return the rules, with outputs, of a dry run in a folder, or what it says of an error."""
-    from snakemake.cli import main
-
-    os.chdir(folder)
-    without_library()
-    sys.path.insert(0, str(folder / "workflow"))
-    sys.stdout = sys.stderr = open("output", "w", buffering=1)
-    code = 0
-    try:
-        main(["-n", "--configfile", QUICK, "overlay.yaml"])
-    except SystemExit as error:
-        code = error.code
-    text = Path("output").read_text()
-    assert not code, text
+    text = run_here(folder, "-n", "--configfile", QUICK, "overlay.yaml")
     found = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )
@@ -147,13 +113,7 @@ def dry(finished, tmp_path_factory):
     top = tmp_path_factory.mktemp("dry")
 
     def planned(overlay=None, change=lambda folder: None):
-        folder = top / str(len(list(top.iterdir())))
-        folder.mkdir()
-        for part in PARTS:
-            copy = shutil.copytree if (finished / part).is_dir() else shutil.copy2
-            copy(finished / part, folder / part)
-        for part in ("results", ".snakemake"):
-            (folder / part).symlink_to(finished / part)
+        folder = linked_copy(finished, top / str(len(list(top.iterdir()))))
         change(folder)
         (folder / "overlay.yaml").write_text(yaml.safe_dump(overlay or {}))
         return forked(run_dry, folder)

@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
+from small_study import QUICK_PATTERNS
 
 from hardcontact.base import dataset
 from hardcontact.contact.contact import Contact
@@ -112,9 +113,13 @@ def values_of(folder):
 
 def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     folder = copy_repository(tmp_path / "again")
-    scans = ("uncd/study/scan-1-flat.nc", "ruby/study/scan-2-sphere-R250um.nc")
-    run = run_snakemake(folder, *(f"results/store-quick/stitched/{scan}" for scan in scans))
+    rows = {"uncd": (1, "flat"), "ruby": (2, "sphere-R250um")}
+    scans = [
+        QUICK_PATTERNS.stitched.format(surface=surface, variant="study", scan=scan, shape=shape)
+        for surface, (scan, shape) in rows.items()
+    ]
+    run = run_snakemake(folder, *scans)
     assert run.returncode == 0, run.stdout[-3000:]
     first, again = (values_of(part / "results/store-quick") for part in (finished, folder))
-    assert {path for path, _ in again} >= {f"stitched/{scan}" for scan in scans}
+    assert {f"{QUICK_PATTERNS.store}/{path}" for path, _ in again} >= set(scans)
     assert all(first[key] == values for key, values in again.items())

@@ -5,10 +5,14 @@ from hardcontact.base.origin import canonical
 from hardcontact.config import start
 from hardcontact.config.patterns import PUBLISHED, Patterns
 from hardcontact.config.model import PAPER
+from hardcontact.config.store_keys import store_digests
 
+start.read_numbers(workflow, config)
 config.update(start.with_effort(config))
 STUDY = start.checked_configuration(workflow, config)
-PATTERNS = Patterns(f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"])
+PATTERNS = Patterns(
+    f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"], store_digests(STUDY)
+)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
 #: How intervals follow from random samples.
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}

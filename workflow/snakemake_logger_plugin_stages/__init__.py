@@ -27,8 +27,10 @@ STUDY = "snakemake.logging.study"
 SILENCE = 30
 #: Exceptions that tell once more of a job that has failed.
 OF_JOBS = ("CalledProcessError", "RuleException")
-#: Options whose words on the command line are configuration files.
-CONFIGFILE = ("--configfile", "--configfiles")
+#: What Snakemake says at the end of a run in which a job has failed.
+NOT_ALL = "At least one job did not complete successfully."
+#: Options whose words on the command line are configuration files, or keys with values.
+CONFIGFILE, CONFIG = ("--configfile", "--configfiles"), ("--config", "-C")
 #: Exceptions whose last line tells a user all: of configuration files that cannot be read.
 OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
 
@@ -60,7 +62,7 @@ class LogHandler(LogHandlerBase):
     def emit(self, record: LogRecord) -> None:
         """Show what begins, what ends, and what is to be read."""
         event, said = getattr(record, "event", None), vars(record)
-        if event == LogEvent.ERROR and not self._planned and (faults := _faults_of_files()):
+        if event == LogEvent.ERROR and not self._planned and (faults := _faults_of_words()):
             self._say(faults)
         elif event == LogEvent.ERROR and said["exception"] in OF_FILES:
             self._say("error: " + record.getMessage().strip().splitlines()[-1])
@@ -76,7 +78,7 @@ class LogHandler(LogHandlerBase):
             self._finish(self._rules[said["job_id"]])
         elif event == LogEvent.JOB_ERROR:
             self._say(f"Error in rule {said['rule_name']}: see {', '.join(said['log'])}")
-        elif event == LogEvent.ERROR and said["exception"] in OF_JOBS and self._planned:
+        elif event == LogEvent.ERROR and self._planned and _tells_again(record):
             pass
         elif (
             record.levelno >= WARNING
@@ -137,22 +139,49 @@ class LogHandler(LogHandlerBase):
         super().close()
 
 
-def _faults_of_files() -> str:
-    """Return what is wrong with the configuration files of the command line, a line each.
+def _tells_again(record: LogRecord) -> bool:
+    """Return whether an error is that of a job that has failed, which has a line already."""
+    return vars(record)["exception"] in OF_JOBS or record.getMessage().endswith(NOT_ALL)
 
-    Snakemake tells neither the file nor the line.
+
+def _words_of(options: tuple[str, ...]) -> list[str]:
+    """Return the words of options on the command line."""
+    words = list[str]()
+    for place, word in enumerate(sys.argv):
+        option, _, value = word.partition("=")
+        if option in options:
+            after = takewhile(lambda word: not word.startswith("-"), sys.argv[place + 1 :])
+            words += [value] if value else after
+    return words
+
+
+def _faults_of_words() -> str:
+    """Return what is wrong with the configuration on the command line, a line each.
+
+    Snakemake tells neither the file nor the line of a file, nor the key.
     """
     from hardcontact.config.configuration import refuse_unreadable
     from hardcontact.config.faults import refuse_all
 
-    paths = list[str]()
-    for place, word in enumerate(sys.argv):
-        option, _, value = word.partition("=")
-        if option in CONFIGFILE:
-            after = takewhile(lambda word: not word.startswith("-"), sys.argv[place + 1 :])
-            paths += [value] if value else after
+    checks = [
+        *(partial(refuse_unreadable, path) for path in _words_of(CONFIGFILE)),
+        *(partial(_refuse_pair, word) for word in _words_of(CONFIG)),
+    ]
     try:
-        refuse_all(partial(refuse_unreadable, path) for path in paths)
+        refuse_all(checks)
     except ValueError as error:
         return "\n".join(f"error: {line}" for line in str(error).splitlines())
     return ""
+
+
+def _refuse_pair(word: str) -> None:
+    """Refuse a word of `--config` that is no KEY=VALUE, or whose key has dots."""
+    key, equals, value = word.partition("=")
+    if not equals:
+        raise ValueError(
+            f"--config: expected KEY=VALUE, found {word} (targets stand before --config)"
+        )
+    section, dot, name = key.partition(".")
+    if dot:
+        nested = f"{{{name.replace('.', ': {')}: {value}" + "}" * key.count(".")
+        raise ValueError(f"--config: expected '{section}={nested}', found {word}")

@@ -11,6 +11,7 @@ from hardcontact.base.units import token
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
+from hardcontact.config.store_keys import SCANS, digest_of, values_of
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -32,7 +33,7 @@ Chunk = namedtuple("Chunk", "surface first last")
 ProtrudedChunk = namedtuple("ProtrudedChunk", "surface bearer first last")
 MeanForces = namedtuple("MeanForces", "surface variant probe radii loads ranges")
 FilteredMasters = namedtuple(
-    "FilteredMasters", "purpose surface variant probe first last radii loads ranges"
+    "FilteredMasters", "purpose settings surface variant probe first last radii loads ranges"
 )
 
 
@@ -58,6 +59,8 @@ class Files:
             "load": self.contact.load,
             "range": f"rho{token(configuration['scales']['range'], 'nm')}",
         }
+        keys = (*SCANS, "contact.window", "sphere.surface")
+        self._filter_values = values_of(configuration, keys)
         #: The study's sphere of filtered masters.
         self.probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
         self.surface_variants = surface_variants(configuration)
@@ -286,8 +289,9 @@ class Files:
         """Return the files of the first realizations of the masters of a surface."""
         step = 1 if purpose in ("scales", "drawn") else MASTERS_CHUNK
         names = self._grid_names(purpose, probe)
+        settings = digest_of([self.filters(purpose), self._filter_values])
         return [
-            FilteredMasters(purpose, surface, variant, probe, *chunk, **names)
+            FilteredMasters(purpose, settings, surface, variant, probe, *chunk, **names)
             for chunk in _chunks(realizations, step)
         ]
 

@@ -38,6 +38,10 @@ class Study(StudyKeys):
         named = sorted({"study", "store"} & self.quick.keys())
         expected = f"no study or store there: their names are those above, with {QUICK_NAME}"
         yield Limit(not named, "quick", expected, " and ".join(named))
+        if self.quick and self.effort != "quick":
+            expected = f"another end than {QUICK_NAME}, that of names with effort: quick"
+            for key, name in (("study", self.study), ("store", self.store)):
+                yield Limit(not name.endswith(QUICK_NAME), key, expected, name)
         folder = f"results/{self.study}"
         results, store = Path(os.path.realpath(folder)), Path(os.path.realpath(self.store))
         apart = not (results.is_relative_to(store) or store.is_relative_to(results))

@@ -1,7 +1,7 @@
 """Every path of a study: patterns with wildcards, and what may stand in these."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
@@ -26,49 +26,54 @@ _NUMBER = "[0-9.e+-]+"
 class Patterns:
     """The paths of a study, with wildcards in braces where a rule makes several files.
 
-    What people sweep stands in the paths of intermediates, so that files of two values lie side by
-    side. `results` is the folder of the final files, `store` that of the intermediates, which
-    studies share, and `sphere` the surface that is the sphere's.
+    What people sweep stands in the paths of intermediates by its value, all else that they depend
+    on as a digest, so that files of two values lie side by side. `results` is the folder of the
+    final files, `store` that of the intermediates, which studies share, `sphere` the surface that
+    is the sphere's, and `digests` those of `store_keys`, by the kind of intermediate.
     """
 
-    def __init__(self, results: str, store: str, sphere: str) -> None:
+    def __init__(self, results: str, store: str, sphere: str, digests: Mapping[str, str]) -> None:
         self.results, self.store = results, store
+        folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in digests.items()}
 
         self.calibrated_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/calibrated.nc"
-        self.measured_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/measured-{{shape}}.nc"
-        self.conditioning = f"{store}/conditioning/{{surface}}/{{variant}}/group-{{group}}.nc"
-        self.substitute = f"{store}/substitutes/{_SCAN}"
-        self.measurement = f"{store}/measurements/{{surface}}/scan-{{scan}}.nc"
-        self.levelled = f"{store}/scans/{_SCAN}"
-        self.stitched = f"{store}/stitched/{_SCAN}"
+        self.measured_spectrum = (
+            f"{folder['measured_spectra']}/{{surface}}/{{variant}}/measured-{{shape}}.nc"
+        )
+        self.conditioning = f"{folder['conditioning']}/{{surface}}/{{variant}}/group-{{group}}.nc"
+        self.substitute = f"{folder['substitutes']}/{_SCAN}"
+        self.measurement = f"{folder['measurements']}/{{surface}}/scan-{{scan}}.nc"
+        self.levelled = f"{folder['scans']}/{_SCAN}"
+        self.stitched = f"{folder['stitched']}/{_SCAN}"
         self.stitched_substrate = self.stitched.replace("{shape}", "flat")
         self.stitched_sphere = (
-            f"{store}/stitched/{sphere}/{STUDY_VARIANT}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
+            f"{folder['stitched']}/{sphere}/{STUDY_VARIANT}/"
+            "scan-{sphere_scan}-sphere-{radius}.nc"
         )
 
         pair = f"{{radius}}/{{load}}/{{surface}}/{{variant}}/scan-{{scan}}/{sphere}"
-        self.elastic = f"{store}/elastic/{pair}-{{sphere_scan}}.nc"
-        self.asperities = f"{store}/asperities/{pair}-{{sphere_scan}}.nc"
+        self.elastic = f"{folder['elastic']}/{pair}-{{sphere_scan}}.nc"
+        self.asperities = f"{folder['asperities']}/{pair}-{{sphere_scan}}.nc"
 
         at_range = "{radius}/{load}/{range}/{surface}/{variant}"
-        self.pool = f"{store}/pool/{at_range}/scans-{{first}}-{{last}}.nc"
-        self.protruded = f"{store}/protruded/{at_range}/{{bearer}}/{{first}}-{{last}}.nc"
-        self.pull_off = f"{store}/pull_off/{sphere}/{at_range}/scan-{{scan}}.nc"
-        of_scan = f"{store}/laws/{sphere}/{at_range}/scan-{{scan}}"
+        self.pool = f"{folder['pool']}/{at_range}/scans-{{first}}-{{last}}.nc"
+        self.protruded = f"{folder['protruded']}/{at_range}/{{bearer}}/{{first}}-{{last}}.nc"
+        self.pull_off = f"{folder['pull_off']}/{sphere}/{at_range}/scan-{{scan}}.nc"
+        of_scan = f"{folder['laws']}/{sphere}/{at_range}/scan-{{scan}}"
         self.law_scan, self.law_small, self.law_large = (
             f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
         )
-        self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
+        self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.small_master, self.large_master = (
             self.master.replace("{side}", side) for side in ("small", "large")
         )
         # A spectrum drawn within what measurements leave open.
-        self.drawn_spectrum = f"{store}/drawn_spectra/{_REALIZATION}.nc"
-        # Forces at lists of radii, loads and ranges.
+        self.drawn_spectrum = f"{folder['drawn_spectra']}/{_REALIZATION}.nc"
+        # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
         grid = "{radii}/{loads}/{ranges}/{surface}/{variant}"
-        self.mean_forces = f"{store}/mean_forces/{grid}/{{probe}}-sphere.nc"
+        self.mean_forces = f"{folder['mean_forces']}/{grid}/{{probe}}-sphere.nc"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
-        self.filtered = f"{store}/filtered/{{purpose}}/{grid}/{realizations}.nc"
+        self.filtered = f"{store}/filtered/{{purpose}}/{{settings}}/{grid}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
@@ -129,4 +134,5 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
         "loads": list_of(load),
         "ranges": list_of(rho),
         "purpose": "|".join(PURPOSES),
+        "settings": "[0-9a-f]+",
     }

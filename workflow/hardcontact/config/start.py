@@ -15,6 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
+import yaml
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
@@ -102,6 +103,21 @@ def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
         for name in ("study", "store"):
             merged[name] = str(merged[name]).removesuffix(QUICK_NAME) + QUICK_NAME
     return merged
+
+
+def read_numbers(workflow: Any, config: dict[str, Any]) -> None:
+    """Take nested values of the command line as YAML has them: Snakemake leaves them as text."""
+
+    def typed(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: typed(item) for key, item in value.items()}
+        if isinstance(value, list):
+            return [typed(item) for item in value]
+        return yaml.safe_load(value) if isinstance(value, str) else value
+
+    given = workflow.config_settings.config
+    nested = {key: value for key, value in given.items() if isinstance(value, dict | list)}
+    update_config(config, typed(nested))
 
 
 def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import sys
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -111,6 +112,7 @@ def predict(arguments: Namespace) -> str:
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":
+            print(*notes, *cautions, sep="\n", file=sys.stderr)
             report = write(numbers)
         elif path is not None:
             with whole_file(path) as temporary:

@@ -1,0 +1,136 @@
+"""Two studies on one store: none makes again, or finds stale, what the other one has made.
+
+Every key but those that the files of a folder of the store depend on has another value at once:
+Snakemake then finds these files as they should be. That keys which the paths name have files of
+their own by value is tried one by one, or below tests/config.
+"""
+
+import csv
+import importlib
+from pathlib import Path
+
+import pytest
+import yaml
+from forked_runs import forked, linked_copy, run_here
+from repository import PAPER, QUICK, ROOT, leaves, merged
+
+from hardcontact.config.configuration import get_key, with_keys
+from hardcontact.config.store_keys import STORE_KEYS
+
+pytestmark = pytest.mark.study
+
+STUDY = merged(PAPER, yaml.safe_load((ROOT / QUICK).read_text()))
+STORE = STUDY["store"]
+#: Keys without another value here: they name files, or a study that is not the paper's.
+FIXED = {
+    "study", "store", "surfaces", "published", "forces", "effort", "quick", "sphere.surface"
+}  # fmt: skip
+#: Keys whose values, or the numbers of what they count, stand in paths.
+IN_PATHS = {
+    "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
+    "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protruded",
+    "sets.realizations", "robustness.realizations", "robustness.preloads",
+    "robustness.hardnesses", "insight.realizations", "insight.scaling.radii",
+    "insight.scaling.ranges", "insight.scaling.preloads",
+}  # fmt: skip
+#: Other values of keys that are no numbers.
+OTHER_WORDS = {
+    "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.edge": "5 um",
+    "scan.levelling": "lines", "reference_surface": "mcd", "indent.surface": "mcd",
+    "robustness.heights.surface": "mcd", "robustness.heights.skewness": [0.5, 1.0],
+    "scales.sphere_roughness": True,
+}  # fmt: skip
+#: The keys of filtered masters by their purpose; a section inherits from those around it.
+_OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
+FILTERED = {
+    "scales": (*_OF_SCANS, "scales.small", "scales.large", "contact.count"),
+    "sets": (*_OF_SCANS, "scales.small", "scales.large", "sets.small", "sets.large", "sets.count"),
+    "enhancement": (*_OF_SCANS, "scales.small", "sets.small", "sets.count"),
+    "scaling": (
+        *_OF_SCANS, "scales.small", "scales.large", "insight.small", "insight.large",
+        "insight.scaling", "insight.count",
+    ),
+}  # fmt: skip
+FOLDERS = {
+    kind: keys
+    for kind, keys in STORE_KEYS.items()
+    if kind not in ("measurements", "measured_spectra", "drawn_spectra")  # of measured surfaces
+} | {f"filtered/{purpose}": keys for purpose, keys in FILTERED.items()}
+
+
+def another(key):
+    """Return another value of a key: 2 more, a few percent more, one tile fewer, or a word."""
+    value = get_key(STUDY, key)
+    if key in OTHER_WORDS:
+        return OTHER_WORDS[key]
+    if key.endswith("tiles"):
+        return value - 1
+    return [increased(item) for item in value] if isinstance(value, list) else increased(value)
+
+
+def increased(value):
+    if isinstance(value, str):
+        number, unit = value.split()
+        return f"{1.03 * float(number):.4g} {unit}"
+    return value + 2 if isinstance(value, int) else 0.9 * value
+
+
+def second_study(keys):
+    """Return the overlay of a study of another name, with other values of some keys."""
+    return with_keys({"study": "second"}, {key: another(key) for key in keys})
+
+
+def summary(folder):
+    """Return what Snakemake plans for each file of a study in the store that is there already."""
+    text = run_here(folder, "--detailed-summary", "--configfile", QUICK, "overlay.yaml")
+    lines = text.splitlines()
+    header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
+    rows = csv.DictReader(lines[header:], delimiter="\t")
+    return {
+        row["output_file"]: row["plan"]
+        for row in rows
+        if row["output_file"].startswith(STORE) and Path(row["output_file"]).exists()
+    }
+
+
+@pytest.fixture(scope="module")
+def plans(finished, tmp_path_factory):
+    """Return what tells the plans for the store of the finished study, given an overlay."""
+    importlib.import_module("snakemake.cli")  # once, and not in every process
+    top = tmp_path_factory.mktemp("second")
+
+    def planned(overlay):
+        folder = linked_copy(finished, top / str(len(list(top.iterdir()))))
+        (folder / "overlay.yaml").write_text(yaml.safe_dump(overlay))
+        return forked(summary, folder)
+
+    return planned
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_keys_that_no_path_has_change_no_file(plans, folder):
+    kept = IN_PATHS | FIXED
+    others = [
+        key
+        for key in leaves(STUDY)
+        if key not in kept and not f"{key}.".startswith(tuple(f"{one}." for one in FOLDERS[folder]))
+    ]
+    found = {
+        path: plan
+        for path, plan in plans(second_study(others)).items()
+        if path.startswith(f"{STORE}/{folder}/")
+    }
+    assert found and set(found.values()) == {"no update"}
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        ["scales.sphere_roughness"],
+        ["scales.realizations", "insight.realizations", "robustness.hardnesses"],
+        ["sets.pool", "sets.protruded", "sets.realizations", "robustness.realizations"],
+    ],
+)
+def test_values_in_paths_change_no_file(plans, keys):
+    found = plans(second_study(keys))
+    assert found and set(found.values()) == {"no update"}

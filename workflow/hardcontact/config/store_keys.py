@@ -1,0 +1,60 @@
+"""The keys that intermediates depend on: a digest of their values stands in each path.
+
+Left out are the keys whose values stand in the path themselves. A source of a surface, or another
+row of it in the table of surfaces, is no key: it replaces the intermediates of that surface.
+"""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any
+
+from hardcontact.base.origin import canonical
+from hardcontact.config.configuration import get_key
+
+_READING = ("scan.undefined_pixels", "scan.unit", "scan.edge")
+_MEASURED = (*_READING, "scan.levelling", "scans")
+_SUBSTITUTES = ("seed", "scans", "scan.pixels", "scan.size")
+#: What every scan depends on, measured or substitute, and all that is computed from scans.
+SCANS = (*_SUBSTITUTES, *_MEASURED)
+_CONTACTS = (*SCANS, "contact.window", "contact.count")
+_POOL = (
+    *_SUBSTITUTES, "sets.amplitudes", "sets.count", "contact.window", "adhesion.ranges",
+)  # fmt: skip
+_TRANSITIONS = ("scales.small.transition", "scales.large.transition")
+
+#: The keys of each kind of intermediate, and of all that it is made from.
+STORE_KEYS = {
+    "measurements": _READING,
+    "measured_spectra": _MEASURED,
+    "drawn_spectra": (*_MEASURED, "seed"),
+    "conditioning": _SUBSTITUTES,
+    "substitutes": _SUBSTITUTES,
+    "scans": SCANS,
+    "stitched": SCANS,
+    "pull_off": (*_CONTACTS, "adhesion.ranges"),
+    "elastic": (*_CONTACTS, "elastic.contacts"),
+    "asperities": (*_CONTACTS, "asperities"),
+    "mean_forces": (*_CONTACTS, "sets.count", "adhesion.ranges", "sphere.surface"),
+    "pool": _POOL,
+    "protruded": (*_POOL, "robustness.heights.surface"),
+    "masters": (*SCANS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
+    "laws": (
+        *SCANS, *_TRANSITIONS, "contact.window", "insight.count", "insight.reach", "insight.small",
+        "insight.large",
+    ),
+}  # fmt: skip
+
+
+def digest_of(values: object) -> str:
+    """Return a short digest of values, as a part of paths."""
+    return hashlib.sha256(canonical(values).encode()).hexdigest()[:8]
+
+
+def values_of(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
+    """Return the values of keys, with dots between their parts."""
+    return {key: get_key(configuration, key) for key in keys}
+
+
+def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
+    """Return the digest of the keys of each kind of intermediate."""
+    return {kind: digest_of(values_of(configuration, keys)) for kind, keys in STORE_KEYS.items()}
