@@ -56,5 +56,5 @@ def run_here(folder, *arguments):
     except SystemExit as error:
         code = error.code
     text = Path("output").read_text()
-    assert not code, text
+    assert not code, f"{text}{code}"
     return text

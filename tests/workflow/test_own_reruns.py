@@ -56,6 +56,19 @@ def test_a_key_makes_again_what_depends_on_it(own, key, value, rules):
     assert planned(own, "other.yaml") == rules | PAGE
 
 
+@pytest.mark.parametrize(
+    ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic"), ("unit", "um")]
+)
+def test_another_study_replaces_nothing_that_the_first_has_made(own, key, value):
+    (own / "other.yaml").write_text(yaml.safe_dump({"study": "other", "scan": {key: value}}))
+    run = quick(own, "several", "-n", overlays=["few.yaml", "other.yaml"])
+    outputs = [
+        path for line in re.findall("^    output: (.*)$", run.stdout, re.M)
+        for path in line.split(", ")
+    ]  # fmt: skip
+    assert outputs and not any((own / path).exists() for path in outputs)
+
+
 def test_more_forces_make_the_fit_again(own):
     path = own / "my.csv"
     with changed(path, path.read_text() + "twin,1.0,uN\n"):

@@ -28,7 +28,7 @@ STORE_KEYS = {
     "measured_spectra": _MEASURED,
     "drawn_spectra": (*_MEASURED, "seed"),
     "conditioning": _SUBSTITUTES,
-    "substitutes": _SUBSTITUTES,
+    "substitutes": SCANS,  # which are made with the scans
     "scans": SCANS,
     "stitched": SCANS,
     "pull_off": (*_CONTACTS, "adhesion.ranges"),

@@ -1,0 +1,172 @@
+"""Every command of README.md and config/README.md does what it says, typed as it is printed.
+
+A shell without the environment on its PATH types them, where a program that was not activated is
+not found. Programs there only note how they were called. Then `hardcontact` is called in this way,
+and `snakemake` with `-n`, as its runs take minutes; installation is what .ci/run does.
+"""
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from forked_runs import forked, run_here, without_library
+from own_studies import rough, spm
+from repository import ROOT, copy_repository
+from scan_files import container, scan
+
+from hardcontact.base.random import generator
+
+READMES = ("README.md", "config/README.md")
+COMMAND = re.compile(r"(?:snakemake|hardcontact|python|python3|pip|conda|source|rm)\b.*")
+#: Words of the user, or a command that is only named.
+NOT_TYPED = re.compile(r".*\b(FILE|NAME)\b.*|hardcontact new( --overwrite)?")
+#: Notes how it was called, between separators, a line a call.
+PROGRAM = """#!/bin/bash
+{ printf '%s\\x1f' "${0##*/}" "$@"; echo; } >> "$CALLS"
+"""
+#: Makes the environment without packages: its programs take notes.
+PYTHON3 = f"""{PROGRAM}
+[ "$*" = "-m venv .venv" ] && '{sys.executable}' -m venv --without-pip .venv
+for name in pip snakemake hardcontact python
+do cp --remove-destination "$PROGRAM" .venv/bin/$name
+done
+"""
+
+
+def blocks(text):
+    """Return language and content of each fenced block."""
+    return re.findall(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)
+
+
+def commands(text):
+    """Return the commands of fenced blocks, of prose and of tables, in their order."""
+    typed = []
+    for part in re.split(r"(^```\w*\n.*?^```$)", text, flags=re.M | re.S):
+        if part.startswith("```"):
+            (language, content), *_ = blocks(part)
+            if not language and COMMAND.match(content):
+                typed += content.splitlines()
+            continue
+        for line in re.split(r"\n(?=\||\n|[-#] )", part):
+            cell = line.split(" | ")[0] if line.startswith("|") else line
+            codes = [" ".join(code.split()) for code in re.findall("`([^`]+)`", cell)]
+            codes = [code for code in codes if not NOT_TYPED.fullmatch(code)]
+            found = [code for code in codes if " " in code and COMMAND.fullmatch(code)]
+            typed += found
+            if found and line.startswith("|"):  # Other targets of the same command.
+                typed += [f"snakemake {code}" for code in codes if re.fullmatch(r"\w+", code)]
+    return typed
+
+
+def overlays(text):
+    """Return the overlays by their files: named in the first line, or by the study."""
+    return {
+        (re.match(r"# (\S+\.yaml)", content) or re.match(r"study: (\S+)", content))[1]
+        .removesuffix(".yaml") + ".yaml": content
+        for language, content in blocks(text)
+        if language == "yaml"
+    }  # fmt: skip
+
+
+def write_files(folder):
+    """Write the scans and tables that the commands read."""
+    scans = folder / "scans"
+    scans.mkdir()
+    for number, name in enumerate(("coating-10um.di", "bare-1.spm", "bare-2.spm", "coated-1.spm")):
+        spm(scans / name, rough(generator(number), 128, 10_000.0), 10_000.0)
+    spm(scans / "film.spm", rough(generator(4), 128, 1000.0, 3.0), 1000.0)
+    (folder / "resources/scans").mkdir(exist_ok=True)
+    spm(folder / "resources/scans/my-scan.spm", rough(generator(5), 512, 2500.0), 2500.0)
+    scan(scans / "map.nc", rough(generator(6), 128).T, (2500.0, 2500.0))
+    entry = {"name": "map", "datafile": {"original": "map.nc"}}
+    container(scans / "coating.zip", [entry], {"map.nc": scans / "map.nc"})
+    waves = np.geomspace(10, 5000, 20)
+    rows = [f"{wave},nm,{wave**4 / 1e3},nm4" for wave in waves]
+    (folder / "my-psd.csv").write_text(
+        "\n".join(["wavelength,wavelength_unit,c_iso,c_iso_unit", *rows])
+    )
+    for study in ("quick", "store-quick"):
+        (folder / "results" / study).mkdir(parents=True)
+
+
+def calls(folder, typed):
+    """Return the calls of programs, as lists of words, when the lines are typed in one shell."""
+    system = folder / "system"
+    system.mkdir(exist_ok=True)
+    for name, text in (("program", PROGRAM), ("conda", PROGRAM), ("python3", PYTHON3)):
+        (system / name).write_text(text)
+        (system / name).chmod(0o755)
+    notes = folder / "calls"
+    notes.write_text("")
+    path = f"{system}:/usr/bin:/bin"
+    environment = {"PATH": path, "CALLS": str(notes), "PROGRAM": str(system / "program")}
+    script = "\n".join(["set -e", *typed])
+    run = subprocess.run(
+        ["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True
+    )
+    assert run.returncode == 0, run.stderr
+    return [line.split("\x1f")[:-1] for line in notes.read_text().splitlines()]
+
+
+def call_hardcontact(folder, words):
+    """Call the command in this process, in a folder with its own library; return its exit code."""
+    os.chdir(folder)
+    without_library()
+    sys.path.insert(0, str(folder / "workflow"))
+    sys.argv = ["hardcontact", *words]
+    sys.stdout = open(os.devnull, "w")
+    from hardcontact.own.new import main
+
+    return main()
+
+
+def run_python(folder, content):
+    """Run a block of Python in a folder."""
+    os.chdir(folder)
+    exec(content, {})
+
+
+def plan(folder, runs):
+    """Plan runs of Snakemake, those with the same options as one run of all of their targets."""
+    targets = {}
+    for words in runs:
+        end = next((n for n, word in enumerate(words) if word.startswith("-")), len(words))
+        targets.setdefault(tuple(words[end:]), []).extend(words[:end])
+    for options, names in targets.items():
+        forked(run_here, folder, *dict.fromkeys(names), *options, "-n")
+
+
+@pytest.mark.parametrize("readme", READMES)
+def test_every_command_does_what_it_says(tmp_path, readme):
+    repository = copy_repository(tmp_path / "study")
+    write_files(repository)
+    text = (ROOT / readme).read_text("utf-8")
+    for name, content in overlays(text).items():
+        (repository / name).write_text(content)
+    typed = commands(text)
+    assert len(typed) > 10
+    if readme != READMES[0]:
+        typed = ["python3 -m venv .venv", "source .venv/bin/activate", *typed]
+    (repository / "forces.csv").write_text(
+        next((content for _, content in blocks(text) if content.startswith("surface,mean")), "")
+    )
+    runs = []
+    for program, *words in calls(repository, typed):
+        if program == "hardcontact" and "--help" not in words:
+            assert forked(call_hardcontact, repository, words) == 0, words
+        elif program == "snakemake":
+            runs.append(words)
+        elif program == "python":
+            assert importlib.util.find_spec(words[1]), words
+        elif program == "pip":
+            assert (repository / words[-1]).is_file(), words
+    for language, content in blocks(text):
+        if language == "python":
+            forked(run_python, repository, content)
+    plan(repository, runs)
+    for name in overlays(text):
+        plan(repository, [["keep_configuration", "--configfile", name]])
