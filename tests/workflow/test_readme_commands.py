@@ -5,6 +5,7 @@ not found. Programs there only note how they were called. Then `hardcontact` is 
 and `snakemake` with `-n`, as its runs take minutes; installation is what .ci/run does.
 """
 
+import importlib
 import importlib.util
 import os
 import re
@@ -86,9 +87,8 @@ def write_files(folder):
     container(scans / "coating.zip", [entry], {"map.nc": scans / "map.nc"})
     waves = np.geomspace(10, 5000, 20)
     rows = [f"{wave},nm,{wave**4 / 1e3},nm4" for wave in waves]
-    (folder / "my-psd.csv").write_text(
-        "\n".join(["wavelength,wavelength_unit,c_iso,c_iso_unit", *rows])
-    )
+    head = "wavelength,wavelength_unit,c_iso,c_iso_unit"
+    (folder / "my-psd.csv").write_text("\n".join([head, *rows]))
     for study in ("quick", "store-quick"):
         (folder / "results" / study).mkdir(parents=True)
 
@@ -130,43 +130,64 @@ def run_python(folder, content):
     exec(content, {})
 
 
-def plan(folder, runs):
-    """Plan runs of Snakemake, those with the same options as one run of all of their targets."""
+@pytest.fixture(scope="module")
+def loaded():
+    """Load what all processes would load."""
+    for name in ("snakemake.cli", "hardcontact.own.new", "hardcontact.paper.evaluation"):
+        importlib.import_module(name)
+
+
+#: Options of dry runs, which all runs here are.
+DRY = ["-n", "-q", "rules"]
+
+
+def targets_by_options(runs):
+    """Return the targets of runs that have the same options: they are planned as one run."""
     targets = {}
     for words in runs:
         end = next((n for n, word in enumerate(words) if word.startswith("-")), len(words))
-        targets.setdefault(tuple(words[end:]), []).extend(words[:end])
-    for options, names in targets.items():
-        forked(run_here, folder, *dict.fromkeys(names), *options, "-n")
+        options = tuple(word for word in words[end:] if word not in DRY)
+        targets.setdefault(options, []).extend(words[:end])
+    return targets
 
 
-@pytest.mark.parametrize("readme", READMES)
-def test_every_command_does_what_it_says(tmp_path, readme):
-    repository = copy_repository(tmp_path / "study")
-    write_files(repository)
+def typed_in(folder, readme):
+    """Type the commands of a README in a folder; return the runs of Snakemake among them."""
     text = (ROOT / readme).read_text("utf-8")
     for name, content in overlays(text).items():
-        (repository / name).write_text(content)
+        (folder / name).write_text(content)
+    for language, content in blocks(text):
+        if language == "python":
+            forked(run_python, folder, content)
+        elif content.startswith("surface,mean"):
+            (folder / "forces.csv").write_text(content)
     typed = commands(text)
     assert len(typed) > 10
-    if readme != READMES[0]:
+    if "source .venv/bin/activate" not in typed:
         typed = ["python3 -m venv .venv", "source .venv/bin/activate", *typed]
-    (repository / "forces.csv").write_text(
-        next((content for _, content in blocks(text) if content.startswith("surface,mean")), "")
-    )
     runs = []
-    for program, *words in calls(repository, typed):
+    for program, *words in calls(folder, typed):
         if program == "hardcontact" and "--help" not in words:
-            assert forked(call_hardcontact, repository, words) == 0, words
+            assert forked(call_hardcontact, folder, words) == 0, words
         elif program == "snakemake":
             runs.append(words)
         elif program == "python":
             assert importlib.util.find_spec(words[1]), words
         elif program == "pip":
-            assert (repository / words[-1]).is_file(), words
-    for language, content in blocks(text):
-        if language == "python":
-            forked(run_python, repository, content)
-    plan(repository, runs)
-    for name in overlays(text):
-        plan(repository, [["keep_configuration", "--configfile", name]])
+            assert (folder / words[-1]).is_file(), words
+    # Overlays without a command: enough to see that they are accepted.
+    named = {word for words in runs for word in words}
+    others = [name for name in overlays(text) if name not in named]
+    return [*runs, *(["keep_configuration", "--configfile", name] for name in others)]
+
+
+@pytest.mark.usefixtures("loaded")
+def test_every_command_does_what_it_says(tmp_path):
+    planned = set()
+    for readme in READMES:
+        folder = copy_repository(tmp_path / readme.replace("/", "-"))
+        write_files(folder)
+        for options, targets in targets_by_options(typed_in(folder, readme)).items():
+            if (options, *targets) not in planned:
+                forked(run_here, folder, *dict.fromkeys(targets), *options, *DRY)
+                planned.add((options, *targets))
