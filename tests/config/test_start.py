@@ -2,12 +2,25 @@
 
 import logging
 import os
+import shutil
+import signal
+import subprocess
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+import yaml
 from refusals import assert_says
-from repository import PAPER, ROOT, run_snakemake, snakemake
+from repository import (
+    PAPER,
+    QUICK,
+    ROOT,
+    copy_repository,
+    environment,
+    run_snakemake,
+    snakemake,
+)
 from scan_files import cut, scan
 from snakemake.settings.types import ExecMode
 from studies import own_scans
@@ -60,6 +73,42 @@ def test_a_quick_study_never_takes_the_folders_of_another():
         assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
         assert start.with_effort(configured) == configured
         assert configured["contact"]["count"] == 6
+
+
+def test_a_full_study_cannot_take_the_name_of_a_quick_one():
+    """Its own quick study would replace its results."""
+    quick = {"quick": {"contact": {"count": 6}}}
+    for key, name in (("study", "my-quick"), ("store", "results/store-my-quick")):
+        line = refused(start.checked_configuration, planned_workflow(), PAPER | quick | {key: name})
+        assert_says(line, f"config key {key}", "another end than -quick", name)
+
+
+@pytest.mark.study
+def test_nested_numbers_of_the_command_line_are_numbers(repository):
+    arguments = ["study=typed", "asperities={contacts: 4}", "contact={hardness: 30 GPa}"]
+    run = snakemake(repository, "results/typed/surfaces.tsv", "--config", *arguments)
+    assert run.returncode == 0, run.stdout
+    kept = yaml.safe_load((repository / "results/typed/configuration.yaml").read_text())
+    assert kept["asperities"] == PAPER["asperities"] | {"contacts": 4}
+    assert kept["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
+    shutil.rmtree(repository / "results")  # Other tests look whether a refused run makes any.
+
+
+@pytest.mark.study
+def test_a_run_that_is_stopped_says_that_the_next_goes_on(tmp_path):
+    study = copy_repository(tmp_path / "study")
+    with subprocess.Popen(
+        [sys.executable, "-m", "snakemake", "topography", "--configfile", QUICK],
+        cwd=study, env=environment(study), text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    ) as run:  # fmt: skip
+        said = []
+        for line in run.stdout:
+            said.append(line.rstrip())
+            if "jobs, about" in line:  # Ctrl-C reaches all processes of a terminal.
+                os.killpg(run.pid, signal.SIGINT)
+    assert run.returncode != 0
+    assert said[-1] == "Not all is made: the same command goes on from here."
 
 
 def test_the_names_of_a_quick_study_cannot_be_given():

@@ -1,11 +1,14 @@
 """What a run shows in the terminal: stages, and only what is to be read."""
 
 import logging
+import re
+import sys
 import time
 from types import SimpleNamespace
 from unittest.mock import MagicMock
 
 import pytest
+from repository import ROOT
 from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
@@ -86,9 +89,19 @@ def test_silence_is_broken(capsys, monkeypatch):
 
 def test_stages_of_the_study_are_named():
     stages = read_stages()
-    assert stage_of("filter_masters", stages).name == "filtered masters"
-    assert stage_of("make_scans_1_2", stages).name == "scans 1 2"
+    assert stage_of("make_scans_1_2", stages).name == "substitute scans 1 to 2"
+    assert stage_of("make_scans_3", stages).name == "substitute scans 3"
+    assert stage_of("draw_fig_sets", stages).name == "figure fig_sets"
     assert stage_of("unheard_of", stages).name == "unheard of"
+
+
+def test_every_rule_with_jobs_has_a_name_for_people():
+    rules = {
+        name
+        for path in (ROOT / "workflow/rules").glob("*.smk")
+        for name in re.findall(r"^rule (\w+):", path.read_text("utf-8"), re.M)
+    }
+    assert rules - read_stages().keys() == {"crate", "verify"}  # which make no file of their own
 
 
 def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
@@ -97,6 +110,12 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
     errors = [
         (logging.ERROR, "snakemake.logging", "Error", failed),
         (logging.ERROR, "snakemake.logging", "Command ['python'] died", again),
+        (
+            logging.ERROR,
+            "snakemake.logging",
+            "WorkflowError:\nAt least one job did not complete successfully.",
+            {"event": LogEvent.ERROR, "exception": "WorkflowError"},
+        ),
     ]
     _, line = shown(capsys, [*run(0), *errors])
     assert "stitch" in line and "logs/stitch.log" in line
@@ -129,3 +148,25 @@ def test_a_file_that_does_not_exist_is_named_in_one_line(capsys):
     said = {"event": LogEvent.ERROR, "exception": "FileNotFoundError"}
     (line,) = shown(capsys, [(logging.ERROR, "snakemake.logging", text, said)])
     assert line == "error: FileNotFoundError: 'a.yaml'"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--configfile", "config/quick.yaml", "figures"],
+         "figures: expected a YAML file, found none (targets stand before --configfile)"),
+        (["--config", "seed=1", "contact.hardness=30 GPa", "-n"],
+         "--config: expected 'contact={hardness: 30 GPa}', found contact.hardness=30 GPa"),
+        (["--config", "scales.small.pixels=8"],
+         "--config: expected 'scales={small: {pixels: 8}}', found scales.small.pixels=8"),
+        (["--config", "seed=1", "figures"],
+         "--config: expected KEY=VALUE, found figures (targets stand before --config)"),
+    ],
+)  # fmt: skip
+def test_words_of_the_command_line_are_refused_with_a_remedy(
+    capsys, monkeypatch, at_root, words, said
+):
+    monkeypatch.setattr(sys, "argv", ["snakemake", *words])
+    error = {"event": LogEvent.ERROR, "exception": "ValueError"}
+    lines = shown(capsys, [(logging.ERROR, "snakemake.logging", "Traceback", error)])
+    assert lines == [f"error: {said}"]

@@ -5,6 +5,7 @@ After a quick study, this renews the costs from its benchmarks:
 """
 
 import csv
+import re
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -40,10 +41,14 @@ def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
     A rule that is not in the table has the median cost and its own name.
     """
     name = _name_in_table(rule, stages)
-    words = rule.removeprefix(name).replace("_", " ")
     if not name:
-        return Stage(median(stage.seconds for stage in stages.values()), words)
-    return Stage(stages[name].seconds, stages[name].name + words)
+        seconds = median(stage.seconds for stage in stages.values())
+        return Stage(seconds, rule.replace("_", " "))
+    part = rule.removeprefix(name).removeprefix("_")  # a figure, or the numbers of scans
+    if re.fullmatch(r"\d+(_\d+)+", part):
+        first, *_, last = part.split("_")
+        part = f"{first} to {last}"
+    return Stage(stages[name].seconds, f"{stages[name].name} {part}".strip())
 
 
 def main() -> None:
