@@ -235,7 +235,7 @@ def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
 
 
 @pytest.mark.parametrize("kind", ["map", "line"])
-def test_scans_are_measured_where_they_are_reliable(kind, tmp_path):
+def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
     make, points = (map_of, 128) if kind == "map" else (line_of, 1024)
     heights = make(generator(3), points, PIXEL).heights
     path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), points * PIXEL
@@ -249,6 +249,7 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path):
     assert spectrum.density == pytest.approx(joined.joined.values[known], rel=1e-4)
     assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
     numbers = numbers_of(str(path))
+    assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, CONTACT).force
     assert numbers["pull_off_force"]["value"] == pytest.approx(force)
     # It is continued as the masters of the study are, up to a roll-off beyond the scan.

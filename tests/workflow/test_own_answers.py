@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from dataset_pages import SHARED, described, made_variables
 from html_page import Page
 from jsonschema import Draft202012Validator
 from own_studies import LEFT_OUT, RANGE, WORK, numbers, quantities, quick
@@ -24,6 +25,13 @@ pytestmark = pytest.mark.study
 def several(own):
     """Return the results of the study that files of all kinds make."""
     return own / "results/several-quick"
+
+
+def test_every_variable_of_own_surfaces_is_described_and_no_other(several):
+    page, variables = described(), made_variables(several)
+    for name, rows in variables.items():
+        assert rows <= page[name] if name in SHARED else rows == page[name], name
+    assert {"edges", "fit", "force", "spectra"} <= variables.keys()
 
 
 def page_of(results):

@@ -112,7 +112,7 @@ def predict(arguments: Namespace) -> str:
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":
-            print(*notes, *cautions, sep="\n", file=sys.stderr)
+            sys.stderr.writelines(f"{line}\n" for line in [*notes, *cautions])
             report = write(numbers)
         elif path is not None:
             with whole_file(path) as temporary:

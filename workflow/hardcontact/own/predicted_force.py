@@ -245,6 +245,7 @@ def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: fl
     inside = (low <= continued.continued_force) & (continued.continued_force <= high)
     changed = np.abs(continued.continued_force / scan_force.force - 1) > tolerance
     differs = (changed & ~inside).drop_vars("contact_model").astype(int)
+    differs.attrs = {"units": "1", "long_name": "1 where that differs from the force on the scans"}
     return force.merge(continued).assign(continued_differs=differs.transpose("surface", "side"))
 
 
@@ -269,7 +270,7 @@ def with_smooth_bound(force: xr.Dataset, area: float) -> xr.Dataset:
     bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)
     rho = force.attrs["range_of_adhesion"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
-    bounded = {"smooth_bound": bound.assign_attrs(units="N")}
+    bounded = {"smooth_bound": bound.assign_attrs(units="N", long_name="force on a smooth sphere")}
     for name, limit in {"force": bound, "continued_force": master_bound.drop_vars("rho")}.items():
         for variable in (name, f"{name}_interval"):
             value = force[variable]

@@ -1,0 +1,27 @@
+"""The variables of datasets, on the page that describes them and in a folder of results."""
+
+import re
+
+from hardcontact.base import dataset
+from hardcontact.report.dataset_dictionary import PAGE, meanings, rows_of
+
+#: Datasets that studies of the paper and of own surfaces make, not with the same variables.
+SHARED = {"adhesion", "scales", "topography"}
+
+
+def described():
+    """Return the names of variables on the page, by dataset."""
+    _, *parts = re.split(r"^## (\w+)\.nc$", PAGE.read_text("utf-8"), flags=re.M)
+    return {
+        name: set(re.findall(r"^\| (`.+?) \| ", text, re.M))
+        for name, text in zip(parts[::2], parts[1::2], strict=True)
+    }
+
+
+def made_variables(results):
+    """Return the same of the datasets in a folder of results."""
+    known = meanings()
+    return {
+        path.stem: set(rows_of(path.stem, dataset.read(path), known))
+        for path in results.glob("*.nc")
+    }

@@ -1,0 +1,33 @@
+"""The dictionary of datasets says of every variable what it is, and of none that there is not."""
+
+import xarray as xr
+from dataset_pages import SHARED, described, made_variables
+from refusals import assert_says, refusal
+
+from hardcontact.report.dataset_dictionary import rows_of
+
+
+def test_every_variable_of_the_study_is_described_and_no_other(results):
+    page, variables = described(), made_variables(results)
+    assert variables.keys() <= page.keys()
+    for name, rows in variables.items():
+        assert rows <= page[name] if name in SHARED else rows == page[name], name
+
+
+def test_a_row_for_one_dataset_counts_before_the_long_name_and_that_before_one_for_all():
+    attributes = {"units": "N", "long_name": "long name"}
+    data = xr.Dataset(
+        {name: ("x", [1.0], attributes) for name in ("own", "named", "named_interval")}
+    )
+    known = {("a", "own"): "Own.", ("*", "named"): "For all.", ("*", "x"): "Axis."}
+    rows = rows_of("a", data.assign_coords(x=[0]), known)
+    assert rows == {
+        "`own`": ("x", "N", "Own."),
+        "`named` \\*": ("x", "N", "Long name."),
+        "`x`": ("x", "", "Axis."),
+    }
+
+
+def test_a_variable_without_a_meaning_is_refused():
+    line = refusal(rows_of, "a", xr.Dataset({"force": 1.0}), {})
+    assert_says(line, "variables.tsv: expected", "a `force`")
