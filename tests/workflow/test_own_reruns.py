@@ -57,7 +57,7 @@ def test_a_key_makes_again_what_depends_on_it(own, key, value, rules):
 
 
 @pytest.mark.parametrize(
-    ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic"), ("unit", "um")]
+    ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic")]
 )
 def test_another_study_replaces_nothing_that_the_first_has_made(own, key, value):
     (own / "other.yaml").write_text(yaml.safe_dump({"study": "other", "scan": {key: value}}))
