@@ -1,5 +1,6 @@
 """What programs use: oracles, the same numbers as the command, and the examples of it."""
 
+import ast
 import doctest
 import inspect
 import json
@@ -21,7 +22,7 @@ from repository import ROOT
 
 import hardcontact as hc
 from hardcontact import api
-from hardcontact.base.number import plain
+from hardcontact.base.number import Number, plain
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.own.predict import predict, predict_arguments
@@ -89,23 +90,40 @@ def test_what_is_no_spectrum_is_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
     call = partial(hc.predict, radius=1, preload=1, hardness=1, rho=1, work=1)
-    message = refusal(call, scan)
-    assert_says(message, "read_spectrum", "HeightMap")
+    assert_says(refusal(call, scan.heights), "hc.read_spectrum(FILE)", "hc.read_scan", "ndarray")
 
 
-def test_page_and_notebook_run_in_order(files):
-    matplotlib.use("agg")
+def test_the_page_runs_in_order(files):
     page = (DOCS / "api.md").read_text("utf-8")
     assert sorted(re.findall(r"^\| `(\w+)` \|", page, re.M)) == FUNCTIONS
+    names = {}
+    for block in re.findall(r"^```python\n(.*?)^```", page, re.M | re.S):
+        exec(block, names)
+
+
+def test_the_notebook_shows_what_its_cells_return(monkeypatch, capsys):
+    """Texts are those of the code of today; figures are there."""
+    matplotlib.use("agg")
+    monkeypatch.chdir(DOCS)
     cells = json.loads((DOCS / "example.ipynb").read_text("utf-8"))["cells"]
-    code = [cell for cell in cells if cell["cell_type"] == "code"]
-    assert not any(cell["outputs"] for cell in code)
-    of_page = re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)
-    for blocks in (of_page, ["".join(cell["source"]) for cell in code]):
-        names = {}
-        for block in blocks:
-            exec(block, names)
-    names["plt"].close("all")
+    names = {}
+    for cell in (cell for cell in cells if cell["cell_type"] == "code"):
+        source = "".join(cell["source"])
+        *statements, last = ast.parse(source).body
+        exec(compile(ast.Module(statements, []), "cell", "exec"), names)
+        value = eval(ast.unparse(last), names)
+        told = capsys.readouterr().out
+        if value is not None and not source.endswith(";"):
+            told += repr(value)
+        kept, figures = "", 0
+        for output in cell["outputs"]:
+            content = output.get("data", {"text/plain": output.get("text")})
+            figures += "image/png" in content
+            if "image/png" not in content:
+                kept += "".join(content["text/plain"])
+        assert "".join(kept.split()) == "".join(told.split()), source
+        assert figures == source.endswith(";")
+    matplotlib.pyplot.close("all")
 
 
 def test_forces_are_the_direct_sum_over_every_pixel(files):
@@ -176,6 +194,11 @@ WRONG = [
     ({"radius": "50 um"}, ["radius: expected a positive number, found '50 um'"]),
     ({"work": np.nan}, ["work: expected a positive number, found nan"]),
     ({"ranges": []}, ["ranges: expected a positive number"]),
+    ({"ranges": 5.6}, ["ranges: expected several numbers, found 5.6"]),
+    ({"ranges": ["5.6 nm"]}, ["ranges: expected a positive number, found '5.6 nm'"]),
+    ({"count": 3.5}, ["count: expected a whole number, found 3.5"]),
+    ({"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan", "found ndarray"]),
+    ({"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan", "found str"]),
     ({"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
     ({"preload": 1.0}, ["preload: expected at most", "found 1 N"]),
     ({"count": 999}, ["count: expected at most the 256 pixels", "found 999"]),
@@ -186,6 +209,60 @@ WRONG = [
 ]
 
 
+def test_maps_spectra_and_numbers_are_told_in_a_line_with_units(files):
+    scan, spectrum = hc.read_scan("scan.nc"), hc.read_spectrum("scan.nc")
+    rms = scan.heights.std()
+    assert repr(scan) == (
+        f"HeightMap(128 x 128 pixels of 10 nm, rms height {rms:.3g} nm, measured)"
+    )
+    shortest, longest = 2 * np.pi / spectrum.wavevector[[-1, 0]]
+    assert_says(repr(spectrum), f"from {shortest:.3g} nm to {longest:.3g} nm")
+    force = Number("force", 2e-6, "N", 1e-6, 3e-6, "inside")
+    assert repr(force) == "Number(force: 2e-06 [1e-06, 3e-06] N, inside)"
+    assert repr(Number("share", 0.25)) == "Number(share: 0.25)"
+
+
+def test_plots_show_the_heights_and_densities(files):
+    matplotlib.use("agg")
+    scan, spectrum = hc.read_scan("scan.nc"), hc.read_spectrum("scan.nc")
+    axes = scan.plot()
+    np.testing.assert_array_equal(axes.images[0].get_array(), scan.heights)
+    assert axes.get_xlim() == (0, 1.28) and axes.images[0].origin == "lower"
+    (line,) = spectrum.plot(matplotlib.pyplot.subplots()[1]).lines
+    np.testing.assert_allclose(2 * np.pi / line.get_xdata(), spectrum.wavevector)
+    np.testing.assert_array_equal(line.get_ydata(), spectrum.density)
+    matplotlib.pyplot.close("all")
+
+
+def test_a_topography_is_prepared_as_its_file(files):
+    from SurfaceTopography import Topography, UniformLineScan, open_topography
+
+    topography = open_topography("scan.nc").topography()
+    from_file, from_object = hc.read_scan("scan.nc"), hc.from_topography(topography)
+    np.testing.assert_array_equal(from_object.heights, from_file.heights)
+    assert from_object.pixel_size == from_file.pixel_size
+    metres = Topography(1e-9 * topography.heights(), (1.28e-6, 1.28e-6), unit="m")
+    np.testing.assert_allclose(hc.from_topography(metres).heights, from_file.heights, atol=1e-4)
+    for wrong, parts in {
+        Topography(topography.heights(), (1.0, 1.0)): ["a map of SurfaceTopography with a unit"],
+        UniformLineScan(np.arange(64.0), 1.0, unit="nm"): ["found UniformLineScan"],
+        Topography(np.zeros((4, 4)), (1.0, 1.0), unit="V"): ["a unit of length, found 'V'"],
+    }.items():
+        assert_says(refusal(hc.from_topography, wrong), "topography: expected", *parts)
+
+
+def test_a_scan_is_predicted_as_its_file(files):
+    contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
+    numbers = hc.predict(hc.read_scan("scan.nc"), **contact)
+    told = json.loads(predict(predict_arguments(["scan.nc", "--json", "-"])))
+    for name in ("pull_off_force", "continued_force", "short_edge"):
+        assert numbers[name].value == pytest.approx(told[name]["value"], rel=1e-4)
+    y, x = np.indices((128, 128)) % 32 - 15.5
+    heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
+    withheld = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["pull_off_force"]
+    assert np.isnan(withheld.value) and withheld.status == "steep_edges"
+
+
 def test_what_cannot_be_computed_is_refused_in_a_line(files):
     scan = hc.read_scan("scan.nc")
     valid = {"scan": scan, "ranges": [5.6], "work": 0.05} | SPHERE | LOAD | ARRAY
@@ -194,6 +271,8 @@ def test_what_cannot_be_computed_is_refused_in_a_line(files):
     cases += [
         (hc.force_ratios, valid | {"cutoffs": {"small": [20.0]}}, ["found [20.0]"]),
         (hc.force_ratios, valid | {"cutoffs": {"short": [20.0]}}, ["small, large or both"]),
+        (hc.force_ratios, valid | {"cutoffs": [20.0]}, ["small, large or both, found [20.0]"]),
+        (hc.force_ratios, valid | {"cutoffs": {"small": 20.0}}, ["several numbers, found 20.0"]),
     ]
     wavevector, _, density = hc.measured_psds(scan)
     known, gaps = hc.read_spectrum("my-psd.csv"), hc.Spectrum(wavevector, density)
@@ -203,6 +282,9 @@ def test_what_cannot_be_computed_is_refused_in_a_line(files):
         (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
         (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
         (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
+        (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),
+        (hc.read_scan, {"path": "scan.nc", "unit": None}, ["unit: expected a text, found None"]),
+        (hc.read_scan, {"path": "scan.nc", "edge": "5 um"}, ["edge: expected a positive number"]),
         (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
     ]
     for function, arguments, parts in cases:

@@ -10,8 +10,8 @@ from typing import Any
 
 #: What programs use of the library; each is defined in `api` or imported there.
 API = (
-    "HeightMap", "Spectrum", "force_ratios", "measured_psds", "metrics", "predict",
-    "pull_off_forces", "read_scan", "read_spectrum",
+    "HeightMap", "Spectrum", "force_ratios", "from_topography", "measured_psds", "metrics",
+    "predict", "pull_off_forces", "read_scan", "read_spectrum",
 )  # fmt: skip
 
 

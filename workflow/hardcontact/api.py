@@ -9,7 +9,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -17,11 +17,11 @@ import xarray as xr
 from hardcontact.band.critical_band import logarithmic_limits
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.number import Number
-from hardcontact.config.faults import refuse_lines
+from hardcontact.config.faults import refuse_lines, shortened
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import limits_of_scan
 from hardcontact.config.model import NONE
-from hardcontact.config.own_spectrum import own_spectrum
+from hardcontact.config.own_spectrum import own_spectrum, reliable_part
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
@@ -29,11 +29,23 @@ from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, win
 from hardcontact.own.open_edges import edges_of_curves
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.height_map import metrics as metrics
-from hardcontact.surfaces.scans import flattened, height_map, read_measurement
+from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.limited_process import RefusedFile
+from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
+from hardcontact.surfaces.scans import (
+    Measurement,
+    examined,
+    flattened,
+    height_map,
+    read_measurement,
+)
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.prediction import prediction, wide_contact_message
+
+if TYPE_CHECKING:
+    from SurfaceTopography import Topography
 
 
 def read_scan(
@@ -72,9 +84,65 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
+    _refuse_reading([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    _refuse_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
     measurement = read_measurement(path, dataset, undefined_pixels, unit, edge)
+    return _prepared(measurement, sphere_radius, levelling)
+
+
+def from_topography(
+    topography: "Topography",
+    *,
+    undefined_pixels: str = "refuse",
+    levelling: str = "plane",
+    sphere_radius: float | None = None,
+) -> HeightMap:
+    """Return a height map of SurfaceTopography as `read_scan` reads one.
+
+    Parameters
+    ----------
+    topography : SurfaceTopography.Topography
+        A map with physical sizes and a unit of length.
+    undefined_pixels, levelling : str
+        As of `read_scan`.
+    sphere_radius : float or None
+        As of `read_scan`.
+
+    Returns
+    -------
+    HeightMap
+        ``heights`` (y, x) in nm, in float32, and ``pixel_size`` in nm.
+
+    Examples
+    --------
+    >>> from SurfaceTopography import Topography
+    >>> heights = np.random.default_rng(1).normal(size=(64, 64))  # first axis x
+    >>> scan = hc.from_topography(Topography(heights, (640, 640), unit="nm"))
+    """
+    if getattr(topography, "dim", None) != 2 or not isinstance(topography.unit, str):
+        raise ValueError(
+            "topography: expected a map of SurfaceTopography with a unit of length, found "
+            f"{type(topography).__name__}"
+        )
+    _refuse_lengths(sphere_radius=sphere_radius)
+    try:
+        values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+    except RefusedFile as error:
+        raise ValueError(f"topography: {error}") from None
+    return _prepared(
+        _measurement(values["heights"], values["pixel_size"]), sphere_radius, levelling
+    )
+
+
+def _prepared(measurement: Measurement, sphere_radius: float | None, levelling: str) -> HeightMap:
+    """Return a measurement as the study prepares and stores it."""
     scan = height_map(flattened(measurement, sphere_radius, levelling))
-    return replace(scan, heights=scan.heights.astype(np.float32))  # as prepared scans are stored
+    return replace(scan, heights=scan.heights.astype(np.float32))
+
+
+def _measurement(heights: np.ndarray, pixel_size: float) -> Measurement:
+    """Return heights (y, x) in nm as a measurement that no file holds."""
+    return Measurement("scan", "", "", "nm", "map", heights, pixel_size, None, (), 0)
 
 
 def read_spectrum(
@@ -116,10 +184,9 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
-    refuse_lines(
-        f"files: expected a path in each argument, found {file!r}"
-        for file in files
-        if not isinstance(file, str | Path)
+    _refuse_reading(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    _refuse_lengths(
+        edge=edge if edge != NONE else None, tip_radius=tip_radius, sphere_radius=sphere_radius
     )
     own = own_spectrum(
         files,
@@ -166,8 +233,9 @@ def pull_off_forces(
     -------
     xarray.Dataset
         ``pull_off_force`` in N over contact_model (rigid, plastic), rho and the contacts;
-        ``closest_approach`` and ``penetration`` in nm; ``window_change``, by how much a window that
-        is wider by a period a side changes the forces at the longest range.
+        ``closest_approach`` in nm; ``touched_places``, how many places of the scan contacts touch;
+        ``window_change``, by how much a window that is wider by a period a side changes the forces
+        at the longest range.
 
     Examples
     --------
@@ -180,6 +248,7 @@ def pull_off_forces(
     """
     contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
     _refuse_not_positive(work=work)
+    _refuse_no_numbers("ranges", ranges)
     surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
     _refuse_unfit(surface, contact, ranges)
     pair = bodies(surface, rough, contact)
@@ -275,7 +344,7 @@ def force_ratios(
 
 
 def predict(
-    spectrum: Spectrum,
+    spectrum: Spectrum | HeightMap,
     *,
     radius: float,
     preload: float,
@@ -288,8 +357,9 @@ def predict(
 
     Parameters
     ----------
-    spectrum : Spectrum
-        C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps.
+    spectrum : Spectrum or HeightMap
+        C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
+        spectrum is measured where it is reliable, and whose steep edges leave the force unanswered.
     radius, preload, hardness, work, rho, tolerance : float
         As of `pull_off_forces` and `force_ratios`.
 
@@ -312,17 +382,29 @@ def predict(
     _refuse_not_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
+    joined, skewness = None, 0.0
+    if isinstance(spectrum, HeightMap):
+        skewness = metrics(spectrum)["skewness"]
+        scan = examined(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
+        joined = joined_spectrum([scan], [None])
+        spectrum = reliable_part(joined)
     if not isinstance(spectrum, Spectrum):
         raise ValueError(
-            f"spectrum: expected that of hc.read_spectrum(FILE), found {type(spectrum).__name__}"
+            "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
+            f"found {type(spectrum).__name__}"
         )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [wide_contact_message(contact)]))
-    return prediction(spectrum, contact, tolerance)
+    return prediction(spectrum, contact, tolerance, joined=joined, skewness=skewness)
 
 
 def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
     """Return a periodic map, of one that is not its mirror-stitched one; refuse what is no map."""
+    if not isinstance(surface, HeightMap):
+        raise ValueError(
+            f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
+            f"in nm, found {type(surface).__name__}"
+        )
     heights = surface.heights
     if heights.ndim != 2 or len(set(heights.shape)) > 1 or not np.isfinite(heights).all():
         shape = " x ".join(map(str, heights.shape))
@@ -332,8 +414,12 @@ def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
 
 def _refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
     """Refuse cutoffs that a periodic surface has no waves at."""
-    if not cutoffs or not set(cutoffs) <= set(SIDES):
-        raise ValueError(f"cutoffs: expected those of small, large or both, found {[*cutoffs]}")
+    if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
+        raise ValueError(
+            f"cutoffs: expected those of small, large or both, found {shortened(cutoffs)}"
+        )
+    for of_side in cutoffs.values():
+        _refuse_no_numbers("cutoffs", of_side)
     least, most = 2 * surface.pixel_size * (1 + 1e-9), surface.size
     refuse_lines(
         f"cutoffs: expected wavelengths of more than two pixels ({least:.4g} nm) and at most the "
@@ -343,7 +429,36 @@ def _refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) 
     )
 
 
-def _refuse_not_positive(**numbers: float) -> None:
+def _refuse_reading(files: Sequence[object], **texts: object) -> None:
+    """Refuse files that are no paths, and what is no text, by its name."""
+    refuse_lines(
+        [
+            f"files: expected a path in each argument, found {' '.join(shortened(file).split())}"
+            for file in files
+            if not isinstance(file, str | Path)
+        ]
+        + [
+            f"{name}: expected a text, found {shortened(text)}"
+            for name, text in texts.items()
+            if not isinstance(text, str)
+        ]
+    )
+
+
+def _refuse_lengths(**lengths: object) -> None:
+    """Refuse lengths that are given and no positive numbers (nm), by their names."""
+    _refuse_not_positive(**{name: value for name, value in lengths.items() if value is not None})
+
+
+def _refuse_no_numbers(name: str, numbers: object) -> None:
+    """Refuse what is no sequence of positive numbers."""
+    if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
+        raise ValueError(f"{name}: expected several numbers, found {shortened(numbers)}")
+    for number in numbers:
+        _refuse_not_positive(**{name: number})
+
+
+def _refuse_not_positive(**numbers: object) -> None:
     """Refuse numbers that are not positive and finite, by their names."""
     refuse_lines(
         f"{name}: expected a positive number, found {value!r}"
@@ -358,6 +473,8 @@ def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
     least = min(ranges, default=math.nan)
     _refuse_not_positive(radius=contact.radius, **section, ranges=least)
+    if contact.count != int(contact.count):
+        raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Of the scan, which mirroring doubled.
     pixels, size = surface.pixels // 2, surface.size / 2
     grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))

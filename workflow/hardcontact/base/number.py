@@ -34,6 +34,14 @@ class Number(NamedTuple):
     status: str = ""
     source: str = "computed"
 
+    def __repr__(self) -> str:
+        """Return name, number, interval, unit and status as far as there are any."""
+        known = math.isfinite(self.low + self.high)
+        interval = f" [{self.low:.3g}, {self.high:.3g}]" if known else ""
+        unit = f" {self.unit}" if self.unit != "1" else ""
+        status = f", {self.status}" if self.status else ""
+        return f"Number({self.name}: {self.value:.3g}{interval}{unit}{status})"
+
 
 def plain(value: Any) -> Any:
     """Return a value for JSON: numbers as mappings, None in place of infinite values and NaN."""

@@ -8,8 +8,10 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base import dataset
+from hardcontact.base.printing import print_length
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from SurfaceTopography import Topography
 
 
@@ -23,8 +25,17 @@ class HeightMap:
 
     heights: np.ndarray
     pixel_size: float
-    periodic: bool
-    basis: str
+    periodic: bool = False
+    basis: str = "measured"
+
+    def __repr__(self) -> str:
+        """Return pixels, their size and the rms height."""
+        rows, columns = self.heights.shape
+        kind = "periodic, " * self.periodic + self.basis
+        return (
+            f"HeightMap({columns} x {rows} pixels of {print_length(self.pixel_size)}, rms height "
+            f"{print_length(float(self.heights.std()))}, {kind})"
+        )
 
     @property
     def pixels(self) -> int:
@@ -35,6 +46,28 @@ class HeightMap:
     def size(self) -> float:
         """Edge of a square map in nm."""
         return self.pixels * self.pixel_size
+
+    def plot(self, axes: "Axes | None" = None) -> "Axes":
+        """Draw the heights in nm over positions in µm; return the axes, new ones if None is given.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes or None
+            Where to draw.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            With a colour bar.
+        """
+        import matplotlib.pyplot as plt
+
+        axes = plt.subplots()[1] if axes is None else axes
+        height, width = np.multiply(self.heights.shape, self.pixel_size / 1e3)
+        image = axes.imshow(self.heights, origin="lower", extent=(0, width, 0, height))
+        axes.set(xlabel="x (µm)", ylabel="y (µm)")
+        axes.figure.colorbar(image, ax=axes, label="height (nm)")
+        return axes
 
     def dataset(self) -> xr.Dataset:
         """Return the map as it is stored: float32 heights with coordinates in nm."""

@@ -16,9 +16,11 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base import dataset
+from hardcontact.base.printing import print_length
 from hardcontact.surfaces.height_map import HeightMap, library_map
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from SurfaceTopography import Topography, UniformLineScan
 
 Floats = NDArray[np.float64]
@@ -45,6 +47,34 @@ class Spectrum:
 
     wavevector: Floats
     density: Floats
+
+    def __repr__(self) -> str:
+        """Return how many wavelengths there are, and between which."""
+        longest, shortest = 2 * np.pi / self.wavevector[[0, -1]]
+        return (
+            f"Spectrum({len(self.wavevector)} wavelengths from {print_length(shortest)} to "
+            f"{print_length(longest)})"
+        )
+
+    def plot(self, axes: "Axes | None" = None) -> "Axes":
+        """Draw C_iso in nm⁴ over wavelengths in nm; return the axes, new ones if None is given.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes or None
+            Where to draw.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            Both logarithmic.
+        """
+        import matplotlib.pyplot as plt
+
+        axes = plt.subplots()[1] if axes is None else axes
+        axes.loglog(2 * np.pi / self.wavevector, self.density)
+        axes.set(xlabel="wavelength (nm)", ylabel="power spectral density (nm⁴)")
+        return axes
 
     def __call__(self, wavevector: ArrayLike) -> Floats:
         """Return C_iso in nm⁴ at wavevectors in rad/nm by interpolation in log q and log C.
