@@ -17,6 +17,7 @@ from hardcontact.config.selection import surface_table
 from hardcontact.config.start import with_effort
 from hardcontact.own import new, request
 from hardcontact.own.new import overlay_text, values
+from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.own.proposal import Choice
 
 NAME = "a-test.of_new"
@@ -102,12 +103,35 @@ def test_what_files_do_not_state_is_given_and_kept(folder, run):
     assert config["scan"]["unit"] == "um" and config["scan"]["levelling"] == "quadratic"
 
 
+def test_a_scan_of_fewer_lines_in_a_square_frame_is_read_both_ways_in_words(folder, run):
+    """Nanoscope files may state the full frame of a scan that was stopped: pixels look oblong."""
+    lines = rough()
+    kept = lines[: round(0.7 * len(lines))]
+    nanoscope(folder / "a.001", 10 * kept, (2500.0, 2500.0))
+    done = run(NAME, "a.001")
+    (caution,) = [line for line in done.out.splitlines() if "the file states" in line]
+    width, height = kept.shape[::-1]
+    assert_says(
+        caution, "- a.001: the file states", f"{width} x {height} pixels", "2.5 µm x 1.7", "along y"
+    )
+    report = predict(predict_arguments([str(folder / "a.001")]))
+    assert f"take care: {folder}/a.001: the file states 2.5 µm x 2.5 µm" in report
+
+
+def test_a_scan_that_spikes_leave_no_spectrum_of_is_refused_with_them(folder, run):
+    heights = rough(128, 20.0)
+    heights.flat[:: 128 * 9 + 7] += 2000
+    scan(folder / "a.nc", heights, (5120.0, 5120.0))
+    done = run(NAME, "a.nc")
+    assert_says(" ".join(done.errors), "a noise floor", "of its pixels are spikes")
+
+
 def test_a_bare_matrix_is_read_with_what_is_given(folder, run):
     np.savetxt(folder / "bare.csv", rough(), "%.6f", ",")
     done = run(NAME, "bare.csv", "--size", "2.5 um", "--unit", "mm,nm", "--work", "46.3J/m2")
     config, _ = accepted(folder, done)
     assert config["scan"]["edge"] == 2500.0 and config["scan"]["unit"] == "mm,nm"
-    assert "2.5 µm" in done.out and "--work 46.3J/m2: did you mean 46.3 mJ/m2?" in done.out
+    assert "2.5 µm" in done.out and "- --work 46.3J/m2: is the unit right?" in done.out
 
 
 def test_a_surface_may_be_called_smooth(folder, run):

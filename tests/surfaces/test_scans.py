@@ -100,7 +100,10 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     assert len(measured.notes) == 2  # with the gap that was filled
     square = read_measurement(scan(tmp_path / "b.nc", heights(48, 32), (300.0, 300.0)))
     assert_says(
-        " ".join(square.notes), "300 nm x 300 nm for 48 x 32 pixels", "300 nm x 200 nm were"
+        square.notes[1],
+        "take care: the file states 300 nm x 300 nm for 48 x 32 pixels",
+        "if its pixels are square, 300 nm x 200 nm were scanned",
+        "stretched 1.5 times along y",
     )
     # A text that was cut short looks alike, so that texts must have square pixels.
     map_of(heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))

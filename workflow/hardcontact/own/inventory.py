@@ -14,6 +14,7 @@ from hardcontact.own.request import Source
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
+from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import (
     Measurement,
     examined,
@@ -220,7 +221,7 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
                 use,
             )
         )
-        notes += [f"{number}: {note}" for note in entry.notes]
+        notes += [f"{number}: {note}" for note in split_notes(entry.notes)[0]]
         if band.limited_by != "pixels":
             limit = LIMITS[band.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")

@@ -39,7 +39,7 @@ from hardcontact.own.request import (
     options,
     parsed,
     path_from_root,
-    questioned_work,
+    questioned_quantities,
     sources,
 )
 
@@ -142,7 +142,7 @@ def _plan(
     )
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, probe, quantities["range"].given)
-    proposal.cautions.extend(questioned_work(quantities["work"]))
+    proposal.cautions.extend(questioned_quantities(quantities))
     choices = [*_named_choices(arguments, quantities), *proposal.choices]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))

@@ -25,6 +25,7 @@ from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import FILLING, Entry, by_surface, contradicting
 from hardcontact.surfaces.reliable_band import LIMITS
 from hardcontact.surfaces.scan_defects import defect_sentence
+from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
@@ -124,6 +125,9 @@ def propose(
         for entry in entries
         for code, numbers in entry.defects.items()
     ]
+    cautions += [
+        f"{entry.name}: {line}" for entry in entries for line in split_notes(entry.notes)[1]
+    ]
     cautions += _contact_cautions(substrates, probe.range, contact, why, summits)
     cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]
     cautions += contradicting(entries)
@@ -140,7 +144,10 @@ def propose(
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
-    """Refuse surfaces of which too few wavelengths are reliable for a spectrum, a line each."""
+    """Refuse surfaces of which too few wavelengths are reliable for a spectrum.
+
+    There is a line for each, and one for each defect of its scans, which may be the cause.
+    """
     faults = []
     for surface, scans in by_surface(entries).items():
         count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
@@ -151,6 +158,11 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
                 f"wavelengths (ten a decade from 0.1 nm to 100 µm), found {count}: {bands}; "
                 "add one of another size"
             )
+            faults += [
+                f"{scan.name}: expected a sound scan, found: {defect_sentence(code, numbers)}"
+                for scan in scans
+                for code, numbers in scan.defects.items()
+            ]
     refuse_lines(faults)
 
 

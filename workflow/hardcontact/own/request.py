@@ -3,12 +3,13 @@
 import os
 import re
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
+from hardcontact.base.units import magnitude
 from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import QUICK_NAME, quantity
@@ -29,6 +30,17 @@ QUANTITIES = {
     "preload": ("contact.preload", "load on a contact"),
     "range": ("scales.range", "range of adhesion"),
     "work": ("adhesion.work", "work of adhesion of the predicted force"),
+}
+#: What the quantities usually are; beyond it the unit may be wrong. Sources: spheres and loads of
+#: microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59 (2005) 1;
+#: diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al., Nature Mater. 4
+#: (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces (2011).
+PLAUSIBLE = {
+    "radius": ("1 um", "50 mm", "spheres in pull-off tests, from colloidal probes to lenses"),
+    "hardness": ("1 MPa", "150 GPa", "solids that yield, from soft plastics to diamond"),
+    "preload": ("100 pN", "10 mN", "loads of microscopes and of microtesters"),
+    "range": ("0.2 nm", "40 nm", "ranges from atomic bonds to long dispersion forces"),
+    "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 TAKEN_IDS = ("pooled", "smooth")
@@ -149,13 +161,13 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
     return quantities, faults
 
 
-def questioned_work(work: Option) -> Iterator[str]:
-    """Yield a line if the work of adhesion is so large that another unit must be meant."""
-    if work.given and work.number > STRONGEST_WORK:
-        yield (
-            f"--work {work.text}: did you mean {work.number:g} mJ/m2? No known solids adhere more "
-            f"strongly than diamond to itself, {STRONGEST_WORK:g} J/m2"
-        )
+def questioned_quantities(quantities: Mapping[str, Option]) -> Iterator[str]:
+    """Yield a line for each quantity that the user gave and that is not PLAUSIBLE."""
+    for name, (low, high, kind) in PLAUSIBLE.items():
+        option = quantities[name]
+        lowest, highest = (magnitude(text, option.unit) for text in (low, high))
+        if option.given and not lowest <= option.number <= highest:
+            yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual of {kind}"
 
 
 def name_faults(arguments: Namespace) -> Iterator[str]:

@@ -4,6 +4,7 @@ Maps are cropped to squares, gaps filled, line scans resampled.
 """
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -28,10 +29,19 @@ MOST_UNDEFINED = 0.5
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
 SLOPE_LIMIT = 10
+#: Begins a note that is a caution.
+TAKE_CARE = "take care: "
 #: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
 ROUNDING = 0.05
 #: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the words of a container.
 IN_WORDS = re.compile(r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I)
+
+
+def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the notes that are no cautions, and those that are, without TAKE_CARE."""
+    others = [note for note in notes if not note.startswith(TAKE_CARE)]
+    cautions = [note.removeprefix(TAKE_CARE) for note in notes if note not in others]
+    return others, cautions
 
 
 def check_points(counts: tuple[int, ...]) -> None:
@@ -124,9 +134,10 @@ def _square_pixels(
         # Files of Bruker state the size of the full scan, also of one with fewer lines.
         square = " x ".join(print_length(count * edges.min()) for count in heights.shape)
         notes.append(
-            f"the file states {print_length(width)} x {print_length(height)} for "
-            f"{heights.shape[0]} x {heights.shape[1]} pixels: if they are square, {square} were "
-            "scanned, and heights are stretched along one axis"
+            f"{TAKE_CARE}the file states {print_length(width)} x {print_length(height)} for "
+            f"{heights.shape[0]} x {heights.shape[1]} pixels, and is read so; if its pixels are "
+            f"square, {square} were scanned, and heights are stretched "
+            f"{longer / edges.min():.3g} times along {'xy'[edges.argmax()]}"
         )
     return _masked(values), longer, notes
 

@@ -1,0 +1,122 @@
+"""Kinds of scans that people have: a prediction reads them right, or names what is wrong."""
+
+import json
+
+import numpy as np
+import pytest
+from measurements import map_of
+from refusals import assert_says, refusal
+
+from hardcontact.base.random import generator
+from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.surfaces.spectrum import smooth_rolloff
+
+PIXELS = 128
+Y, X = np.indices((PIXELS, PIXELS)) - PIXELS / 2
+
+
+def rough(seed, rms_height, pixel=40.0, hurst=0.8, rolloff=800.0):
+    """Return heights in nm of a self-affine map."""
+    heights = map_of(
+        generator(seed, "cases"), PIXELS, pixel, lambda q: smooth_rolloff(q, 1e6, rolloff, hurst)
+    ).heights
+    return heights * (rms_height / heights.std())
+
+
+def predicted(path, heights, pixel=40.0, *options):
+    """Write a text as Gwyddion does, in metres; return report and numbers of the prediction."""
+    size = pixel * heights.shape[1] / 1e3
+    head = [f"Width: {size:.4f} µm", f"Height: {size:.4f} µm", "Value units: m"]
+    rows = ["\t".join(f"{1e-9 * height:.6e}" for height in row) for row in heights]
+    path.write_text("\n".join([*(f"# {line}" for line in head), *rows]), "utf-8")
+    numbers = path.with_suffix(".json")
+    report = predict(predict_arguments([str(path), "--json", str(numbers), *options]))
+    return report, json.loads(numbers.read_text())
+
+
+def with_spikes(heights):
+    rng = generator(1, "spikes")
+    spiky = heights.copy()
+    places = rng.choice(spiky.size, 16, replace=False)
+    spiky.flat[places] += rng.choice([-1, 1], 16) * rng.uniform(800, 3000, 16)
+    return spiky
+
+
+def stopped(heights, rest):
+    return np.where(Y < 77 - PIXELS / 2, heights, rest)
+
+
+WHOLE = rough(1, 8.0) + 35
+#: Heights, and what the caution says of them with its numbers.
+NAMED = {
+    "stopped, zero": (stopped(WHOLE, 0.0), ["40 % of its lines"]),
+    "stopped, repeated": (stopped(WHOLE, WHOLE[76]), ["40 % of its lines"]),
+    "clipped": (
+        np.minimum(WHOLE, np.quantile(WHOLE, 0.9)), ["10 % of its pixels have the highest value"],
+    ),
+    "ball": (
+        rough(3, 2.0) - (X**2 + Y**2) * 40.0**2 / 1e5, ["radius 49", "--levelling quadratic"],
+    ),
+    "bow": (rough(4, 1.5) - (X**2 + Y**2 / 2) * 0.004, ["of a scanner", "--levelling quadratic"]),
+    "step": (np.where(X > -10, 25.0, 0.0) + rough(5, 0.4), ["% of its squared slopes"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", NAMED)
+def test_what_is_wrong_with_a_scan_is_named_with_numbers(kind, tmp_path):
+    heights, parts = NAMED[kind]
+    report, _ = predicted(tmp_path / "a.txt", heights)
+    cautions = [line for line in report.splitlines() if "take care" in line and "a.txt" in line]
+    assert any(all(part in line for part in parts) for line in cautions), report
+
+
+def test_spikes_are_named_also_where_they_leave_no_spectrum(tmp_path):
+    """Their white spectrum looks like a noise floor."""
+    spiky = with_spikes(rough(2, 20.0))
+    message = refusal(predicted, tmp_path / "a.txt", spiky)
+    assert_says(message, "a noise floor", "0.098 % of its pixels are spikes", "is 19.8 nm")
+
+
+def test_a_sound_scan_has_no_caution_of_its_own(tmp_path):
+    report, _ = predicted(tmp_path / "a.txt", WHOLE)
+    assert "a.txt: reliable from" in report and "take care: " + str(tmp_path) not in report
+
+
+def test_the_rms_height_of_a_grating_is_kept(tmp_path):
+    """20 nm over the square root of two."""
+    grating = 20 * np.cos(2 * np.pi * (X + 0.5) / 16) + rough(6, 0.5)
+    report, numbers = predicted(tmp_path / "a.txt", grating)
+    assert numbers["rms_height"]["value"] == pytest.approx(14.15, rel=0.1)
+    assert "times that across" in report
+
+
+def test_the_roughness_beside_a_bow_is_what_quadratic_levelling_leaves(tmp_path):
+    flat = rough(4, 1.5)
+    bowed = flat - (X**2 + Y**2 / 2) * 0.004
+    _, of_flat = predicted(tmp_path / "flat.txt", flat)
+    report, of_bowed = predicted(tmp_path / "a.txt", bowed, 40.0, "--levelling", "quadratic")
+    force = of_flat["pull_off_force"]["value"]
+    assert of_bowed["pull_off_force"]["value"] == pytest.approx(force, rel=0.05)
+    assert "curvature" not in report
+
+
+def test_a_flat_cleavage_face_sticks_as_a_smooth_one(tmp_path):
+    _, numbers = predicted(tmp_path / "a.txt", rough(7, 0.05, 8.0, 0.5, 200.0), 8.0)
+    assert 0.97 < numbers["force_ratio"]["value"] <= 1
+    assert numbers["short_edge"]["value"] is None and numbers["long_edge"]["value"] is None
+
+
+def test_a_soft_contact_is_warned_of(tmp_path):
+    given = ["--radius", "5um", "--hardness", "1MPa", "--preload", "100nN", "--work", "30mJ/m2"]
+    report, numbers = predicted(tmp_path / "a.txt", WHOLE, 40.0, *given)
+    assert_says(report, "Tabor parameter: not known", "may be too soft for a hard contact")
+    assert numbers["tabor_parameter"]["value"] is None
+
+
+def test_lines_of_few_points_far_apart_are_refused_in_a_line(tmp_path):
+    line = np.column_stack([50.0 * np.arange(64), generator(8).normal(0, 0.05, 64)])
+    np.savetxt(tmp_path / "line.txt", line)
+    arguments = predict_arguments([str(tmp_path / "line.txt"), "--unit", "um"])
+    message = refusal(predict, arguments)
+    assert_says(message, "line.txt from 200 µm (4 pixels)")
+    assert len(message.splitlines()) == 1
