@@ -3,7 +3,7 @@
 import numpy as np
 
 from hardcontact.contact.geometry import flattened_gaps
-from hardcontact.contact.pull_off import gaps_and_totals
+from hardcontact.contact.pull_off import contacts_and_totals
 
 
 def direct_total(gap, contact_pixels, rho):
@@ -13,4 +13,4 @@ def direct_total(gap, contact_pixels, rho):
 
 def plastic_totals(bodies, contact_pixels, rho):
     """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact, contact)."""
-    return gaps_and_totals(bodies, contact_pixels, [rho])[1][:, 0]
+    return contacts_and_totals(bodies, contact_pixels, [rho])[1][:, 0]

@@ -34,7 +34,7 @@ from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
-from hardcontact.contact.pull_off import gaps_and_totals
+from hardcontact.contact.pull_off import contacts_and_totals
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces import height_map, spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
@@ -83,7 +83,7 @@ def timed_in_turn(*functions, repeats=3):
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixels = under_sphere(substrate)
-    return gaps_and_totals(pair, [contact_pixels], [RHO])[1][0, 0]
+    return contacts_and_totals(pair, [contact_pixels], [RHO])[1][0, 0]
 
 
 def smooth_sphere(threads):

@@ -68,7 +68,7 @@ def edges_of_draw(draw):
     small = small_scale_master(rng, stitched, 256, 160.0, known_density)
     large = large_scale_master(rng, stitched, 1, 1000.0, known_density)
     scales = forces([(1, SMALL, small), (1, LARGE, large)], CONTACT)
-    return band_edges(scales, Masters({"a": 1}, 1), 0.1, 0.95).isel(surface=0)
+    return band_edges(scales, Masters({"a": 1}, 1, {"a": 99}), 0.1, 0.95).isel(surface=0)
 
 
 @pytest.mark.parametrize("filters", [SMALL, LARGE], ids=TRUTH)
@@ -96,7 +96,7 @@ SURFACES = {SIZE / 3: 1.2e6, 3 * SIZE: 6e8}
 
 
 def long_edges(scales, scans):
-    return band_edges(scales, Masters({"a": scans}, TILES), 0.1, 0.95).sel(side="large")
+    return band_edges(scales, Masters({"a": scans}, TILES, {"a": 99}), 0.1, 0.95).sel(side="large")
 
 
 def true_edge(density):

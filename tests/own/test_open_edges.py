@@ -11,7 +11,10 @@ from hardcontact.own.open_edges import band_edges
 
 def edges(curves, scans, **options):
     return band_edges(
-        scales(curves, **options), Masters({"a": scans[0], "b": scans[-1]}, 2), 0.1, 0.95
+        scales(curves, **options),
+        Masters({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
+        0.1,
+        0.95,
     )
 
 
@@ -40,7 +43,7 @@ def test_the_interval_of_three_scans_is_that_of_the_jackknife():
     given = scales([[SMALL, LARGE]], spread=0.2)
     ratio = given.ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
-    found = band_edges(given, Masters({"a": 3}, 2), 0.1, 0.95)
+    found = band_edges(given, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
     interval = found.scale_ratio_interval.isel(surface=0).sel(side="small", cutoff_wavelength=100.0)
     np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
 
@@ -59,6 +62,10 @@ def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
 
 def test_a_ratio_without_scatter_is_known():
     given = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
-    known = band_edges(given, Masters({"a": 3}, 2), 0.1, 0.95).isel(surface=0).sel(side="small")
+    known = (
+        band_edges(given, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+        .isel(surface=0)
+        .sel(side="small")
+    )
     assert known.scale_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
     assert known.edge_interval.notnull().all() and known.edge_interval.sel(bound="low") >= 10

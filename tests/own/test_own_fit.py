@@ -35,6 +35,7 @@ def adhesion(rng, scans=5, spread=0.2, of_contacts=0.3):
     return xr.Dataset(
         {
             "pull_off_force": (FORCE_DIMS, factor * curves[:, None, None, None, :, None, None]),
+            "touched_places": (FORCE_DIMS[:3], np.full(shape[:3], 99.0)),
             "label": ("surface", ["A", "B"]),
         },
         {"surface": list(SLOPES), "contact_model": ["plastic"], "rho": RHOS},

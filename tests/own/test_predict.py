@@ -11,16 +11,23 @@ from measurements import line_of, map_of, measurement
 from random_scans import PIXEL
 from refusals import assert_says, refusal
 
+import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
+from hardcontact.own import request
 from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
 from hardcontact.surfaces.hurst_exponent import fitted_hurst
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    smooth_rolloff,
+    spectrum_from,
+)
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.prediction import nearest_errors, table_coordinates, trim_spectrum
 
@@ -52,6 +59,11 @@ def rows_of(spectrum):
 
 def printed(*arguments):
     return predict(predict_arguments(arguments))
+
+
+def rolled_off(wavevector):
+    """C_iso of a self-affine surface with a roll-off at 1 µm."""
+    return smooth_rolloff(wavevector, 1e6, 1000.0, 0.8)
 
 
 def numbers_of(*arguments):
@@ -212,7 +224,26 @@ def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options
     report = printed(table(*rows_of(spectrum)), *options, "--work", "25 N/m")
     assert_says(report, "error not known", cause)
     # The work scales the force alone.
-    assert_says(report, "take care: --work 25 N/m: did you mean 25 mJ/m2? No known solids")
+    assert_says(report, "take care: --work 25 N/m: is the unit right? 0.1 mJ/m2 to 10.6 J/m2 are")
+
+
+@pytest.mark.parametrize(
+    ("name", "usual", "questioned"),
+    [
+        ("radius", ["1um", "25mm"], ["250nm", "250mm"]),
+        ("hardness", ["5MPa", "120GPa"], ["0.9MPa", "0.25TPa"]),
+        ("preload", ["1nN", "1mN"], ["10pN", "10.1mN"]),
+        ("range", ["0.3nm", "22nm"], ["0.15nm", "56nm"]),
+        ("work", ["1mJ/m2", "900mJ/m2"], ["46uJ/m2", "46.3J/m2"]),
+    ],
+)
+def test_quantities_that_no_test_has_are_questioned(name, usual, questioned):
+    for texts, count in ((usual, 0), (questioned, 1)):
+        for text in texts:
+            quantities, faults = request.options(predict_arguments(["a.csv", f"--{name}", text]))
+            lines = list(request.questioned_quantities(quantities))
+            assert not faults and len(lines) == count, lines
+            assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
 
 
 def test_a_compliant_sphere_is_no_hard_contact(table):
@@ -257,6 +288,42 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
     assert numbers["continued_force"]["value"] == pytest.approx(force, rel=1e-3)
     rolloff = joined.attrs["rolloff"]
     assert numbers["continued_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
+
+
+def test_the_force_on_pillars_is_not_predicted(tmp_path):
+    """Gaussian heights of their spectrum give a hundredth of the sum over the pixels."""
+    y, x = np.indices((128, 128)) % 32 - 15.5
+    heights = 200.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
+    path = scan_files.scan(tmp_path / "pillars.nc", heights, (5120.0, 5120.0))
+    report = printed(str(path), "--json", str(tmp_path / "numbers.json"))
+    assert_says(report, "pull-off force: not answered", "hardcontact new", "Of a smooth surface")
+    assert "edge:" not in report and "error was measured" not in report
+    numbers = json.loads((tmp_path / "numbers.json").read_text())
+    assert numbers["pull_off_force"] == {"value": None, "unit": "N", "status": "steep_edges"}
+    smooth = 2 * np.pi * 250e-6 * 0.0463
+    assert numbers["smooth_force"]["value"] == pytest.approx(smooth, rel=0.01)
+    assert "short_edge" not in numbers and "continued_force" not in numbers
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_heights_that_are_not_gaussian_are_named_and_their_error_is_not_known(tmp_path, sign):
+    """The sum over pixels is less than half the closed form on bumps, above twice it on pores."""
+    base, other = (map_of(generator(seed), 128, 40.0, rolled_off).heights for seed in (3, 4))
+    base, other = 4 * base / base.std(), other / other.std()
+    heights = base + sign * 10 * np.maximum(other - 0.3, 0) ** 2
+    contact = {"radius": 250e3, "preload": 10e-6, "hardness": 25e9}
+    forces = hc.pull_off_forces(
+        hc.HeightMap(heights, 40.0), ranges=[5.6], work=0.0463, count=6, **contact
+    )
+    summed = forces.pull_off_force.sel(contact_model="plastic").mean().item()
+    path = scan_files.scan(tmp_path / "skewed.nc", heights.T, (5120.0, 5120.0))
+    numbers = numbers_of(str(path))
+    predicted = numbers["pull_off_force"]
+    assert (summed / predicted["value"]) ** sign < 0.5
+    assert predicted["status"] == "outside" and numbers["skewness"]["value"] * sign > 1
+    assert_says(printed(str(path)), "take care: heights have a skewness of")
+    scan_files.scan(path, base.T, (5120.0, 5120.0))
+    assert "skewness" not in printed(str(path))
 
 
 def test_a_csv_of_heights_is_a_scan(tmp_path):

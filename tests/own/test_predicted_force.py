@@ -36,6 +36,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
     return xr.Dataset(
         {
             "pull_off_force": (FORCE_DIMS, forces),
+            "touched_places": (FORCE_DIMS[:3], forces[:, :, :, 0, 0, 0, 0] * 0 + 9),
             "label": ("surface", ["A", "B"]),
             "basis": ("surface", ["measured", "measured"]),
         },
@@ -80,6 +81,20 @@ def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
+def test_quarters_whose_contacts_touch_fewer_places_give_no_interval():
+    given = adhesion([3, 1])
+    for places, source in ((4.0, "quarters"), (3.0, "few_places")):
+        few = given.assign(touched_places=given.touched_places * 0 + places)
+        found = predicted_force(few, **PREDICTION)
+        assert found.interval_source.values.tolist() == ["scans", source]
+        assert found.force_interval.sel(surface="b").notnull().all() == (places == 4)
+        assert found.force_interval.sel(surface="a").notnull().all()
+        assert found.contacts.values.tolist() == [16, 16]
+        masters = Masters({"a": 1}, 2, {"a": places})
+        continued = continued_force(master_forces(), masters, 0.05, 0.95)
+        assert continued.continued_force_interval.notnull().all() == (places == 4)
+
+
 @pytest.mark.parametrize("pixels", [1, 8])
 def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
     size, reach = 48, 4.0  # sqrt(R rho) in pixels; heights are in rho
@@ -122,7 +137,7 @@ def test_no_mean_exceeds_the_bound():
 
 # With continued roughness
 
-MASTERS = Masters({"a": 1}, 2)
+MASTERS = Masters({"a": 1}, 2, {"a": 99})
 
 
 def master_forces(**options):

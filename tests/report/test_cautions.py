@@ -97,6 +97,15 @@ def test_intervals_of_few_scans_are_conditional():
     assert found["correlation"].value == 0.2 and found["scans"] == 3
 
 
+def test_contacts_that_touch_few_places_are_named():
+    counts = {"contacts": ("surface", [64]), "touched_places": ("surface", [3.0])}
+    few = force().assign(counts | {"interval_source": ("surface", ["few_places"])})
+    few["conditional"][:] = 1
+    (found,) = named("few_places", force=few)
+    assert (found["contacts"], found["touched_places"], found["grave"]) == (64, 3, True)
+    assert not named("few_places") and not named("conditional", force=few)
+
+
 def test_measurements_of_containers_have_both_names():
     data = spectra().sel(surface=SURFACES[0]).isel(measurement=0)
     assert measurement_name(data) == "scans/fine.spm"

@@ -110,8 +110,9 @@ def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
 def test_what_has_no_interval_says_why():
     data = with_edge(120.0, np.nan, np.nan)
     assert rows(edges=data)["short_edge"].fact.status == "few_parts"
-    whole = data.assign(interval_source=("surface", ["none"]))
-    assert rows(edges=whole)["short_edge"].fact.status == "whole_scan"
+    for source, status in {"none": "whole_scan", "few_places": "few_places"}.items():
+        without = data.assign(interval_source=("surface", [source]))
+        assert rows(edges=without)["short_edge"].fact.status == status
     half = rows(edges=with_edge(120.0, 90.0, np.nan))["short_edge"].fact
     assert (half.low, plain(half.high), half.status) == (90.0, None, "")
     assert rows(force=without_interval(force()))["force_mean"].fact.status == "whole_scan"

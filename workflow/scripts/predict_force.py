@@ -5,11 +5,12 @@ from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.own.master_forces import Masters
 from hardcontact.own.open_edges import band_edges
-from hardcontact.own.predicted_force import own_force
+from hardcontact.own.predicted_force import fewest_places, own_force
 
 with job(snakemake) as job:
     params = job.parameters
-    scales, masters = read(job.input.scales), Masters(params["scans"], params["tiles"])
+    adhesion, scales = read(job.input.adhesion), read(job.input.scales)
+    masters = Masters(params["scans"], params["tiles"], fewest_places(adhesion))
     limits = {name: params[name] for name in ("tolerance", "confidence")}
     job.write(
         band_edges(scales, masters, **limits),
@@ -21,7 +22,7 @@ with job(snakemake) as job:
     )
     job.write(
         own_force(
-            read(job.input.adhesion),
+            adhesion,
             scales,
             read(job.input.topography),
             read(job.input.spectra),

@@ -17,13 +17,19 @@ import xarray as xr
 from hardcontact.base.units import magnitude
 from hardcontact.config.tables import Row, UserTable, found, number, user_table
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
+from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
-from hardcontact.surfaces.scan_heights import LENGTHS
-from hardcontact.surfaces.scans import examined, list_measurements, read_measurement
+from hardcontact.surfaces.scan_heights import LENGTHS, TAKE_CARE, split_notes
+from hardcontact.surfaces.scans import (
+    examined,
+    height_map,
+    list_measurements,
+    read_measurement,
+)
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Columns of which a table has one of each pair, each with a column of its unit.
@@ -56,6 +62,7 @@ class OwnSpectrum(NamedTuple):
     spectrum: Spectrum
     notes: tuple[str, ...]
     joined: xr.Dataset | None  #: Of scans, as by `joined_spectrum`; None for a table.
+    skewness: float  #: Of the heights of the map where it is largest; 0 without a map.
 
 
 def own_spectrum(
@@ -86,7 +93,7 @@ def own_spectrum(
         spectrum = table_spectrum(tables[0])
         zeros = np.count_nonzero(spectrum.density == 0)
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
-        return OwnSpectrum(spectrum, (note,) if zeros else (), None)
+        return OwnSpectrum(spectrum, (note,) if zeros else (), None, 0.0)
     scans = [
         examined(
             read_measurement(path, member, undefined_pixels, unit, edge), sphere_radius, levelling
@@ -97,27 +104,40 @@ def own_spectrum(
     for scan in scans:
         if np.ptp(scan.heights) < LENGTHS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
-    joined = joined_spectrum(
-        scans, [tip_radius if scan.tip_radius is None else None for scan in scans]
-    )
-    measured = np.isfinite(joined.joined.values)
-    reliable = Spectrum(joined.bin_wavevector.values[measured], joined.joined.values[measured])
     names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
-    limits = ("shortest_reliable", "longest_reliable", "limited_by")
-    notes = []
-    for name, *band, read in zip(
-        names, *(joined[limit].values for limit in limits), joined.notes.values, strict=True
-    ):
-        notes.append(f"{name}: reliable {ReliableBand(*band)}" + (f"; {read}" if read else ""))
-    columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
-    differing = told_contradictions(contradictions(*columns), names)
-    notes += [f"take care: {line}" for line in differing]
-    notes += [
-        f"take care: {name}: {defect_sentence(code, numbers)}"
+    defects = [
+        (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)
         for code, numbers in scan.defects.items()
     ]
-    return OwnSpectrum(reliable, tuple(notes), joined)
+    try:
+        joined = joined_spectrum(
+            scans, [tip_radius if scan.tip_radius is None else None for scan in scans]
+        )
+    except ValueError as error:  # Spikes, for example, look like a noise floor.
+        lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
+        raise ValueError("\n".join([str(error), *lines])) from None
+    reliable = reliable_part(joined)
+    limits = ("shortest_reliable", "longest_reliable", "limited_by")
+    notes = []
+    for name, scan, *band in zip(
+        names, scans, *(joined[limit].values for limit in limits), strict=True
+    ):
+        read, cautions = split_notes(scan.notes)
+        notes.append("; ".join([f"{name}: reliable {ReliableBand(*band)}", *read]))
+        notes += [f"{TAKE_CARE}{name}: {line}" for line in cautions]
+    columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
+    differing = told_contradictions(contradictions(*columns), names)
+    notes += [f"{TAKE_CARE}{line}" for line in differing]
+    notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
+    skewnesses = [metrics(height_map(scan))["skewness"] for scan in scans if scan.kind == "map"]
+    return OwnSpectrum(reliable, tuple(notes), joined, max(skewnesses, key=abs, default=0.0))
+
+
+def reliable_part(joined: xr.Dataset) -> Spectrum:
+    """Return the spectrum at the wavelengths at which scans are reliable, of `joined_spectrum`."""
+    measured = np.isfinite(joined.joined.values)
+    return Spectrum(joined.bin_wavevector.values[measured], joined.joined.values[measured])
 
 
 def _is_table(path: str | Path) -> bool:

@@ -4,6 +4,7 @@ Eq. 2 of the paper gives the attraction of a pixel at the gap g as (W/rho) exp(-
 are sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces.
 """
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
@@ -15,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies
-from hardcontact.contact.sphere_sums import outside_sums
+from hardcontact.contact.sphere_sums import Contacts, outside_sums
+from hardcontact.contact.touched_places import touched_places
 from hardcontact.surfaces.filters import interpolate
 
 #: Dimension, values and attributes of a coordinate.
@@ -75,31 +77,37 @@ def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho:
     )
 
 
-def gaps_and_totals(
+def contacts_and_totals(
     bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats
-) -> tuple[Floats, Floats]:
-    """Return gaps (contact, contact, k) and totals (count, rho, contact, contact)."""
+) -> tuple[Contacts, Floats]:
+    """Return the contacts of the most pixels, and totals (count, rho, contact, contact)."""
     contacts = all_lowest_gaps(bodies, max(counts))
-    along_edge = len(bodies.geometry.positions)
-    gaps = np.array([contact.gaps for contact in contacts.values()])
-    gaps = gaps.reshape(along_edge, along_edge, -1)
+    gaps = _gaps(contacts)
     sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
     totals = [
         [opened_total(sums, gaps, count, rho) for sums, rho in sums_outside] for count in counts
     ]
-    return gaps, np.array(totals)
+    return contacts, np.array(totals)
+
+
+def _gaps(contacts: Contacts) -> Floats:
+    """Return the gaps (contact, contact, k) of contacts in nm."""
+    along_edge = math.isqrt(len(contacts))
+    gaps = np.array([contact.gaps for contact in contacts.values()])
+    return gaps.reshape(along_edge, along_edge, -1)
 
 
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
 
     The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
-    ``closest_approach`` (contact_model, contact_y, contact_x) and ``contact_pixels``
-    (contact_model).
+    ``closest_approach`` (contact_model, contact_y, contact_x), ``contact_pixels`` (contact_model)
+    and the number of `touched_places`.
     """
     pixel_size = bodies.geometry.pixel_size
     counts = [1, contact.pixels(pixel_size)]
-    gaps, forces = _forces(bodies, counts, ranges)
+    contacts, forces = _forces(bodies, counts, ranges)
+    gaps = _gaps(contacts)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
     beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
@@ -109,6 +117,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
             "closest_approach": (model_axes, approaches, beyond_planes),
             "contact_pixels": ("contact_model", counts, {"units": "1"}),
+            "touched_places": ((), touched_places(bodies, contacts), {"units": "1"}),
         },
         {"contact_model": ["rigid", "plastic"]}
         | range_axis(ranges)
@@ -131,12 +140,12 @@ def plastic_forces(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence
 
 def _forces(
     bodies: Bodies, counts: Sequence[int], ranges: Sequence[float]
-) -> tuple[Floats, Floats]:
-    """Return gaps (contact, contact, k) and forces (count, rho, contact, contact) in N."""
+) -> tuple[Contacts, Floats]:
+    """Return the contacts of the most pixels, and forces (count, rho, contact, contact) in N."""
     rhos = np.asarray(ranges, float)
-    gaps, totals = gaps_and_totals(bodies, counts, rhos)
+    contacts, totals = contacts_and_totals(bodies, counts, rhos)
     pixel_size = bodies.geometry.pixel_size
-    return gaps, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    return contacts, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
 def mean_pull_off_of_pair(

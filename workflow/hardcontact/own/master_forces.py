@@ -28,6 +28,7 @@ class Masters(NamedTuple):
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
     tiles: int  #: Mirrored scans along an edge of a large master.
+    places: Mapping[str, float]  #: The fewest places of a scan touched on each surface.
 
 
 class MasterForces(NamedTuple):
@@ -56,6 +57,7 @@ def forces_of_masters(
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         cell / tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
+        masters.places[surface],
     )
     return MasterForces(forces, parts, cell)
 

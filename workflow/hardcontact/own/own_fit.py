@@ -21,7 +21,12 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.contact.force_curves import on_fine_grid
-from hardcontact.own.predicted_force import PLASTIC, ScanForces, forces_of_scans
+from hardcontact.own.predicted_force import (
+    PLASTIC,
+    ScanForces,
+    fewest_places,
+    forces_of_scans,
+)
 from hardcontact.own.scan_parts import sampled_deviations
 from hardcontact.paper.error_map import fit
 
@@ -96,11 +101,11 @@ def fit_measured(
         sampled_means(sampling.generator("tests", name), test, sampling.samples)
         for name, test in zip(surfaces, tests, strict=True)
     ]
-    models = {}
+    models, places = {}, fewest_places(adhesion)
     for model in adhesion.contact_model.values.tolist():
         model_forces = adhesion.pull_off_force.sel(contact_model=model)
         scans = [
-            forces_of_scans(model_forces.sel(surface=name), sizes[name], radius)
+            forces_of_scans(model_forces.sel(surface=name), sizes[name], radius, places[name])
             for name in surfaces
         ]
         works = [

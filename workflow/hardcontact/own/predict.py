@@ -19,7 +19,7 @@ from hardcontact.config.model import NONE, Study
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.own.request import QUANTITIES, add_shared, options, questioned_work
+from hardcontact.own.request import QUANTITIES, add_shared, options, questioned_quantities
 from hardcontact.theory.prediction import (
     MAX_NEGLIGIBLE_CHANGE,
     prediction,
@@ -94,25 +94,28 @@ def predict(arguments: Namespace) -> str:
         edge=quantities["size"].number if "size" in quantities else NONE,
         levelling=arguments.levelling,
     )
-    _, (spectrum, notes, joined) = refuse_all([partial(refuse_lines, faults), reader])
+    _, own = refuse_all([partial(refuse_lines, faults), reader])
     numbers = {
         name: Number(name, option.number, option.unit, status="given" if option.given else "paper")
         for name, option in quantities.items()
         if name in QUANTITIES
     }
-    numbers |= prediction(spectrum, contact, Study().scales.tolerance, arguments.file, joined)
+    tolerance = Study().scales.tolerance
+    numbers |= prediction(
+        own.spectrum, contact, tolerance, arguments.file, own.joined, own.skewness
+    )
     modulus, status = assumed_modulus(hardness), "paper"
     if "modulus" in quantities:
         modulus, status = quantities["modulus"].number, "given"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITIES}
-    cautions = [f"take care: {line}" for line in questioned_work(quantities["work"])]
-    report = "\n".join([*notes, _report(numbers, texts), *cautions])
+    cautions = [f"take care: {line}" for line in questioned_quantities(quantities)]
+    report = "\n".join([*own.notes, _report(numbers, texts), *cautions])
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":
-            sys.stderr.writelines(f"{line}\n" for line in [*notes, *cautions])
+            sys.stderr.writelines(f"{line}\n" for line in [*own.notes, *cautions])
             report = write(numbers)
         elif path is not None:
             with whole_file(path) as temporary:

@@ -106,18 +106,28 @@ class ScanForces(NamedTuple):
     parts: list[Parts]  #: (rho,) they correlate the more the longer the range.
 
 
-def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanForces:
+def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
+    """Return the fewest places that the contacts on a scan touch, by surface.
+
+    Of several scans of the sphere, that one counts with which they touch the most.
+    """
+    places = adhesion.touched_places.max("sphere_scan").min("scan")
+    return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
+
+
+def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: float) -> ScanForces:
     """Return the mean forces of one surface and contact model, and those without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing;
-    `size` is the edge of a scan, `radius` that of the sphere, in nm.
+    `size` is the edge of a scan, `radius` that of the sphere, in nm; `places` are those of
+    `fewest_places`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACTS)
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     parts = [
-        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)))
+        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), places)
         for rho in scan_forces.rho.values
     ]
     left_out = left_out_logarithms(
@@ -138,8 +148,8 @@ def predicted_force(
     its interval by Student's t on logarithms, over scans or quarters of one or two, from zero to
     infinity where it is not bounded; and ``force_quantile`` of single contacts over `quantile`.
     Over surface are ``conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
-    label, basis and ``correlation_of_parts`` at the range asked for, the attribute
-    ``range_of_adhesion``.
+    ``contacts`` on a scan, ``touched_places`` of `fewest_places`, label, basis and
+    ``correlation_of_parts`` at the range asked for, the attribute ``range_of_adhesion``.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -147,9 +157,10 @@ def predicted_force(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
             f" nm), found {rho:g} nm"
         )
+    places = fewest_places(adhesion)
     surfaces = {
         (surface,): _surface_force(
-            adhesion.sel(surface=surface), sizes[surface], work, rho, confidence
+            adhesion.sel(surface=surface), sizes[surface], places[surface], work, rho, confidence
         )
         for surface in adhesion.surface.values.tolist()
     }
@@ -163,13 +174,13 @@ def predicted_force(
 
 
 def _surface_force(
-    adhesion: xr.Dataset, size: float, work: float, rho: float, confidence: float
+    adhesion: xr.Dataset, size: float, places: float, work: float, rho: float, confidence: float
 ) -> xr.Dataset:
     """Return the variables of one surface."""
     radius = float(adhesion.attrs["sphere_radius"])
     forces = adhesion.pull_off_force * work
     models = [
-        forces_of_scans(forces.sel(contact_model=model), size, radius)
+        forces_of_scans(forces.sel(contact_model=model), size, radius, places)
         for model in forces.contact_model.values
     ]
     mean = np.array([scans.mean for scans in models])
@@ -195,6 +206,8 @@ def _surface_force(
             "conditional": int(parts.conditional),
             "interval_source": parts.source,
             "interval_scans": parts.scans,
+            "contacts": ((), np.prod([adhesion.sizes[axis] for axis in CONTACTS]), {"units": "1"}),
+            "touched_places": ((), places, {"units": "1"}),
             "correlation_of_parts": ((), parts.shared, {"units": "1"}),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},

@@ -4,7 +4,8 @@ With three scans of a surface or more, the parts are the scans. With fewer, they
 of each scan: contacts of a mirrored scan are grouped by the quarter in which they lie. Quarters are
 not independent: a contact feels the surface around it with the weight exp(-r²/(2 R rho)), with
 which the paraboloid r²/2R enters Eq. 3 of the paper, so that contacts of different quarters feel
-the same peaks. R, rho and the size of the scan say how much, which corrects the variance.
+the same peaks. R, rho and the size of the scan say how much, which corrects the variance. Where
+contacts touch fewer places than there are quarters, some of these are one draw, and give none.
 """
 
 from collections.abc import Callable, Sequence
@@ -40,11 +41,17 @@ class Parts:
     of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
     scans: int  #: The scans they are parts of.
+    places: float = np.inf  #: The fewest places that the contacts of a scan touch.
 
     @property
     def conditional(self) -> bool:
         """Whether the parts are quarters, so that an interval is conditional on these scans."""
         return self.scans < ENOUGH_SCANS
+
+    @property
+    def touches_few(self) -> bool:
+        """Whether the contacts of a scan touch fewer places than it has quarters."""
+        return self.conditional and self.places * self.scans < len(self.correlation)
 
     @property
     def shared(self) -> float:
@@ -59,10 +66,10 @@ class Parts:
         The variance is (n - 1)/n sum (l_i - l)². Parts of the mean correlation c lower it by the
         factor 1 - c and raise the variance of their mean by 1 + (n - 1) c, which is corrected. The
         degrees of freedom are those of Satterthwaite for the correlation matrix C:
-        (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN where the parts are one or the same.
+        (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN where these parts give no interval.
         """
         count, shared = len(self.correlation), self.shared
-        if count < 2 or shared > SAME:
+        if count < 2 or shared > SAME or self.touches_few:
             return np.nan, np.nan
         centred = (np.eye(count) - 1 / count) @ self.correlation
         freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
@@ -70,10 +77,15 @@ class Parts:
 
     @property
     def source(self) -> str:
-        """What an interval comes from: "scans", "quarters" of them or, of one part, "none"."""
+        """What an interval comes from: "scans", "quarters" of them or, of one part, "none".
+
+        There is none from "few_places" either.
+        """
         if not self.conditional:
             return "scans"
-        return "none" if np.isnan(self.widening[0]) else "quarters"
+        if len(self.correlation) < 2 or self.shared > SAME:
+            return "none"
+        return "few_places" if self.touches_few else "quarters"
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
@@ -88,22 +100,27 @@ def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
 
 
 def parts_of_scans(
-    scan_of_map: np.ndarray, quarters: np.ndarray, size: float, reach: float
+    scan_of_map: np.ndarray,
+    quarters: np.ndarray,
+    size: float,
+    reach: float,
+    places: float = np.inf,
 ) -> Parts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) is the number of the scan that each map is made of, `quarters` (contact_y,
     contact_x) are of `quarters_of_contacts`; `size` is the edge of a scan, `reach` sqrt(R rho), the
-    deviation of the weight with which a contact feels the surface, both in nm.
+    deviation of the weight with which a contact feels the surface, both in nm. `places` are those
+    of Parts.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
         of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
-        return Parts(of_contact, np.eye(len(scans)), len(scans))
+        return Parts(of_contact, np.eye(len(scans)), len(scans), places)
     numbers, quarter = np.unique(quarters, return_inverse=True)
     of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
     correlation = _correlation_of_quarters(size, reach)[np.ix_(numbers, numbers)]
-    return Parts(of_contact, np.kron(np.eye(len(scans)), correlation), len(scans))
+    return Parts(of_contact, np.kron(np.eye(len(scans)), correlation), len(scans), places)
 
 
 def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:

@@ -47,6 +47,7 @@ def cautions(of: Datasets) -> list[Caution]:
     judged = [
         (_blind_scans(of), True),
         (_defects(of.spectra, MISLEADING), True),
+        (_few_places(of.force), True),
         (_soft_bodies(of.force), True),
         (_window(of.force), cut),
         (_scan_size(of), too_small),
@@ -88,6 +89,14 @@ def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]
                     }
                 )
     return defects
+
+
+def _few_places(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return that the contacts on a scan touch too few places for an interval."""
+    if force["interval_source"].item() != "few_places":
+        return []
+    counts = {name: int(force[name].item()) for name in ("contacts", "touched_places")}
+    return [{"code": "few_places"} | counts]
 
 
 def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:
@@ -153,7 +162,8 @@ def _pixels(force: xr.Dataset) -> list[dict[str, Any]]:
 
 def _intervals(force: xr.Dataset) -> list[dict[str, Any]]:
     """Return that intervals are conditional on the scans at hand; why some miss their rows tell."""
-    if not force["conditional"].item() or force["interval_source"].item() == "none":
+    without = force["interval_source"].item() in ("none", "few_places")
+    if not force["conditional"].item() or without:
         return []
     shared = number_of(force, "correlation_of_parts", name="correlation", strict=False)
     scans = int(force["interval_scans"].item())

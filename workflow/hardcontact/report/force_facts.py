@@ -33,11 +33,13 @@ class Row(NamedTuple):
 def with_reason(fact: Number, source: xr.DataArray) -> Number:
     """Return a number; if it has no interval, its status says why.
 
-    The source of intervals is that of the dataset: "none" if every contact feels the whole scan.
+    The source of intervals is that of the dataset: "none" if every contact feels the whole scan,
+    "few_places" if contacts touch too few places.
     """
     if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
         return fact
-    return fact._replace(status="whole_scan" if source.item() == "none" else "few_parts")
+    reasons = {"none": "whole_scan", "few_places": "few_places"}
+    return fact._replace(status=reasons.get(source.item(), "few_parts"))
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:

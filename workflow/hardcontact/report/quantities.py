@@ -32,6 +32,7 @@ NO_INTERVAL = {
     "no_interval": "no interval",
     "whole_scan": "not bounded: every contact feels the whole scan",
     "few_parts": "not bounded: too few parts, which differ too much",
+    "few_places": "not bounded: contacts touch too few places",
 }
 
 

@@ -1,0 +1,66 @@
+"""How many places contacts touch: one on a particle, many on rough surfaces."""
+
+import numpy as np
+import pytest
+from measurements import map_of
+
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.spectrum import smooth_rolloff
+
+PIXEL, PIXELS = 40.0, 128
+CONTACT = Contact(
+    radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, count=8, range=5.6, work=0.05
+)
+Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
+
+
+def places(heights, contact=CONTACT):
+    scan = mirror_stitch(HeightMap(heights, PIXEL, False, "measured"))
+    pair = bodies(scan, None, contact)
+    return int(pull_off_of_pair(pair, contact, [5.6]).touched_places)
+
+
+def rough(seed, rms_height):
+    heights = map_of(
+        generator(seed), PIXELS, PIXEL, lambda q: smooth_rolloff(q, 1e6, 800.0, 0.8)
+    ).heights
+    return heights * (rms_height / heights.std())
+
+
+def bump(x, y, height, width):
+    return height * np.exp(-((X - x) ** 2 + (Y - y) ** 2) / (2 * width**2))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_particle_is_one_place_and_a_rough_surface_has_many(seed):
+    x, y = generator(seed, "place").uniform(1000, 4000, 2)
+    flat = rough(seed, 1.5)
+    assert places(flat + bump(x, y, 200.0, 90.0)) == 1
+    assert places(flat) > 20
+    # The mean over a self-affine scan as rough as polished diamond is over many summits.
+    assert places(rough(seed, 5.0)) >= 8
+
+
+def test_every_particle_is_a_place():
+    corners = [(1000, 1000), (1000, 4000), (4000, 1000), (4000, 4000)]
+    particles = sum(bump(x, y, 300.0, 90.0) for x, y in corners)
+    assert places(rough(1, 1.5) + particles) == 4
+
+
+def test_neighbouring_pixels_of_one_cap_are_one_place():
+    """The point of contact moves over a cap of 20 µm by 8 % of what the apex of the sphere does."""
+    distance = (X - 2560) ** 2 + (Y - 2560) ** 2
+    cap = np.maximum(150.0 - distance / 40e3, 0)
+    one_pixel = Contact(
+        radius=250e3, preload=1e-9, hardness=25e9, window=12500.0, count=32, range=5.6, work=0.05
+    )
+    assert places(cap, one_pixel) == 1
+
+
+def test_contacts_on_a_plane_touch_below_the_apex():
+    """One pixel each: 64 places, but for the pixels that the sum of steps joins."""
+    assert places(np.zeros((PIXELS, PIXELS))) == 64
