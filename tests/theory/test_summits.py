@@ -68,6 +68,16 @@ def test_without_area_the_highest_point_is_gumbel_s():
     assert deviation == pytest.approx(gumbel.std(), rel=0.2)
 
 
+@pytest.mark.parametrize("area", [0.0, 0.3, 4.0, 49.0])
+def test_exponential_areas_of_poisson_clumps_stay_below_the_contact(area):
+    # n such areas stay below it as often as Poisson's number of a mean `area` is n or more.
+    clumps, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
+    terms = stats.poisson.pmf(number, clumps) * stats.poisson.sf(number - 1, area)
+    below = summits._touches_less(clumps, np.full(200, area))
+    assert below[0] > 0.99 and below[-1] < 1e-20
+    np.testing.assert_allclose(below, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
+
+
 def test_a_large_area_of_contact_is_the_bearing_area():
     waves, area = full_band(rounded(4, 100)), 3e6
     level = summits.closest_approaches(waves, FLAT, area).mean()

@@ -13,6 +13,7 @@ Approximations via the Poisson Clumping Heuristic, 1989). Their number above a s
 Poisson's, and the height of the highest point is Gumbel's.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +28,8 @@ WAVES, DISTANCES = 300, 120
 LEVELS = np.linspace(-6, 8, 701)
 #: Mean clumps in the area of contact beyond which their sum is normal.
 MANY = 50.0
+#: Probability below which a complement of one has too few digits.
+RARE = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
 RAREST = -45.0
 #: Below this level heights have no clumps: those of this level stand for them.
@@ -98,6 +101,7 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
     return banded(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
 
 
+@lru_cache(maxsize=4)
 def correlation_lost(waves: Spectrum) -> tuple[Floats, Floats]:
     """Return the lost correlation 1 - r(d)/sigma² by distance, r the autocorrelation of heights.
 
@@ -234,13 +238,17 @@ def _touches_less(clumps: Floats, caps: Floats) -> Floats:
     few = caps <= MANY
     spread = np.sqrt(2 * np.maximum(clumps, 1e-300))
     below = special.ndtr((caps - clumps) / spread)
-    if few.any():
-        most = np.max(caps[few])
+    # The sum over n is that of the noncentral chi-squared distribution of 2 degrees of freedom,
+    # which has no digits of small probabilities: forces at their levels may be huge.
+    below[few] = 1 - special.chndtr(2 * clumps[few], 2, 2 * caps[few])
+    rare = few & (below < RARE)
+    if rare.any():
+        most = np.max(caps[rare])
         counts = np.arange(1, int(most + 8 * np.sqrt(most) + 25) if most else 1)[:, None]
         with np.errstate(divide="ignore"):
-            log_poisson = counts * np.log(clumps[few]) - clumps[few] - special.gammaln(counts + 1)
+            log_poisson = counts * np.log(clumps[rare]) - clumps[rare] - special.gammaln(counts + 1)
         number, column = np.nonzero(log_poisson > RAREST)
-        terms = special.gammainc(counts[number, 0], caps[few][column])
+        terms = special.gammainc(counts[number, 0], caps[rare][column])
         terms *= np.exp(log_poisson[number, column])
-        below[few] = np.exp(-clumps[few]) + np.bincount(column, terms, few.sum())
+        below[rare] = np.exp(-clumps[rare]) + np.bincount(column, terms, rare.sum())
     return np.asarray(np.clip(below, 0, 1))
