@@ -182,6 +182,11 @@ def test_misfit_is_small_for_the_right_distribution_alone(misfit):
         adhesion = make_adhesion(np.broadcast_to(values, (2, 1, 1, 1000)), [5.6])
         assert ((misfit(adhesion)["value"] < 0.05) == fits).all()
     near(force.force_decades(adhesion), [3.0, 3.0])
+    fitted = DISTRIBUTIONS[misfit].dist
+    shape = fitted.fit(forces, floc=0)  # of the whole sample, not the unbiased estimate
+    expected = stats.kstest(forces, fitted.name, shape).statistic
+    adhesion = make_adhesion(np.broadcast_to(forces, (2, 1, 1, 1000)), [5.6])
+    near(misfit(adhesion), expected, rtol=3e-3)
 
 
 # --- range and work ---------------------------------------------------------------------------

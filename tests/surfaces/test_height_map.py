@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from refusals import assert_says, refusal
 from scan_files import cut
+from scipy import stats
 
 from hardcontact.base import dataset
 from hardcontact.surfaces.height_map import (
@@ -93,5 +94,7 @@ def test_metrics_are_those_of_the_library(shape):
         ("rms_profile_slope", expected.Rdq()),
         ("rms_half_laplacian", expected.rms_curvature_from_area()),
         ("rms_laplacian", 2 * expected.rms_curvature_from_area()),
+        ("skewness", stats.skew(scan.heights, axis=None)),
+        ("kurtosis", stats.kurtosis(scan.heights, axis=None, fisher=False)),
     ):
         assert values[name] == pytest.approx(value, rel=1e-13)

@@ -8,7 +8,7 @@ from direct_sum import plastic_totals
 from random_scans import PIXEL, uncd
 from repository import ROOT
 from scipy.ndimage import grey_dilation, grey_erosion, maximum_filter
-from scipy.stats import skew
+from scipy.stats import pearson3, skew
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -21,6 +21,7 @@ from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import (
     ScanGrid,
     _opened,
+    _remapped,
     skewed_surface,
     sphere_scan,
     substitute_scan,
@@ -40,6 +41,14 @@ def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
         assert 15 <= row <= 48 and 15 <= column <= 48
         np.testing.assert_allclose(flat_map(scan, SPHERE_RADIUS).heights, 0, atol=1e-9)
+
+
+@pytest.mark.parametrize("skewness", [-0.8, 0.0, 1e-3, 0.5])
+def test_remapped_heights_have_a_pearson_distribution(skewness):
+    heights = np.random.default_rng(3).standard_normal((64, 64))
+    remapped = np.sort(_remapped(heights, skewness, 2.0), axis=None)[10:-10]
+    expected = 2 * pearson3.ppf((np.arange(10, 4086) + 0.5) / 4096, skewness)
+    np.testing.assert_allclose(remapped, expected, atol=2e-3)
 
 
 def read_back(tmp_path, synthesized):

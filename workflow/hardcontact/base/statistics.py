@@ -75,10 +75,10 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
     Missing values are NaN, and so are both ends, along the last dimension `bound`, for fewer than
     two values. The confidence is the probability that the interval holds the mean.
     """
-    from scipy import stats
+    from scipy import special
 
     mean, count = values.mean(dim), values.count(dim)
-    quantile = xr.apply_ufunc(stats.t.ppf, (1 + confidence) / 2, count - 1)
+    quantile = xr.apply_ufunc(special.stdtrit, count - 1, (1 + confidence) / 2)
     half = quantile * values.std(dim, ddof=1) / np.sqrt(count)
     return interval_between(mean - half, mean + half).assign_attrs(confidence=confidence)
 
@@ -128,7 +128,7 @@ def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float)
     jackknife. The confidence is that of the statistic of infinitely many scans. NaN for fewer than
     two scans, or where a statistic is zero.
     """
-    from scipy import stats
+    from scipy import special
 
     statistics = np.asarray(left_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
@@ -136,7 +136,7 @@ def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float)
     if count < 2:
         return np.full((*np.shape(value), 2), np.nan)
     error = np.sqrt((count - 1) * logarithms.var(axis=0))
-    half = stats.t.ppf((1 + confidence) / 2, count - 1) * error
+    half = special.stdtrit(count - 1, (1 + confidence) / 2) * error
     return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
 
 

@@ -169,13 +169,14 @@ def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
     freedom of Welch and Satterthwaite: (sum v_i)²/sum(v_i²/f_i). NaN where a variance is, and where
     all are rounding.
     """
-    from scipy import stats
+    from scipy import special
 
     total = np.asarray(sum(source.value for source in sources))
     positive = np.where(total > 0, total, 1.0)
     inverse = sum((source.value / positive) ** 2 / source.freedom for source in sources)
     inverse = np.where(total > 0, inverse, 1.0)
-    half = np.minimum(stats.t.ppf((1 + confidence) / 2, 1 / inverse) * np.sqrt(total), ENDLESS)
+    quantile = special.stdtrit(1 / inverse, (1 + confidence) / 2)
+    half = np.minimum(quantile * np.sqrt(total), ENDLESS)
     return np.where(half > ROUNDING, half, np.nan)
 
 
@@ -198,11 +199,12 @@ def sampled_deviations(
     With the same generator, parts that differ in their correlation alone share their random
     numbers. NaN for fewer than two parts.
     """
-    from scipy import stats
+    from scipy import special
 
     count = len(left_out)
     factor, freedom = parts.widening
     normal, level = rng.standard_normal((samples, count)), rng.uniform(size=samples)
-    scale = np.sqrt(factor * (count - 1) / count * freedom / stats.chi2.ppf(level, freedom))
+    chi_squared = 2 * special.gammaincinv(freedom / 2, level)
+    scale = np.sqrt(factor * (count - 1) / count * freedom / chi_squared)
     drawn = np.tensordot(scale[:, None] * normal, left_out - left_out.mean(axis=0), axes=1)
     return np.asarray(np.clip(drawn, -ENDLESS, ENDLESS))

@@ -4,7 +4,6 @@ All forces are computed for a work of adhesion of 1 J/m², to which they are pro
 """
 
 import numpy as np
-from scipy.signal import find_peaks
 
 #: Works of adhesion (J/m²) of the error map.
 WORK = np.geomspace(1e-3, 10.0, 501)
@@ -124,7 +123,9 @@ def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
     numpy.ndarray
         Indices into rho, at most `count`.
     """
-    minima = find_peaks(-np.concatenate([[np.inf], errors, [np.inf]]))[0] - 1
+    places = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
+    change = np.diff(errors[places], prepend=np.inf, append=np.inf)
+    minima = places[(change[:-1] < 0) & (change[1:] > 0)]
     return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
 
 

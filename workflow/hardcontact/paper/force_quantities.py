@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import xarray as xr
-from scipy import stats
+from scipy import special
 
 from hardcontact.paper.numbers import (
     mean_over_contacts,
@@ -144,14 +144,21 @@ def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataA
     return forces.sel(rho=adhesion.attrs["reference_rho"], method="nearest", drop=True)
 
 
+def _kolmogorov_distance(values: np.ndarray, probability: Callable[..., np.ndarray]) -> float:
+    """Return the largest difference of the distribution of values (n,) to a probability."""
+    expected = probability(np.sort(values))
+    steps = np.arange(len(values) + 1) / len(values)
+    return float(max((steps[1:] - expected).max(), (expected - steps[:-1]).max()))
+
+
 def _normal_distance(values: np.ndarray) -> float:
     """Return the Kolmogorov distance to the normal distribution of the same moments."""
-    return float(stats.kstest((values - values.mean()) / values.std(ddof=1), "norm").statistic)
+    return _kolmogorov_distance((values - values.mean()) / values.std(ddof=1), special.ndtr)
 
 
 def _half_gaussian_distance(values: np.ndarray) -> float:
     """Return the Kolmogorov distance to the most likely half-Gaussian about zero."""
-    return float(stats.kstest(values / np.sqrt(np.mean(values**2)), "halfnorm").statistic)
+    return _kolmogorov_distance(values / np.sqrt(2 * np.mean(values**2)), special.erf)
 
 
 def _inverse_gaussian_distance(values: np.ndarray) -> float:
@@ -161,4 +168,10 @@ def _inverse_gaussian_distance(values: np.ndarray) -> float:
     """
     mean = values.mean()
     shape = 1 / np.mean(1 / values - 1 / mean)
-    return float(stats.kstest(values, stats.invgauss(mean / shape, scale=shape).cdf).statistic)
+
+    def probability(value: np.ndarray) -> np.ndarray:
+        root = np.sqrt(shape / value)
+        mirrored = np.exp(2 * shape / mean + special.log_ndtr(-root * (value / mean + 1)))
+        return np.asarray(special.ndtr(root * (value / mean - 1)) + mirrored)
+
+    return _kolmogorov_distance(values, probability)

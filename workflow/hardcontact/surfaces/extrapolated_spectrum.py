@@ -188,7 +188,7 @@ class LongWaves:
 
     def _log_likelihood(self, density: Floats) -> float:
         """Return the logarithm of the likelihood of the variance, less a constant."""
-        from scipy import stats
+        from scipy.special import gammaln
 
         # The power of each of N independent waves is distributed exponentially: theirs is a gamma
         # variable of the relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π along a
@@ -205,4 +205,6 @@ class LongWaves:
         )
         expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + noise
         shape = expected_variance**2 / np.trapezoid(power**2 / number, LOG_WAVEVECTORS) * self.count
-        return float(stats.gamma.logpdf(self.variance, shape, scale=expected_variance / shape))
+        scale = expected_variance / shape
+        ratio = self.variance / scale
+        return float((shape - 1) * np.log(ratio) - ratio - gammaln(shape) - np.log(scale))

@@ -209,24 +209,33 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     >>> scan = hc.read_scan("scan.nc")
     >>> rms_height = hc.metrics(scan)["rms_height"]  # nm
     """
-    from scipy.stats import kurtosis, skew
-
     heights, pixel_size = scan.heights.astype(float), scan.pixel_size
     slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
     slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
     bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
     laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
     values = heights.ravel()
+    skewness, kurtosis = skewness_and_kurtosis(values)
     return {
         "rms_height": float(values.std()),
         "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
         "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
         "rms_half_laplacian": laplacian / 2,
         "rms_laplacian": laplacian,
-        "skewness": float(skew(values)),
-        "kurtosis": float(kurtosis(values, fisher=False)),
+        "skewness": skewness,
+        "kurtosis": kurtosis,
         "peak_to_valley": float(np.ptp(values)),
     }
+
+
+def skewness_and_kurtosis(heights: np.ndarray) -> tuple[float, float]:
+    """Return the third and the fourth moment of heights (...), over powers of the second."""
+    deviation = heights.ravel() - heights.mean()
+    square = deviation**2
+    variance = square.mean()
+    skewness = float((square * deviation).mean() / variance**1.5)
+    kurtosis = float((square**2).mean() / variance**2)
+    return skewness, kurtosis
 
 
 def table1_variables(slope: str, curvature: str) -> dict[str, str]:

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 from numpy.lib.stride_tricks import sliding_window_view
 
-from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.height_map import HeightMap, level, skewness_and_kurtosis
 from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -113,7 +113,6 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     skewness of the whole surface, -1 to 1, is met to some 5 %. Heights are in float64.
     """
     from scipy import fft
-    from scipy.stats import skew
 
     heights: Floats = surface.heights.astype(float)
     amplitude, deviation = np.abs(fft.rfft2(heights)), heights.std()
@@ -130,7 +129,7 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
         size = np.abs(transform)
         transform *= np.divide(amplitude, size, out=np.zeros_like(size), where=size > 0)
         heights = fft.irfft2(transform, s=heights.shape)
-        aimed += skewness - skew(heights, axis=None)
+        aimed += skewness - skewness_and_kurtosis(heights)[0]
     return replace(surface, heights=heights)
 
 
@@ -162,11 +161,14 @@ def _eroded(heights: Floats, depth: Floats, axis: int) -> Floats:
 
 def _remapped(heights: Floats, skewness: float, deviation: float) -> Floats:
     """Return heights in the same order with a Pearson III distribution of mean zero."""
-    from scipy.stats import pearson3
+    from scipy.special import gammaincinv
 
     probability = np.linspace(0, 1, 4097)[1:-1]
     rank = (np.arange(heights.size) + 0.5) / heights.size
-    quantiles = np.interp(rank, probability, pearson3.ppf(probability, skewness))
+    rate = 2 / skewness if skewness else 1e5  # as good as normal
+    tail = probability if skewness > 0 else 1 - probability
+    pearson3 = gammaincinv(rate**2, tail) / rate - rate**2 / rate
+    quantiles = np.interp(rank, probability, pearson3)
     remapped = np.empty(heights.size)
     remapped[np.argsort(heights, axis=None)] = deviation * quantiles
     return remapped.reshape(heights.shape)
