@@ -16,8 +16,8 @@ from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
 
-#: Pixels along an edge of a tile.
-TILE = 64
+#: Pixels along an edge of a tile, and tiles that are read at once.
+TILE, BATCH = 64, 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,31 +28,38 @@ class Tiles:
     blocks: NDArray[np.floating]  #: (tiles, TILE, tiles, TILE), padded with minus infinity.
     maxima: NDArray[np.floating]  #: (tiles, tiles), the highest point of each.
 
-    def in_window(self, position: int, window: int) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-        """Return the tiles that meet a window of pixels about the apex, along one axis.
+    def in_window(
+        self, positions: NDArray[np.int_], window: int
+    ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
+        """Return the tiles that meet windows of pixels about positions (...), along one axis.
 
-        Of each of them, (k,): the unfolded index of its first pixel, and its index in the map.
+        Of each of them, (..., k): the offset of its first pixel from the position, its index in the
+        map, and whether it meets the window: windows meet up to k tiles.
         """
         count = self.maxima.shape[0]
-        first, last = position - window // 2, position + window // 2 - 1
-        periods = np.arange(first // self.pixels, last // self.pixels + 1)
-        origin = (periods[:, None] * self.pixels + np.arange(count) * TILE).ravel()
-        meets = (origin <= last) & (origin + TILE > first)
-        return origin[meets], np.tile(np.arange(count), len(periods))[meets]
+        start = positions - window // 2
+        first, last = (
+            pixel // self.pixels * count + pixel % self.pixels // TILE
+            for pixel in (start, start + window - 1)
+        )
+        tile = first[..., None] + np.arange((last - first).max() + 1)
+        index = tile % count
+        offset = tile // count * self.pixels + index * TILE - positions[..., None]
+        return offset, index, tile <= last[..., None]
 
     def upper_bound(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
-        """Return an upper bound (k, l) of the map on TILE x TILE pixels from offsets (k,), (l,).
+        """Return an upper bound of the map on TILE x TILE pixels from offsets, which broadcast.
 
         Such a square meets at most three tiles along an axis where the last one is not full.
         """
         rows = np.maximum.reduce([np.roll(self.maxima, -i, axis=0) for i in range(3)])
         columns = np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(3)])
-        return np.asarray(columns[np.ix_(y % self.pixels // TILE, x % self.pixels // TILE)])
+        return np.asarray(columns[y % self.pixels // TILE, x % self.pixels // TILE])
 
     def heights_at(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
         """Return the heights (nm) at any offsets from the origin of the map."""
-        y, x = y % self.pixels, x % self.pixels
-        return np.asarray(self.blocks[y // TILE, y % TILE, x // TILE, x % TILE])
+        width = self.maxima.shape[1] * TILE
+        return np.asarray(self.blocks.ravel().take(y % self.pixels * width + x % self.pixels))
 
 
 def as_tiles(surface: HeightMap) -> Tiles:
@@ -74,99 +81,111 @@ class LowestGaps(NamedTuple):
     offsets: NDArray[np.int_]  #: (contact_pixels, 2) pixels from the apex: row, column.
 
 
-class _Window:
-    """The tiles of the substrate in the window of a contact, with bounds below their gaps."""
+class _Windows:
+    """The tiles of the substrate in the windows of contacts, with bounds below their gaps.
+
+    A tile is numbered by rows within the window of its contact; `bounds` (contact, tile) in nm are
+    infinite for those outside it.
+    """
 
     def __init__(
         self,
         substrate: Tiles,
         roughness: Tiles | None,
         geometry: ContactGeometry,
-        position: NDArray[np.int_],
+        positions: NDArray[np.int_],
     ) -> None:
         self.substrate, self.roughness, self.geometry = substrate, roughness, geometry
-        (first_y, self.tile_y), (first_x, self.tile_x) = (
-            substrate.in_window(index, geometry.window) for index in position
-        )
-        self.offset_y, self.offset_x = first_y - position[0], first_x - position[1]
+        #: (contact, axis, tiles along the axis)
+        self.offset, self.index, meets = substrate.in_window(positions, geometry.window)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
-        low_y, low_x = (
-            geometry.paraboloid(np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0))
-            for offset in (self.offset_y, self.offset_x)
-        )
-        bound = low_y[:, None] + low_x
-        bound -= substrate.maxima[self.tile_y].take(self.tile_x, axis=1)
+        nearest = np.maximum(np.maximum(self.offset, -(self.offset + TILE - 1)), 0)
+        low = np.where(meets, geometry.paraboloid(nearest), np.inf)
+        bounds = low[:, 0, :, None] + low[:, 1, None, :]
+        bounds -= substrate.maxima[self.index[:, 0, :, None], self.index[:, 1, None, :]]
         if roughness is not None:
-            bound -= roughness.upper_bound(self.offset_y, self.offset_x)
-        self.shape, self.bound = bound.shape, bound.ravel()
+            bounds -= roughness.upper_bound(self.offset[:, 0, :, None], self.offset[:, 1, None, :])
+        self.bounds = bounds.reshape(len(positions), -1)
 
-    def offsets(self, tiles: NDArray[np.int_]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-        """Return the offsets from the apex of the rows and columns of tiles: two (tiles, TILE)."""
-        row, column = np.unravel_index(tiles, self.shape)
-        pixels = np.arange(TILE)
-        return self.offset_y[row][:, None] + pixels, self.offset_x[column][:, None] + pixels
+    def gaps(
+        self, contact: NDArray[np.int_], tile: NDArray[np.int_]
+    ) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
+        """Return the gaps (k, TILE, TILE) in nm of tiles (k,), infinite outside the window.
 
-    def gaps(self, tiles: NDArray[np.int_]) -> Floats:
-        """Return the gaps (tiles, TILE, TILE) in nm, infinite outside the window."""
-        row, column = np.unravel_index(tiles, self.shape)
-        y, x = self.offsets(tiles)
+        With them come the offsets from the apex of their rows and of their columns: (k, TILE).
+        """
+        row, column = np.divmod(tile, self.offset.shape[-1])
+        y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
+        x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
         sphere_y, sphere_x = (
             np.where(self.geometry.inside(offset), self.geometry.paraboloid(offset), np.inf)
             for offset in (y, x)
         )
-        blocks = self.substrate.blocks[self.tile_y[row], :, self.tile_x[column], :]
-        gaps: Floats = sphere_y[:, :, None] + sphere_x[:, None, :] - blocks
+        tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
+        gaps: Floats = sphere_y[:, :, None] + sphere_x[:, None, :]
+        gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
         if self.roughness is not None:
             gaps -= self.roughness.heights_at(y[:, :, None], x[:, None, :])
-        return gaps
+        return gaps, y, x
 
 
 def lowest_gaps(
     substrate: Tiles,
     roughness: Tiles | None,
     geometry: ContactGeometry,
-    position: NDArray[np.int_],
+    positions: NDArray[np.int_],
     contact_pixels: int,
-) -> LowestGaps:
-    """Return the smallest gaps of one contact and the pixels that they belong to.
+) -> list[LowestGaps]:
+    """Return the smallest gaps of contacts and the pixels that they belong to.
 
     Only tiles with a lower bound on their gaps below the largest gap of the contact are read. The
-    position (2,) is the pixel of the apex: row, column. Equal gaps come in the order of their
-    offsets.
+    positions (contact, 2) are the pixels of the apex: row, column. Equal gaps come in the order of
+    their offsets.
     """
-    window = _Window(substrate, roughness, geometry, position)
-    limit = _limit_of_gaps(window, contact_pixels)
-    tiles = np.flatnonzero(window.bound <= limit)
-    tiles = tiles[np.argsort(window.bound[tiles])]
-    lowest, batch = LowestGaps(np.empty(0), np.empty((0, 2), int)), 8
-    while len(tiles) and (len(lowest.gaps) < contact_pixels or window.bound[tiles[0]] <= limit):
-        candidates = _gaps_up_to(window, tiles[:batch], limit)
-        lowest = _lowest(lowest, candidates, contact_pixels)
-        limit = lowest.gaps[-1] if len(lowest.gaps) == contact_pixels else limit
-        tiles, batch = tiles[batch:], 2 * batch
-    return lowest
+    windows = _Windows(substrate, roughness, geometry, positions)
+    limits = _limits_of_gaps(windows, contact_pixels)
+    contact, tile = np.nonzero(windows.bounds <= limits[:, None])
+    batches = [slice(start, start + BATCH) for start in range(0, len(tile), BATCH)]
+    low = [_gaps_up_to(windows, contact[batch], tile[batch], limits) for batch in batches]
+    contact, gaps, offsets = (np.concatenate(parts) for parts in zip(*low, strict=True))
+    ends = np.searchsorted(contact, np.arange(1, len(positions)))
+    return [
+        _lowest(*candidates, contact_pixels)
+        for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
+    ]
 
 
-def _limit_of_gaps(window: _Window, contact_pixels: int) -> float:
-    """Return an upper bound on the N-th smallest gap (nm), N the contact pixels."""
+def _limits_of_gaps(windows: _Windows, contact_pixels: int) -> Floats:
+    """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels."""
     # The N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
-    tiles = min(-(-contact_pixels // TILE**2), window.bound.size)
-    gaps = window.gaps(np.argpartition(window.bound, tiles - 1)[:tiles])
-    return plastic_approach(gaps, contact_pixels) if gaps.size >= contact_pixels else np.inf
+    contacts, tiles = windows.bounds.shape
+    count = min(-(-contact_pixels // TILE**2), tiles)
+    best = np.argpartition(windows.bounds, count - 1, axis=1)[:, :count]
+    gaps, _, _ = windows.gaps(np.repeat(np.arange(contacts), count), best.ravel())
+    gaps = gaps.reshape(contacts, -1)
+    if gaps.shape[1] < contact_pixels:
+        return np.full(contacts, np.inf)
+    if contact_pixels == 1:
+        return np.asarray(gaps.min(axis=1))
+    return np.partition(gaps, contact_pixels - 1, axis=1)[:, contact_pixels - 1]
 
 
-def _gaps_up_to(window: _Window, tiles: NDArray[np.int_], limit: float) -> LowestGaps:
-    """Return the gaps of tiles that are at most `limit` (nm), in any order."""
-    gaps = window.gaps(tiles)
-    tile, y, x = np.nonzero(gaps <= limit)
-    rows, columns = window.offsets(tiles)
-    return LowestGaps(gaps[tile, y, x], np.stack([rows[tile, y], columns[tile, x]], axis=1))
+def _gaps_up_to(
+    windows: _Windows, contact: NDArray[np.int_], tile: NDArray[np.int_], limits: Floats
+) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
+    """Return the gaps of tiles that are at most the limit (nm) of their contact.
+
+    Beside them, the number of the contact before and the offsets (gap, 2) after them.
+    """
+    gaps, rows, columns = windows.gaps(contact, tile)
+    low = np.flatnonzero(gaps <= limits[contact, None, None])
+    number, y, x = np.unravel_index(low, gaps.shape)
+    offsets = np.stack([rows[number, y], columns[number, x]], axis=1)
+    return contact[number], gaps.ravel()[low], offsets
 
 
-def _lowest(first: LowestGaps, second: LowestGaps, contact_pixels: int) -> LowestGaps:
-    """Return the smallest gaps of two sets, ascending; equal ones in the order of offsets."""
-    gaps = np.append(first.gaps, second.gaps)
-    offsets = np.concatenate([first.offsets, second.offsets])
+def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixels: int) -> LowestGaps:
+    """Return the smallest of gaps, ascending; equal ones in the order of offsets."""
     if gaps.size > contact_pixels:
         # Few are left to sort, and equal gaps at the end are all among them.
         low = gaps <= plastic_approach(gaps, contact_pixels)
@@ -179,9 +198,12 @@ def all_lowest_gaps(bodies: Bodies, contact_pixels: int) -> dict[tuple[int, int]
     """Return `lowest_gaps` of every contact, by its place (i, j) in the array."""
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
-    geometry = bodies.geometry
+    geometry, positions = bodies.geometry, bodies.geometry.positions
+    rows = (np.column_stack([np.full_like(positions, y), positions]) for y in positions)
     return {
-        (i, j): lowest_gaps(substrate, roughness, geometry, np.array([y, x]), contact_pixels)
-        for i, y in enumerate(geometry.positions)
-        for j, x in enumerate(geometry.positions)
+        (i, j): contact
+        for i, row in enumerate(rows)
+        for j, contact in enumerate(
+            lowest_gaps(substrate, roughness, geometry, row, contact_pixels)
+        )
     }

@@ -60,7 +60,9 @@ def repeated_contacts(
     roughness = as_tiles(wide.roughness)
     depth = np.zeros((bodies.geometry.window,) * 2)
     for position in np.asarray(positions):
-        contact = lowest_gaps(substrate, roughness, bodies.geometry, position, contact_pixels)
+        (contact,) = lowest_gaps(
+            substrate, roughness, bodies.geometry, position[None], contact_pixels
+        )
         penetration = contact.gaps[-1] - contact.gaps
         _flatten(roughness, contact.offsets, penetration)
         row, column = (contact.offsets + bodies.geometry.window // 2).T

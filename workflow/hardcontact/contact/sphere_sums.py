@@ -10,12 +10,15 @@ from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
+from threadpoolctl import ThreadpoolController
 
 from hardcontact.contact.bearing_area import LowestGaps
 from hardcontact.contact.geometry import Bodies, ContactGeometry, gaps_at
 
 Floats = NDArray[np.float64]
+
+#: Looked up once: it takes milliseconds.
+LIBRARIES = ThreadpoolController()
 
 #: Contact pixels of each contact, by its indices (i, j) in the array.
 Contacts = dict[tuple[int, int], LowestGaps]
@@ -68,6 +71,8 @@ class ContactPixels:
 def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
     """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
     pixels, geometry = bodies.substrate.pixels, bodies.geometry
+    if geometry.window <= pixels:
+        return np.empty(0)
     reach = -(-geometry.window // (2 * pixels))
     flat, inverse = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
     periods = pixels * np.arange(-reach, reach)
@@ -150,7 +155,7 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
     ranges = [float(rho) for rho in rhos]
     sums_outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
-    with threadpool_limits(1, "blas"):
+    with LIBRARIES.limit(limits=1, user_api="blas"):
         sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
         sums = sphere_terms(bodies, contact_pixels, h_max, ranges)
         for k, (rho, (total, factor)) in enumerate(zip(ranges, sums, strict=True)):

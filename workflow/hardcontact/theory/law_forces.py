@@ -165,12 +165,12 @@ def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
     pixels = pair.geometry.window**2
     sums = []
     for indices, (touching, _) in contacts.items():
-        position = pair.geometry.positions[list(indices)]
+        position = pair.geometry.positions[[indices]]
         count = 2 * len(touching)
         enough = False
         while not enough:
             count = min(4 * count, pixels)
-            gaps, _ = lowest_gaps(substrate, roughness, pair.geometry, position, count)
+            ((gaps, _),) = lowest_gaps(substrate, roughness, pair.geometry, position, count)
             gaps_beyond_contact = gaps[len(touching) :] - gaps[len(touching) - 1]
             enough = gaps_beyond_contact[-1] > NEGLIGIBLE_RANGES * ranges.max() or count == pixels
         sums.append(np.exp(-gaps_beyond_contact / ranges[:, None]).sum(axis=1))
