@@ -83,8 +83,8 @@ def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
     Its text is text, which is a third of the size of drawn letters. Curves and symbols of many
     points become images; the resolution of images is in dots per inch.
     """
-    for artist in figure.findobj(_has_many_points):
-        artist.set_rasterized(True)
+    for artist in figure.findobj(lambda artist: not artist.get_rasterized()):
+        artist.set_rasterized(_has_many_points(artist))
     buffer = BytesIO()
     metadata = {"Title": title, "Date": None}
     with mpl.rc_context({"svg.fonttype": "none"}):
