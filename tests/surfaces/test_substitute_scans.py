@@ -1,9 +1,10 @@
 """Substitute scans: heights and skewness, the sphere, files that readers know."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
+import xarray as xr
 from direct_sum import plastic_totals
 from random_scans import PIXEL, uncd
 from repository import ROOT
@@ -16,12 +17,13 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_force
 from hardcontact.surfaces.height_map import HeightMap, flat_map, level, mirror_stitch
-from hardcontact.surfaces.scans import read_scan
+from hardcontact.surfaces.scans import Measurement, prepared, read_measurement, read_scan
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import (
     ScanGrid,
     _opened,
     _remapped,
+    as_measurement,
     skewed_surface,
     sphere_scan,
     substitute_scan,
@@ -67,6 +69,24 @@ def test_a_synthesized_scan_is_read_as_any_other_flat_or_of_the_sphere(tmp_path)
     sphere = read_back(tmp_path, synthesized_scan(generator(1), uncd, grid, 0.7, **choices))
     flat = flat_map(sphere, SPHERE_RADIUS).heights
     np.testing.assert_allclose(flat, level(scan).heights, atol=1e-9)
+
+
+@pytest.mark.parametrize("radius", [None, SPHERE_RADIUS])
+def test_a_synthesized_scan_is_prepared_as_if_it_was_read_from_its_file(tmp_path, radius):
+    grid, path = ScanGrid(48, 48 * PIXEL, 96), str(tmp_path / "a.nc")
+    synthesized = synthesized_scan(generator(1), uncd, grid, 0.7, sphere_radius=radius)
+    dataset.write(synthesized, path, "NETCDF3_64BIT")
+    measurement, expected = as_measurement(synthesized, path), read_measurement(path)
+    for made, read in zip(
+        prepared(measurement, "substitute", radius),
+        prepared(expected, "substitute", radius),
+        strict=True,
+    ):
+        xr.testing.assert_identical(made, read)
+    for field in fields(Measurement):
+        np.testing.assert_array_equal(
+            getattr(measurement, field.name), getattr(expected, field.name)
+        )
 
 
 def scan_with(pixels=128, **choices):

@@ -4,9 +4,9 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import amplified
-from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_measurement
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, as_measurement, synthesized_scan
 
 with job(snakemake) as job:
     params, surface, scans = job.parameters, job.parameters["surface"], job.parameters["scans"]
@@ -15,21 +15,21 @@ with job(snakemake) as job:
     for place, number in enumerate(scans):
         # Substitutes of all scans come first among the outputs, then levelled and stitched ones.
         substitute, levelled, stitched = (place + kind * len(scans) for kind in range(3))
+        scan = synthesized_scan(
+            generator(params["seed"], surface, number, "scan"),
+            density,
+            ScanGrid(**params["scan"]),
+            float(conditioning["factor"].sel(scan=number)),
+            sphere_radius=params["sphere_radius"],
+            skewness=params["skewness"],
+        )
         job.write(
-            synthesized_scan(
-                generator(params["seed"], surface, number, "scan"),
-                density,
-                ScanGrid(**params["scan"]),
-                float(conditioning["factor"].sel(scan=number)),
-                sphere_radius=params["sphere_radius"],
-                skewness=params["skewness"],
-            ),
+            scan,
             title=f"substitute scan {number} of {surface}",
             output=substitute,
             file_format="NETCDF3_64BIT",
         )
-        flat, periodic = prepared(
-            read_measurement(job.output[substitute]), "substitute", params["sphere_radius"]
-        )
+        measurement = as_measurement(scan, job.output[substitute])
+        flat, periodic = prepared(measurement, "substitute", params["sphere_radius"])
         job.write(flat, LEVELLED, levelled)
         job.write(periodic, STITCHED, stitched)

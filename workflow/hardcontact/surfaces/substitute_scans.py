@@ -8,6 +8,7 @@ import xarray as xr
 from numpy.lib.stride_tricks import sliding_window_view
 
 from hardcontact.surfaces.height_map import HeightMap, level, skewness_and_kurtosis
+from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -93,6 +94,13 @@ def synthesized_scan(
         {"x": ("x", position, axis), "y": ("y", position, axis)},
         {"basis": "substitute: synthesised, not measured"},
     )
+
+
+def as_measurement(synthesized: xr.Dataset, path: str) -> Measurement:
+    """Return a synthesized scan as `read_measurement` reads it from its file, in less time."""
+    heights = synthesized["heights"].values.T
+    pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
+    return Measurement(path, "", "Default", "nm", "map", heights, pixel_size, None, (), 0)
 
 
 #: Radius of the paraboloid that tops are rounded with, times the rms half-Laplacian. A fit to one
