@@ -4,7 +4,6 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import make_interp_spline
 
 from hardcontact.base.statistics import (
     Sampling,
@@ -88,6 +87,8 @@ def at_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
 
 def _weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
     """Return weights (rho, range) of logarithms at `rhos` in their spline; NaN beyond the ends."""
+    from scipy.interpolate import make_interp_spline
+
     degree = min(3, len(rhos) - 1)
     spline = make_interp_spline(np.log(rhos), np.eye(len(rhos)), k=degree)
     weights: np.ndarray = spline(np.log(ranges), extrapolate=False).T

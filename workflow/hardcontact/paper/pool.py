@@ -11,7 +11,6 @@ from typing import Any, NamedTuple, TypedDict
 import numpy as np
 import pandas as pd
 import xarray as xr
-from scipy.interpolate import make_interp_spline
 
 from hardcontact.base import dataset, published
 from hardcontact.base.job import progress
@@ -136,6 +135,8 @@ def height_weights(heights: Floats, targets: Floats) -> Floats:
     numpy.ndarray
         Weights (target, amplitude).
     """
+    from scipy.interpolate import make_interp_spline
+
     if len(heights) == 1:
         return np.ones((len(targets), 1))
     degree = min(3, len(heights) - 1)
