@@ -174,7 +174,7 @@ def _remapped(heights: Floats, skewness: float, deviation: float) -> Floats:
     probability = np.linspace(0, 1, 4097)[1:-1]
     rank = (np.arange(heights.size) + 0.5) / heights.size
     rate = 2 / skewness if skewness else 1e5  # as good as normal
-    tail = probability if skewness > 0 else 1 - probability
+    tail = probability if rate > 0 else 1 - probability
     pearson3 = gammaincinv(rate**2, tail) / rate - rate**2 / rate
     quantiles = np.interp(rank, probability, pearson3)
     remapped = np.empty(heights.size)
