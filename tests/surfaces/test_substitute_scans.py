@@ -130,6 +130,15 @@ def test_heights_have_the_skewness_and_keep_their_spectrum(surface, skewness):
     assert skew(skewed.heights, axis=None) == pytest.approx(skewness, rel=0.07, abs=0.01)
 
 
+@pytest.mark.parametrize("skewness", [-0.5, 0.5])
+def test_rounding_errors_do_not_grow(surface, skewness):
+    heights = surface.heights.astype(float)
+    errors = 1e-13 * np.random.default_rng(2).standard_normal(heights.shape)
+    exact = skewed_surface(replace(surface, heights=heights), skewness).heights
+    perturbed = skewed_surface(replace(surface, heights=heights + errors), skewness).heights
+    assert (perturbed - exact).std() < 1e-8 * exact.std()
+
+
 def test_tops_are_blunter_than_those_of_a_gaussian_surface(surface):
     gaussian = summit_curvature(replace(surface, heights=surface.heights.astype(float)))
     for skewness in (-0.5, 0.5):

@@ -110,12 +110,14 @@ BLUNTNESS = 0.9
 ROUNDS = 10
 #: Depth of the paraboloid over the rms height: a deeper one changes forces by some 2 %.
 DEPTH = 2.0
+#: Intervals of heights in which their distribution is counted, and of its probabilities.
+INTERVALS = 4096
 
 
 def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     """Return a surface with the same spectrum, heights of given skewness and blunt tops.
 
-    In turn tops are rounded by an opening with a paraboloid, heights are remapped by rank to a
+    In turn tops are rounded by an opening with a paraboloid, heights are remapped in order to a
     Pearson III distribution, and the Fourier amplitudes restored: the amplitude-adjusted surrogate
     of Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635, whose summits would be sharp. The
     skewness of the whole surface, -1 to 1, is met to some 5 %. Heights are in float64.
@@ -168,15 +170,17 @@ def _eroded(heights: Floats, depth: Floats, axis: int) -> Floats:
 
 
 def _remapped(heights: Floats, skewness: float, deviation: float) -> Floats:
-    """Return heights in the same order with a Pearson III distribution of mean zero."""
+    """Return heights in the same order with a Pearson III distribution of mean zero.
+
+    New heights are a continuous function of those before: ranks would break ties by rounding.
+    """
     from scipy.special import gammaincinv
 
-    probability = np.linspace(0, 1, 4097)[1:-1]
-    rank = (np.arange(heights.size) + 0.5) / heights.size
+    probability = np.linspace(0, 1, INTERVALS + 1)[1:-1]
     rate = 2 / skewness if skewness else 1e5  # as good as normal
     tail = probability if rate > 0 else 1 - probability
     pearson3 = gammaincinv(rate**2, tail) / rate - rate**2 / rate
-    quantiles = np.interp(rank, probability, pearson3)
-    remapped = np.empty(heights.size)
-    remapped[np.argsort(heights, axis=None)] = deviation * quantiles
-    return remapped.reshape(heights.shape)
+    counts, edges = np.histogram(heights, INTERVALS)
+    share = np.append(0, counts.cumsum()) / heights.size
+    quantiles = np.interp(share, probability, pearson3)
+    return np.asarray(deviation * np.interp(heights, edges, quantiles))
