@@ -29,7 +29,7 @@ from paper_study import svg
 from hardcontact.report import own_figures as figures
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
-from hardcontact.report.own_answer import own_answer, own_headline, own_page
+from hardcontact.report.own_answer import own_answer, own_headline, own_page, own_warnings
 
 FORCES = "two substitutes, forces"
 LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
@@ -51,7 +51,7 @@ PICTURES = {name: svg(f"#{place:03}") for place, name in enumerate(OF_OWN_SURFAC
 
 
 def page_of(answer):
-    return own_page(answer, own_headline(answer), PICTURES)
+    return own_page(answer, own_headline(answer), own_warnings(answer), PICTURES)
 
 
 @cache

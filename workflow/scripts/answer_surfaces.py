@@ -12,6 +12,7 @@ from hardcontact.report.own_answer import (
     own_headline,
     own_page,
     own_quantities,
+    own_warnings,
 )
 from hardcontact.report.own_figures import write_figures
 from hardcontact.report.quantities import answer_json
@@ -24,7 +25,8 @@ with job(snakemake) as job:
     pairs = pd.read_csv(job.input.pairs).to_dict("records")
     setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(datasets, setting)
-    headline = own_headline(answer)
+    headline, warnings = own_headline(answer), own_warnings(answer)
     pictures = write_figures(datasets, {kind: job.output[kind] for kind in KINDS})
-    job.write_text(own_page(answer, headline, pictures), "page")
-    job.write_text(answer_json(own_head(setting, headline), own_quantities(answer)), "json")
+    job.write_text(own_page(answer, headline, warnings, pictures), "page")
+    head = own_head(setting, [*headline, *warnings])
+    job.write_text(answer_json(head, own_quantities(answer)), "json")

@@ -112,6 +112,11 @@ def own_headline(answer: OwnAnswer) -> list[str]:
     return rendered_lines("own_headline.txt", surfaces=surfaces)
 
 
+def own_warnings(answer: OwnAnswer) -> list[str]:
+    """Return the sentences on substitutes and on grave cautions that follow the headline."""
+    return rendered_lines("own_warnings.txt", surfaces=list(answer.surfaces.values()))
+
+
 def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
     """Return the head of answer.json."""
     return {
@@ -162,12 +167,18 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
         yield from numbers_within(f"measurement_{place}", lengths)
 
 
-def own_page(answer: OwnAnswer, headline: Sequence[str], pictures: Mapping[str, bytes]) -> str:
+def own_page(
+    answer: OwnAnswer,
+    headline: Sequence[str],
+    warnings: Sequence[str],
+    pictures: Mapping[str, bytes],
+) -> str:
     """Return the page, HTML, with pictures (SVG) by the name of their figure."""
     datasets, setting, surfaces = answer
     return rendered(
         "own.html",
         headline=headline,
+        warnings=warnings,
         study=setting.study,
         effort=setting.effort,
         citation=setting.citation,
