@@ -20,7 +20,7 @@ from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.theory.summits import banded, draw_size, moment
+from hardcontact.theory.summits import draw_size, moment, spectrum_between
 
 RADIUS, PIXEL = 250e3, 10e3 / 256
 
@@ -48,7 +48,7 @@ def force_ratio(rms_height, pixels):
 @pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
 def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
     spectrum = Spectrum(WAVEVECTORS, smooth_rolloff(WAVEVECTORS, 1.0, 930.0, 0.84))
-    known = banded(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
+    known = spectrum_between(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
     scaled = Spectrum(known.wavevector, known.density * rms_height**2 / moment(known, 0))
     least, greatest = finite_scan_ratio(pixels * PIXEL, draw_size(scaled, RADIUS, 400.0))
     # Twenty windows, whose forces scatter by a factor of two about their mean.

@@ -27,7 +27,7 @@ from hardcontact.theory.pull_off_statistics import (
     over_scans,
     summit_variation,
 )
-from hardcontact.theory.summits import LEVELS, banded, closest_approaches, clumps_above
+from hardcontact.theory.summits import LEVELS, closest_approaches, clumps_above, spectrum_between
 
 SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
 TABLE = pd.read_csv(validate_statistics.DATASET.with_suffix(".csv"))
@@ -39,7 +39,7 @@ SURFACE = rounded(SIGMA, 100)
 
 def flat_contact(modulus, clumps=0.0):
     """Return a contact of a modulus whose area is that of a number of mean clumps."""
-    waves = banded(SURFACE, 0, np.inf)
+    waves = spectrum_between(SURFACE, 0, np.inf)
     _, number, bearing = clumps_above(waves, FLAT)
     highest = closest_approaches(waves, FLAT, 0.0).mean()
     area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
@@ -51,7 +51,7 @@ def drawn_sums(modulus, places=4000, points=400):
     """Return sums of clumps over places: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
     rng = generator(1, "clumps")
     arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
-    level = closest_approaches(banded(SURFACE, 0, np.inf), FLAT, 0.0).mean()
+    level = closest_approaches(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
     radii = rng.choice(drawn_radii(rng, level), (places, points))
     return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
 
@@ -77,7 +77,7 @@ def test_the_mean_is_the_closed_form(rho, low, high):
 
 
 def test_radii_of_summits_scatter_as_drawn_ones():
-    waves = banded(SURFACE, 0, np.inf)
+    waves = spectrum_between(SURFACE, 0, np.inf)
     levels = closest_approaches(waves, FLAT, 0.0)
     radii = drawn_radii(generator(1, "radii"), levels.mean())
     assert summit_variation(waves, levels) == pytest.approx(radii.std() / radii.mean(), rel=0.05)
@@ -85,22 +85,24 @@ def test_radii_of_summits_scatter_as_drawn_ones():
 
 @pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
 def test_many_points_make_weibull_s_law(modulus):
-    found = force_statistics(SURFACE, flat_contact(modulus))
-    weibull = stats.weibull_min(found.modulus, scale=1 / special.gamma(1 + 1 / found.modulus))
-    assert found.modulus == pytest.approx(modulus, rel=1e-3)
+    computed = force_statistics(SURFACE, flat_contact(modulus))
+    weibull = stats.weibull_min(computed.modulus, scale=1 / special.gamma(1 + 1 / computed.modulus))
+    assert computed.modulus == pytest.approx(modulus, rel=1e-3)
     shares = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
-    assert found.quantile(shares) / found.force == pytest.approx(weibull.ppf(shares), rel=0.08)
+    assert computed.quantile(shares) / computed.force == pytest.approx(
+        weibull.ppf(shares), rel=0.08
+    )
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
 def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
-    found = force_statistics(SURFACE, flat_contact(3.0, clumps))
+    computed = force_statistics(SURFACE, flat_contact(3.0, clumps))
     # Exponential areas fill the contact with 1 + Poisson's number of clumps.
     number = 1 + np.arange(200)
-    chance = stats.poisson.pmf(number - 1, found.clumps - 1)
+    chance = stats.poisson.pmf(number - 1, computed.clumps - 1)
     centre = chance @ special.digamma(number)
     spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
-    assert found.spread == pytest.approx(np.sqrt(spread) / found.modulus, rel=0.1)
+    assert computed.spread == pytest.approx(np.sqrt(spread) / computed.modulus, rel=0.1)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
@@ -113,8 +115,8 @@ def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
     power, number = 2 / (many.modulus + rigid.modulus), 1 + np.arange(200)
     chance = stats.poisson.pmf(number - 1, many.clumps - 1)
     expected = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
-    found = (many.force - of_area) / rigid.force
-    assert found == pytest.approx(expected / special.gamma(1 + power), rel=0.05)
+    computed = (many.force - of_area) / rigid.force
+    assert computed == pytest.approx(expected / special.gamma(1 + power), rel=0.05)
 
 
 @pytest.mark.parametrize("cover", [0.05, 0.3, 0.6])
@@ -128,9 +130,9 @@ def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
-    found, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
-    assert found.spread == pytest.approx(np.log(sums).std(), rel=0.1)
-    assert found.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
+    computed, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
+    assert computed.spread == pytest.approx(np.log(sums).std(), rel=0.1)
+    assert computed.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
 
 
 def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
@@ -139,30 +141,30 @@ def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
     contact = contact_of_area(250e3, rho, 1.0, 0.0)
     spot = 2 * contact.radius * rho
     terms = (SIGMA / rho) ** (2 * power) / special.factorial(power) / (1 + power * spot / 100**2)
-    found = field_variation(banded(SURFACE, 0, np.inf), contact)
-    assert found == pytest.approx(np.sqrt(terms.sum()), rel=0.02)
-    assert found > 1.2 * np.sqrt(terms[0])
+    computed = field_variation(spectrum_between(SURFACE, 0, np.inf), contact)
+    assert computed == pytest.approx(np.sqrt(terms.sum()), rel=0.02)
+    assert computed > 1.2 * np.sqrt(terms[0])
 
 
 def test_moments_and_quantiles_are_those_of_the_mixture():
-    found = ForceStatistics(
+    computed = ForceStatistics(
         1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
     shares = np.linspace(0, 1, 200001)[1:-1]
-    forces = found.quantile(shares)
-    assert found.force == pytest.approx(forces.mean(), rel=1e-3)
-    assert found.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
-    assert found.spread == pytest.approx(np.log(forces).std(), rel=1e-3)
-    assert found.probability(forces[::20000]) == pytest.approx(shares[::20000], rel=1e-12)
+    forces = computed.quantile(shares)
+    assert computed.force == pytest.approx(forces.mean(), rel=1e-3)
+    assert computed.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
+    assert computed.spread == pytest.approx(np.log(forces).std(), rel=1e-3)
+    assert computed.probability(forces[::20000]) == pytest.approx(shares[::20000], rel=1e-12)
 
 
 def test_a_quantile_does_not_depend_on_levels_that_have_no_probability():
-    found = ForceStatistics(
+    computed = ForceStatistics(
         1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
-    means, spreads = np.append(found.means, 1e9), np.append(found.spreads, 0.9)
-    beside = replace(found, means=means, weights=np.array([0.3, 0.7, 1e-20]), spreads=spreads)
-    assert beside.quantile(0.5) == pytest.approx(found.quantile(0.5), rel=1e-12)
+    means, spreads = np.append(computed.means, 1e9), np.append(computed.spreads, 0.9)
+    beside = replace(computed, means=means, weights=np.array([0.3, 0.7, 1e-20]), spreads=spreads)
+    assert beside.quantile(0.5) == pytest.approx(computed.quantile(0.5), rel=1e-12)
 
 
 def test_without_roughness_all_places_are_alike():
@@ -207,7 +209,7 @@ def test_the_table_is_that_of_the_law():
 
 def test_forces_are_those_of_the_designed_surfaces():
     row = validate_statistics.design(52)[51]
-    found = validate_statistics.computed(row)
+    computed = validate_statistics.computed(row)
     stored = dataset.read(validate_statistics.DATASET).isel(surface=51)
     for name in ("log_force", "level"):
-        np.testing.assert_allclose(found[name], stored[name], atol=6e-4)
+        np.testing.assert_allclose(computed[name], stored[name], atol=6e-4)

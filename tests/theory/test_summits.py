@@ -11,7 +11,7 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import summits
-from hardcontact.theory.summits import banded, draw_size, moment
+from hardcontact.theory.summits import draw_size, moment, spectrum_between
 
 RADIUS = 250e3
 #: Radius of a sphere so flat that its highest summits obey the laws of high levels.
@@ -19,7 +19,7 @@ FLAT = 1e9
 
 
 def full_band(spectrum):
-    return banded(spectrum, 0, np.inf)
+    return spectrum_between(spectrum, 0, np.inf)
 
 
 def test_moments_are_those_of_a_gaussian_autocorrelation():
@@ -73,7 +73,7 @@ def test_exponential_areas_of_poisson_clumps_stay_below_the_contact(area):
     # n such areas stay below it as often as Poisson's number of a mean `area` is n or more.
     clumps, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
     terms = stats.poisson.pmf(number, clumps) * stats.poisson.sf(number - 1, area)
-    below = summits._touches_less(clumps, np.full(200, area))
+    below = summits._probability_of_smaller_area(clumps, np.full(200, area))
     assert below[0] > 0.99 and below[-1] < 1e-20
     np.testing.assert_allclose(below, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
 
@@ -88,7 +88,7 @@ def test_a_large_area_of_contact_is_the_bearing_area():
 
 def test_the_highest_point_of_random_surfaces():
     spectrum, pixels, size, radius = rough(4, 300, 0.8, 40), 256, 2560.0, 20e3
-    waves = banded(spectrum, 2 * np.pi / size / 2, np.inf)
+    waves = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
     sphere = (offset[:, None] ** 2 + offset**2) / (2 * radius)
     highest = [
@@ -103,7 +103,7 @@ def test_a_sphere_follows_flat_waves():
     spectrum = rough(4, 1e6)  # roughness without end
     rough_waves = summits.rough_waves(spectrum, RADIUS)
     assert rough_waves.wavevector[0] > 10 * spectrum.wavevector[0]
-    followed_waves = banded(spectrum, 0, rough_waves.wavevector[0])
+    followed_waves = spectrum_between(spectrum, 0, rough_waves.wavevector[0])
     assert np.sqrt(moment(followed_waves, 4)) / 2 == pytest.approx(0.1 / RADIUS, rel=0.1)
     assert summits.rough_waves(spectrum, 1.0) is None
     assert summits.rough_waves(Spectrum(spectrum.wavevector, 0 * spectrum.density), RADIUS) is None

@@ -1,7 +1,7 @@
-"""How many places of a scan its contacts touch: of few places a force says little.
+"""The number of places of a scan that its contacts touch.
 
-A particle on a flat scan carries every contact. Forces then scatter little, and say nothing of
-those where the particle is not.
+A particle on a flat scan carries every contact. Forces then scatter little, though they may differ
+much where the particle is not.
 """
 
 import numpy as np
@@ -20,8 +20,8 @@ def touched_places(bodies: Bodies, contacts: Contacts) -> int:
 
     pixels = bodies.substrate.pixels
     touching = [
-        (bodies.geometry.positions[list(place)] + offsets) % pixels
-        for place, (_, offsets) in contacts.items()
+        (bodies.geometry.positions[list(index)] + offsets) % pixels
+        for index, (_, offsets) in contacts.items()
     ]
     in_scan = [tuple(np.minimum(points, pixels - 1 - points).T) for points in touching]
     is_touched = np.zeros((pixels, pixels), bool)

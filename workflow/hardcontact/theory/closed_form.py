@@ -33,11 +33,11 @@ from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.summits import (
     Approaches,
-    banded,
     closest_approaches,
     clump_radius,
     moment,
     rough_waves,
+    spectrum_between,
 )
 
 #: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.
@@ -52,7 +52,7 @@ SMOOTH_SHARE = 0.9
 #: Number of generations of summits on summits.
 GENERATIONS = 8
 #: Wavelength, in radii of its clump, below which waves are roughness on a summit.
-SUMMIT = 2.5
+SUMMIT_SIZE = 2.5
 #: Smallest rms height on a summit that counts as roughness, in ranges of adhesion.
 MIN_SUMMIT_ROUGHNESS = 0.005
 #: Number of cutoffs between both ends of the spectrum at which edges are looked for.
@@ -159,7 +159,7 @@ def _terms(
     """Return the first and the second term of F/(2 pi R W), averaged over levels of approach."""
     sigma = np.sqrt(moment(waves, 0))
     share = 1.0
-    summit = on_summit(waves, levels, contact)
+    summit = roughness_on_summit(waves, levels, contact)
     if summit is not None and generations:
         finer, summit_contact = summit
         approaches = closest_approaches(finer, summit_contact.radius, summit_contact.area)
@@ -204,14 +204,14 @@ def rough_terms(sigma: float, levels: Approaches, rho: float, share: float) -> t
     return first_term, share * levels.mean(special.ndtr(-t))
 
 
-def on_summit(
+def roughness_on_summit(
     waves: Spectrum, levels: Approaches, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
     """Return the spectrum of the roughness on a touching summit, and the contact of the summit.
 
     None if the roughness on the summit is negligible.
     """
-    finer = banded(waves, 2 * np.pi / (SUMMIT * levels.radius), np.inf)
+    finer = spectrum_between(waves, 2 * np.pi / (SUMMIT_SIZE * levels.radius), np.inf)
     if finer is None or moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.range) ** 2:
         return None
     sigma = np.sqrt(moment(waves, 0))
@@ -239,7 +239,11 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
         All densities are zero if no wave remains.
     """
     limit = 2 * np.pi / cutoff
-    filtered = banded(spectrum, 0.0, limit) if side == "small" else banded(spectrum, limit, np.inf)
+    filtered = (
+        spectrum_between(spectrum, 0.0, limit)
+        if side == "small"
+        else spectrum_between(spectrum, limit, np.inf)
+    )
     return filtered or Spectrum(spectrum.wavevector, np.zeros_like(spectrum.density))
 
 

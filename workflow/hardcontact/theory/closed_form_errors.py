@@ -14,7 +14,7 @@ from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
-from hardcontact.theory.summits import banded
+from hardcontact.theory.summits import spectrum_between
 
 #: Sources of the height of closest approach: expected from the spectrum, or computed contacts.
 APPROACH_SOURCES = ["spectrum", "contacts"]
@@ -62,7 +62,7 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
         If the spectrum has no such waves.
     """
     cell = 2 * np.pi / size
-    waves = banded(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
+    waves = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
     if waves is None:
         raise ValueError(f"expected waves between {size / pixels:g} and {size:g} nm, found none")
     return waves

@@ -33,7 +33,7 @@ from scipy import special
 from hardcontact.band.critical_band import critical_wavelength
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import Floats, Spectrum
-from hardcontact.theory.closed_form import SUMMIT, contact_share, gaussian_share
+from hardcontact.theory.closed_form import SUMMIT_SIZE, contact_share, gaussian_share
 from hardcontact.theory.summits import Approaches, closest_approaches, moment, rough_waves
 
 #: Mean curvature of the summits of a Gaussian surface relative to its rms half-Laplacian.
@@ -79,7 +79,7 @@ def formula_edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> Edg
     remaining = np.exp(-2 * change / force_elasticity) if force_elasticity > 0 else 0.0
     variances = np.array([1 - remaining, remaining]) * variance[-1]
     short, long = np.exp(np.interp(variances, variance, np.log(wavelength)))
-    return Edges(float(min(short, summit_edge)), float(max(long, SUMMIT * approaches.radius)))
+    return Edges(float(min(short, summit_edge)), float(max(long, SUMMIT_SIZE * approaches.radius)))
 
 
 def gaps_on_summits(waves: Spectrum, radius: float, area: float) -> tuple[Floats, Floats, Floats]:

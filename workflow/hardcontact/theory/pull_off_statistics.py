@@ -30,21 +30,21 @@ from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import (
     GENERATIONS,
-    SUMMIT,
+    SUMMIT_SIZE,
     contact_share,
-    on_summit,
     rough_terms,
+    roughness_on_summit,
 )
 from hardcontact.theory.summits import (
     LEVELS,
     Approaches,
-    banded,
     closest_approaches,
     clumps_above,
-    correlation_lost,
     draw_size,
+    lost_correlation,
     moment,
     rough_waves,
+    spectrum_between,
 )
 
 #: Standard deviations of curvature, and their probabilities, that a summit is averaged over.
@@ -172,7 +172,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     sigma, t = np.sqrt(moment(waves, 0)), levels.levels
     # What a rough summit attracts of what a smooth one does.
     share, scatter, growth = 1.0, 1.0, 1.0
-    summit = on_summit(waves, levels, contact)
+    summit = roughness_on_summit(waves, levels, contact)
     if summit is not None and generations:
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
@@ -215,7 +215,7 @@ def summit_variation(waves: Spectrum, levels: Approaches) -> float:
     L²/4, with the rms gradient g and the rms Laplacian L; summits are as dense as K where a > b.
     Waves shorter than a summit are roughness on it.
     """
-    longer = banded(waves, 0, 2 * np.pi / (SUMMIT * levels.radius))
+    longer = spectrum_between(waves, 0, 2 * np.pi / (SUMMIT_SIZE * levels.radius))
     if longer is None:
         return 0.0
     sigma = np.sqrt(moment(waves, 0))
@@ -239,7 +239,7 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     q, reach = waves.wavevector, 4 * contact.radius * contact.range
     height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
     linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.range**2)
-    distances, lost = correlation_lost(waves)
+    distances, lost = lost_correlation(waves)
     exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.range**2, 500)
     beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
     return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))

@@ -27,15 +27,15 @@ WAVES, DISTANCES = 300, 120
 #: Levels t of closest approach: a contact wider than the roughness goes below the mean plane.
 LEVELS = np.linspace(-6, 8, 701)
 #: Mean clumps in the area of contact beyond which their sum is normal.
-MANY = 50.0
+MAX_POISSON_CLUMPS = 50.0
 #: Probability below which a complement of one has too few digits.
-RARE = 1e-3
+MIN_COMPLEMENT = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
-RAREST = -45.0
+LOG_NEGLIGIBLE_PROBABILITY = -45.0
 #: Below this level heights have no clumps: those of this level stand for them.
-LOWEST_CLUMPS = 1.2
+LOWEST_CLUMP_LEVEL = 1.2
 #: A sphere follows waves whose total curvature is less than this share of its own curvature.
-FOLLOWED = 0.1
+MAX_FOLLOWED_CURVATURE = 0.1
 
 
 class Approaches(NamedTuple):
@@ -50,7 +50,7 @@ class Approaches(NamedTuple):
         return float(self.weights @ (self.levels if values is None else np.asarray(values)))
 
 
-def banded(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
+def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
     """Return the waves of a spectrum between two wavevectors, on a new grid.
 
     Parameters
@@ -91,18 +91,18 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
     Waves that are much flatter than the sphere lift it together with the surface. They are no
     roughness for this sphere.
     """
-    waves = banded(spectrum, 0, np.inf)
+    waves = spectrum_between(spectrum, 0, np.inf)
     if waves is None:
         return None
     q = waves.wavevector
     step = np.log(q[1] / q[0])
     curvature = np.sqrt(np.cumsum(waves.density * q**6) * step / (2 * np.pi)) / 2
-    not_followed = np.flatnonzero(curvature > FOLLOWED / radius)
-    return banded(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
+    not_followed = np.flatnonzero(curvature > MAX_FOLLOWED_CURVATURE / radius)
+    return spectrum_between(spectrum, q[not_followed[0]], np.inf) if len(not_followed) else None
 
 
 @lru_cache(maxsize=4)
-def correlation_lost(waves: Spectrum) -> tuple[Floats, Floats]:
+def lost_correlation(waves: Spectrum) -> tuple[Floats, Floats]:
     """Return the lost correlation 1 - r(d)/sigma² by distance, r the autocorrelation of heights.
 
     Parameters
@@ -127,8 +127,8 @@ def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
 
     The radius solves 1 - r(delta)/sigma² = 1/t².
     """
-    distances, share = correlation_lost(waves)
-    log_share = -2 * np.log(np.maximum(levels, LOWEST_CLUMPS))
+    distances, share = lost_correlation(waves)
+    log_share = -2 * np.log(np.maximum(levels, LOWEST_CLUMP_LEVEL))
     log_ascending_share = np.log(np.maximum.accumulate(share))
     return np.asarray(np.exp(np.interp(log_share, log_ascending_share, np.log(distances))))
 
@@ -162,7 +162,7 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     radii, clumps, bearing = clumps_above(waves, radius)
     # No clump rises above the last level; there a clump has its own area.
     clump = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
-    probability = _touches_less(clumps, area / clump)
+    probability = _probability_of_smaller_area(clumps, area / clump)
     middle = (LEVELS[1:] + LEVELS[:-1]) / 2
     weights = np.append(probability[0], np.maximum(np.diff(probability), 0))
     weights /= weights.sum()
@@ -230,25 +230,27 @@ def _integral_to_last_level(density: Floats) -> Floats:
     return np.append(np.cumsum(cells[::-1])[::-1], 0.0)
 
 
-def _touches_less(clumps: Floats, caps: Floats) -> Floats:
+def _probability_of_smaller_area(clumps: Floats, caps: Floats) -> Floats:
     """Return the probability (n,) that clumps of exponential area touch less than the contact.
 
     `clumps` (n,) is their mean number, `caps` (n,) the area of contact relative to their mean area.
     """
-    few = caps <= MANY
+    is_few = caps <= MAX_POISSON_CLUMPS
     spread = np.sqrt(2 * np.maximum(clumps, 1e-300))
-    below = special.ndtr((caps - clumps) / spread)
+    probability = special.ndtr((caps - clumps) / spread)
     # The sum over n is that of the noncentral chi-squared distribution of 2 degrees of freedom,
     # which has no digits of small probabilities: forces at their levels may be huge.
-    below[few] = 1 - special.chndtr(2 * clumps[few], 2, 2 * caps[few])
-    rare = few & (below < RARE)
-    if rare.any():
-        most = np.max(caps[rare])
-        counts = np.arange(1, int(most + 8 * np.sqrt(most) + 25) if most else 1)[:, None]
+    probability[is_few] = 1 - special.chndtr(2 * clumps[is_few], 2, 2 * caps[is_few])
+    is_rare = is_few & (probability < MIN_COMPLEMENT)
+    if is_rare.any():
+        largest = np.max(caps[is_rare])
+        counts = np.arange(1, int(largest + 8 * np.sqrt(largest) + 25) if largest else 1)[:, None]
         with np.errstate(divide="ignore"):
-            log_poisson = counts * np.log(clumps[rare]) - clumps[rare] - special.gammaln(counts + 1)
-        number, column = np.nonzero(log_poisson > RAREST)
-        terms = special.gammainc(counts[number, 0], caps[rare][column])
+            log_poisson = (
+                counts * np.log(clumps[is_rare]) - clumps[is_rare] - special.gammaln(counts + 1)
+            )
+        number, column = np.nonzero(log_poisson > LOG_NEGLIGIBLE_PROBABILITY)
+        terms = special.gammainc(counts[number, 0], caps[is_rare][column])
         terms *= np.exp(log_poisson[number, column])
-        below[rare] = np.exp(-clumps[rare]) + np.bincount(column, terms, rare.sum())
-    return np.asarray(np.clip(below, 0, 1))
+        probability[is_rare] = np.exp(-clumps[is_rare]) + np.bincount(column, terms, is_rare.sum())
+    return np.asarray(np.clip(probability, 0, 1))
