@@ -15,13 +15,13 @@ from paper_datasets import (
     sets,
     topography,
 )
-from repository import ROOT
+from repository import PAPER, ROOT
 
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import OF_PAPER
-from hardcontact.report.paper_answer import paper_answer, paper_headline, paper_page
+from hardcontact.report.paper_answer import paper_answer, paper_head, paper_headline, paper_page
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 
@@ -84,4 +84,5 @@ def captions():
 def made_page(of=None):
     """The page."""
     of = answer() if of is None else of
-    return paper_page(of, paper_headline(of), figures(), captions(), CITATION)
+    head = paper_head(PAPER, CITATION["version"], paper_headline(of))
+    return paper_page(of, head, figures(), captions(), CITATION)

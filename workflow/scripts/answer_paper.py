@@ -33,7 +33,6 @@ with job(snakemake) as job:
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    headline = paper_headline(answer)
-    job.write_text(paper_page(answer, headline, figures, captions, citation), "page")
-    head = paper_head(job.parameters, citation["version"], headline)
+    head = paper_head(job.parameters, citation["version"], paper_headline(answer))
+    job.write_text(paper_page(answer, head, figures, captions, citation), "page")
     job.write_text(answer_json(head, paper_quantities(answer)), "json")

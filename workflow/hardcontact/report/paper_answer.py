@@ -272,19 +272,20 @@ def paper_quantities(answer: PaperAnswer) -> Iterator[Quantity]:
 
 def paper_page(
     answer: PaperAnswer,
-    headline: Sequence[str],
+    head: Mapping[str, Any],
     figures: Mapping[str, bytes],
     captions: Mapping[str, Caption],
     citation: Mapping[str, Any],
 ) -> str:
     """Return the page, HTML.
 
-    Figures are SVG and captions by the names of the figures; the citation is CITATION.cff.
+    The head is that of answer.json. Figures are SVG and captions by the names of the figures; the
+    citation is CITATION.cff.
     """
     return rendered(
         "paper.html",
         answer=answer,
-        headline=headline,
+        head=head,
         numbers=answer.numbers,
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
         chapters=[

@@ -11,9 +11,10 @@ import yaml
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from hardcontact.base.printing import print_as_paper
+from hardcontact.base.printing import is_boundless, print_as_paper
 from hardcontact.paper.selection import NO_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, MIN_STABILITY, summary
+from hardcontact.report.quantities import NO_INTERVAL
 from hardcontact.report.templates import rendered
 
 
@@ -74,10 +75,13 @@ def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
     """Return what a row of the claims means: its numbers as printed, and its kind."""
     unit, interval = row["unit"], (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
+    computed_text = print_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
+    if is_boundless(row["computed"], *interval, unit):
+        computed_text = f"{print_as_paper(row['computed'], unit)} ({NO_INTERVAL['not_bounded']})"
     return {
         "published_text": print_as_paper(row["published"], unit),
         "accepted_text": _accepted(row["accepted_low"], row["accepted_high"], unit),
-        "computed_text": print_as_paper(row["computed"], unit, interval, open_end=row["open_end"]),
+        "computed_text": computed_text,
         "may_change": row["stability"] < MIN_STABILITY,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }

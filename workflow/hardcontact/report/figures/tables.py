@@ -55,12 +55,9 @@ def drawn_rows(data: xr.Dataset, *drawn: tuple[str, str, str]) -> pd.DataFrame:
 
 
 def over_sets(values: xr.DataArray) -> xr.Dataset:
-    """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`.
-
-    Each number is the value of a set.
-    """
+    """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`."""
     tail = (1 - SHARE_OF_SETS) / 2
-    quantiles = values.quantile([0.5, tail, 1 - tail], "set", method="inverted_cdf", skipna=False)
+    quantiles = values.quantile([0.5, tail, 1 - tail], "set", skipna=False)
     ends = zip(("value", "low", "high"), quantiles, strict=True)
     return xr.Dataset({name: quantile.drop_vars("quantile") for name, quantile in ends})
 
