@@ -16,6 +16,15 @@ def test_what_is_written_is_read_back(tmp_path, file_format):
     xr.testing.assert_identical(dataset.read(tmp_path / "a.nc"), values)
 
 
+def test_longer_texts_joined_to_those_of_a_file_stay_whole(tmp_path):
+    for name, word in {"a": "pixels", "b": "smoothing"}.items():
+        dataset.write(xr.Dataset({"limit": ("scan", [word])}), tmp_path / name)
+    parts = {(name,): dataset.read(tmp_path / name) for name in ("a", "b")}
+    dataset.write(dataset.stack(parts, ["surface"]), tmp_path / "both")
+    limits = dataset.read(tmp_path / "both")["limit"].values
+    assert limits.ravel().tolist() == ["pixels", "smoothing"]
+
+
 def test_equal_datasets_make_equal_files(tmp_path):
     for name in ("a.nc", "b.nc"):
         dataset.write(xr.Dataset({"texts": ("x", ["a", "ü"]), "n": ("x", [1, 2])}), tmp_path / name)

@@ -26,13 +26,14 @@ def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETC
 
 
 def read(path: str | Path) -> xr.Dataset:
-    """Read a dataset into memory.
+    """Read a dataset into memory, without its encoding.
 
+    The encoding would cut longer texts, joined to those of the file, to the length of the latter.
     Raises ValueError if the file is missing, damaged or truncated.
     """
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
-            return dataset.load()
+            return dataset.load().drop_encoding()
     except (OSError, RuntimeError, ValueError) as error:
         reason = " ".join(str(error).split()) or type(error).__name__
         raise ValueError(

@@ -82,7 +82,7 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
         ["surface", "scan"],
-    ).drop_encoding()  # whole numbers are missing where a scan is
+    )
     pressures: dict[tuple[Any, ...], xr.Dataset] = {}
     for (surface, _), scan in scans.items():
         pressures.setdefault((surface,), scan[["pressure"]])
