@@ -123,6 +123,12 @@ def test_what_has_no_interval_says_why():
     assert np.isnan([fact.low, fact.high]).all() and fact.status == "few_parts"
 
 
+def test_contacts_that_touch_too_few_places_answer_nothing():
+    few = without_interval(force()).assign(interval_source=("surface", ["few_places"]))
+    verdict = facts.verdict(list(rows(force=few).values()))
+    assert (verdict["answer"], verdict["band"]) == ("no", "few_places")
+
+
 def test_a_force_at_its_bound_is_told():
     assert rows()["force_mean"].about["bounded"] is False
     smooth = force()
@@ -179,7 +185,7 @@ def test_continued_roughness_has_its_own_force_and_the_verdict_both():
     assert row.about["end"].value == 5.0
     on_scans, extrapolated = facts.verdict(list(found.values()))["forces"]
     assert (on_scans.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
-    assert np.isnan(on_scans.low)
+    assert on_scans.low == pytest.approx(0.512e-6)
     unknown = spectra().assign(tail_known=("surface", [0]))
     told = facts.verdict(list(rows(force=continued(force(), small=0.25), spectra=unknown).values()))
     assert [one.name for one in told["forces"]] == ["force_mean"] and told["answer"] == "partly"

@@ -92,8 +92,9 @@ class OwnAnswer(NamedTuple):
 def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
     """Return the answer of each surface that has a band."""
     surfaces, adhesion = {}, {"range of adhesion", "work of adhesion"}
-    # A user who gave both knows them.
-    pairs = setting.pairs if adhesion & set(setting.of_paper) else ()
+    # A user who gave both, or own forces, has a pair.
+    asks_for_pairs = datasets.fit is None and adhesion & set(setting.of_paper)
+    pairs = setting.pairs if asks_for_pairs else ()
     for name, label in datasets.labels().items():
         surface_data = datasets.select_surface(name)
         rows = answer_rows(surface_data, pairs)

@@ -131,16 +131,20 @@ def answer_rows(data: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list
 
 
 def verdict(rows: Sequence[Row]) -> dict[str, Any]:
-    """Return the answer of one surface in short, without intervals.
+    """Return the answer of one surface in short, with intervals of which both ends are known.
 
     `answer` says whether the scans answer. It is "yes" if there is one force, both edges are no
     bounds, and all three come from wavelengths at which a scan is reliable. It is "no" if none of
-    them does, or if there is no band, else "partly". `band` is "none" if no resolved wavelength
-    changes the force, "overlapping" if the short edge is the longer one, else "found". `edges` are
+    them does, if contacts touch too few places or if there is no band, else "partly". `band` is
+    "few_places" if they do, "none" if no resolved wavelength changes the force, "overlapping" if
+    the short edge is the longer one, else "found". `edges` are
     the short and the long edge. `forces` begin with the force on the scans; forces with
     extrapolated roughness follow where it matters and they are known.
     """
-    facts = [bare(row.fact) for row in rows]
+    facts = [
+        fact if np.isfinite([fact.low, fact.high]).all() else bare(fact)
+        for fact in (row.fact for row in rows)
+    ]
     on_scans = [fact for fact in facts if fact.name == "force_mean"]
     extrapolated = [fact for fact in facts if fact.name == "force_continued"]
     edges = [fact for fact in facts if fact.name in EDGES.values()]
@@ -152,7 +156,9 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     answer = "yes" if origins == {"measured"} and settled else "partly"
     if np.isnan(short.value):
         band = "none"
-    if band == "none" or origins == {"artificial"}:
+    if any(row.fact.status == "few_places" for row in rows if row.fact.name == "force_mean"):
+        band = "few_places"
+    if band in ("few_places", "none") or origins == {"artificial"}:
         answer = "no"
     forces = on_scans + [force for force in extrapolated if np.isfinite(force.value)]
     return {"answer": answer, "band": band, "edges": edges, "forces": forces}
