@@ -56,7 +56,7 @@ onstart:
 
 
 onsuccess:
-    start.say_answer(
+    start.log_answer(
         workflow,
         PATTERNS.result("answer.html"),
         PATTERNS.result("insight.html"),
@@ -64,7 +64,7 @@ onsuccess:
 
 
 onerror:
-    start.say_how_to_go_on()
+    start.log_how_to_resume()
 
 
 rule all:

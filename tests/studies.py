@@ -37,7 +37,7 @@ def surfaces(text, folder):
 def check(config, folder, text=ROWS):
     """Check a configuration in numbers with a table of surfaces of this text."""
     table = surface_table.selected_scans(surfaces(text, folder), config["scans"])
-    checks.check(config, table, SUBSTRATES)
+    checks.check_study(config, table, SUBSTRATES)
 
 
 def own_scans(*paths):

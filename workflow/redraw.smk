@@ -7,7 +7,7 @@ from hardcontact.base.code import write_pins
 start.prepare(workflow)
 
 
-configfile: start.kept_configuration(config)
+configfile: start.finished_configuration(config)
 
 
 include: "rules/common.smk"
@@ -48,11 +48,11 @@ onstart:
 
 
 onsuccess:
-    start.say_answer(workflow, PATTERNS.result("answer.html"))
+    start.log_answer(workflow, PATTERNS.result("answer.html"))
 
 
 onerror:
-    start.say_how_to_go_on()
+    start.log_how_to_resume()
 
 
 rule redraw:

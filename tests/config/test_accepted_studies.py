@@ -111,7 +111,7 @@ def accepted(overlay):
     try:
         config = configuration(merged(PAPER, overlay))
         table = surface_table.surface_table("config/surfaces.tsv")
-        checks.check(config, table, SUBSTRATES)
+        checks.check_study(config, table, SUBSTRATES)
     except ValueError:
         return None
     return config

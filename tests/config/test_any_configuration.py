@@ -85,7 +85,7 @@ def outcome(config):
     try:
         numbers = configuration(config)
         rows = surface_table(numbers["surfaces"])
-        checks.check(numbers, selected_scans(rows, numbers["scans"]), SUBSTRATES)
+        checks.check_study(numbers, selected_scans(rows, numbers["scans"]), SUBSTRATES)
         message = None
     except ValueError as error:
         message = str(error)

@@ -9,7 +9,7 @@ from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
-from hardcontact.config.grids import Grid, limit_of_memory, master_megabytes
+from hardcontact.config.grids import Grid, master_megabytes, memory_limit
 from hardcontact.config.limits import check_grids
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
@@ -180,6 +180,6 @@ def test_rms_height_is_that_of_the_waves_of_the_domain(tmp_path):
 
 def test_a_master_beyond_the_memory_is_refused():
     assert 15000 < master_megabytes(32768, 3000) < 20000
-    assert limit_of_memory("key", 32768, 24000).holds
-    assert limit_of_memory("key", 16384, 100).holds  # accepted everywhere
-    assert not limit_of_memory("key", 32768, 8000).holds
+    assert memory_limit("key", 32768, 24000).holds
+    assert memory_limit("key", 16384, 100).holds  # accepted everywhere
+    assert not memory_limit("key", 32768, 8000).holds

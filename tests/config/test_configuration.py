@@ -121,11 +121,11 @@ def test_of_very_many_faults_the_first_are_told():
 @pytest.mark.parametrize("forces", ["none", "my.csv"])
 def test_every_target_is_made_or_left_out_with_a_reason(forces):
     own = PAPER | {"published": "none", "forces": forces}
-    made, left_out = set(configuration.available_targets(own)), configuration.left_out(own)
+    made, left_out = set(configuration.available_targets(own)), configuration.omitted_targets(own)
     assert not made & left_out.keys() and all(left_out.values())
     assert set(configuration.available_targets(PAPER)) <= made | left_out.keys()
     assert ("fit" in made) == (forces != "none")
-    assert configuration.left_out(PAPER) == {}
+    assert configuration.omitted_targets(PAPER) == {}
 
 
 def test_contacts_in_words_and_what_of_them_is_the_paper_s():
@@ -140,4 +140,8 @@ def test_contacts_in_words_and_what_of_them_is_the_paper_s():
         "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "5 GPa",
         "preload": "10 µN", "range of adhesion": "5.6 nm", "work of adhesion": "46 mJ/m²",
     }  # fmt: skip
-    assert configuration.of_paper(own) == ["radius of the sphere", "preload", "range of adhesion"]
+    assert configuration.quantities_of_paper(own) == [
+        "radius of the sphere",
+        "preload",
+        "range of adhesion",
+    ]

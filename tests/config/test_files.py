@@ -9,7 +9,7 @@ from paper_numbers import SUBSTRATES, SURFACES
 from small_study import PATTERNS, configuration, files, selection
 
 from hardcontact.config.variants import study_contact, variants
-from hardcontact.surfaces.scans import flattened, read_measurement
+from hardcontact.surfaces.scans import flatten, read_measurement
 
 pytestmark = pytest.mark.usefixtures("at_root")
 
@@ -34,7 +34,7 @@ def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
     levelling = files(scans=[1], measured=["ruby"]).levelling("ruby")
-    measured = flattened(read_measurement(path), **levelling)
+    measured = flatten(read_measurement(path), **levelling)
     assert measured.heights.std() == pytest.approx(rough.std(), rel=0.01)
     assert files(measured=["uncd"]).levelling("uncd")["sphere_radius"] is None
 

@@ -11,8 +11,10 @@ DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")
 
 def test_the_configuration_and_its_documentation_are_made_from_the_model():
     instead = "not current: run python -m hardcontact.config.key_tables"
-    assert key_tables.configuration() == (ROOT / "config/config.yaml").read_text("utf-8"), instead
-    assert key_tables.documented(DOCUMENTATION) == DOCUMENTATION, instead
+    assert key_tables.configuration_yaml() == (ROOT / "config/config.yaml").read_text("utf-8"), (
+        instead
+    )
+    assert key_tables.update_tables(DOCUMENTATION) == DOCUMENTATION, instead
 
 
 def test_the_configuration_of_the_paper_has_every_key_and_its_default():

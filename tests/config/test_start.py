@@ -69,9 +69,9 @@ def test_a_quick_study_never_takes_the_folders_of_another():
     other = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
     quick = {"quick": {"contact": {"count": 6}}}
     for overlays, study in (({}, "own-quick"), (other, "harder-quick")):
-        configured = start.with_effort(own | quick | overlays)
+        configured = start.apply_effort(own | quick | overlays)
         assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
-        assert start.with_effort(configured) == configured
+        assert start.apply_effort(configured) == configured
         assert configured["contact"]["count"] == 6
 
 
@@ -154,7 +154,7 @@ def test_a_run_ends_with_its_answer_and_the_page_to_open(
     Path("answer.json").write_text('{"headline": ["Band 1 to 2 nm."]}')
     caplog.set_level(logging.INFO, start.logger.name)
     workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
-    start.say_answer(workflow, "answer.html", "insight.html")
+    start.log_answer(workflow, "answer.html", "insight.html")
     assert caplog.messages == messages
 
 

@@ -4,7 +4,7 @@ import pytest
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
+from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
 from hardcontact.surfaces.spectrum import AFM_ROWS, TAIL_ROWS
 
 SURFACES = ["coating", "bare"]
@@ -137,11 +137,11 @@ def test_a_blank_exponent_needs_the_rows_of_table_1(tmp_path):
 
 def test_own_studies_refuse_substitutes_for_the_paper():
     for path in SPECTRA.glob("crn_*.csv"):
-        refuse_of_paper(path, path.stem, {"uncd", "ncd"})
+        refuse_paper_surface(path, path.stem, {"uncd", "ncd"})
     for name, surface, parts in (
         ("uncd", "my_uncd", ["config key published", "my_uncd", "none"]),
         ("crn_smoother", "uncd", ["config key published", "uncd", "none"]),
         ("ruby", "other", ["ruby.csv", "measured", "assumed"]),
     ):
-        message = refusal(refuse_of_paper, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
+        message = refusal(refuse_paper_surface, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
         assert_says(message, "expected", *parts)

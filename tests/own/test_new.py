@@ -11,12 +11,12 @@ from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.config import checks
-from hardcontact.config.configuration import with_keys
+from hardcontact.config.configuration import set_keys
 from hardcontact.config.model import configuration
 from hardcontact.config.selection import surface_table
-from hardcontact.config.start import with_effort
+from hardcontact.config.start import apply_effort
 from hardcontact.own import new, request
-from hardcontact.own.new import overlay_text, values
+from hardcontact.own.new import overlay_text, values_by_key
 from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.own.proposal import Choice
 
@@ -71,10 +71,10 @@ def accepted(folder, done, effort="full"):
     quick = overlay.pop("quick")
     config = merged(PAPER, overlay)
     if effort == "quick":
-        config = with_effort(config | {"effort": "quick", "quick": quick})
+        config = apply_effort(config | {"effort": "quick", "quick": quick})
     config = configuration(config)
     table = surface_table(folder / f"config/{NAME}.tsv")
-    checks.check(config, table, [])
+    checks.check_study(config, table, [])
     return config, table
 
 
@@ -258,7 +258,7 @@ def test_an_interruption_ends_in_one_line(run, monkeypatch):
     def interrupted(arguments):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(new, "parsed", interrupted)
+    monkeypatch.setattr(new, "parse_arguments", interrupted)
     done = run("mine", "a.nc")
     assert done.code == 130 and len(done.errors) == 1
 
@@ -271,7 +271,7 @@ def test_an_overlay_is_read_as_it_was_meant():
         Choice("scales.range", "5.6 nm", "the paper's"),
     ]
     text = overlay_text("snakemake", choices, [Choice("study", "no", "")])
-    overlay = with_keys({}, values(choices)) | {"quick": {"study": "no"}}
+    overlay = set_keys({}, values_by_key(choices)) | {"quick": {"study": "no"}}
     assert yaml.safe_load(text) == overlay
     base = {"scales": {"range": "1 nm", "large": {"tiles": 4}}, "seed": 1}
-    assert with_keys(base, values(choices))["scales"]["large"] == {"tiles": 4}
+    assert set_keys(base, values_by_key(choices))["scales"]["large"] == {"tiles": 4}

@@ -9,10 +9,10 @@ from known_forces import FORCE_DIMS
 from hardcontact.base.statistics import Sampling
 from hardcontact.own.own_fit import (
     MeasuredTests,
+    add_continued_work,
     fit_measured,
     measured_tests,
     sampled_means,
-    with_continued_work,
 )
 
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
@@ -173,7 +173,7 @@ def test_work_with_continued_roughness_is_inversely_proportional_to_the_force():
         {"surface": ["a"], "side": ["small"], "bound": ["low", "high"]},
         {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
     )
-    found = with_continued_work(fit, force).sel(surface="a", side="small")
+    found = add_continued_work(fit, force).sel(surface="a", side="small")
     assert float(found.continued_work) == pytest.approx(0.05 * measured / continued)
     np.testing.assert_allclose(
         np.log(found.continued_work_interval / found.continued_work),

@@ -240,7 +240,9 @@ def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options
 def test_quantities_that_no_test_has_are_questioned(name, usual, questioned):
     for texts, count in ((usual, 0), (questioned, 1)):
         for text in texts:
-            quantities, faults = request.options(predict_arguments(["a.csv", f"--{name}", text]))
+            quantities, faults = request.parse_quantities(
+                predict_arguments(["a.csv", f"--{name}", text])
+            )
             lines = list(request.questioned_quantities(quantities))
             assert not faults and len(lines) == count, lines
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)

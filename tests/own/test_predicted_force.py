@@ -15,10 +15,10 @@ from hardcontact.own.master_forces import (
     half_width_over_masters,
 )
 from hardcontact.own.predicted_force import (
+    add_continued_force,
+    bound_by_smooth_sphere,
     continued_force,
     predicted_force,
-    with_continued_force,
-    with_smooth_bound,
 )
 
 RHOS = [1.0, 5.0, 20.0]
@@ -121,7 +121,7 @@ def test_no_mean_exceeds_the_bound():
     continued = xr.Dataset(
         {"continued_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
     ).assign(continued_force_interval=("side", [1e-9, 1.0]))
-    found = with_smooth_bound(given.merge(continued), 400.0)
+    found = bound_by_smooth_sphere(given.merge(continued), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
@@ -132,7 +132,7 @@ def test_no_mean_exceeds_the_bound():
     assert (found.force_interval <= found.smooth_bound).all()
     np.testing.assert_allclose(found.continued_force, [1e-9, bound[1, 1]])
     endless = given.assign(force_interval=given.force_interval * 0 + np.inf).merge(continued)
-    assert np.isinf(with_smooth_bound(endless, 400.0).force_interval).all()
+    assert np.isinf(bound_by_smooth_sphere(endless, 400.0).force_interval).all()
 
 
 # With continued roughness
@@ -171,7 +171,7 @@ def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolera
         {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "bound": ["low", "high"]},
         {"range_of_adhesion": 5.0},
     )
-    found = with_continued_force(scan_forces, continued, 0.1).continued_differs
+    found = add_continued_force(scan_forces, continued, 0.1).continued_differs
     assert found.sel(side="small").values.tolist() == [differs]
 
 

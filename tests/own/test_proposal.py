@@ -11,13 +11,13 @@ from random_scans import uncd
 from refusals import assert_says, refusal
 from repository import PAPER
 
-from hardcontact.config.configuration import with_keys
+from hardcontact.config.configuration import set_keys
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import configuration
 from hardcontact.contact.contact import Contact
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import Entry
-from hardcontact.own.new import values
+from hardcontact.own.new import values_by_key
 from hardcontact.own.proposal import propose
 from hardcontact.own.request import Source
 from hardcontact.surfaces.reliable_band import ReliableBand
@@ -109,9 +109,9 @@ def both_efforts(asked, proposal):
         "contact.preload": f"{asked.preload:.12g} N",
         "contact.hardness": f"{asked.hardness:.12g} Pa",
     }
-    full = named | values(proposal.choices)
-    quick = full | values(proposal.quick)
-    return [configuration(with_keys(PAPER, keys)) for keys in (full, quick)]
+    full = named | values_by_key(proposal.choices)
+    quick = full | values_by_key(proposal.quick)
+    return [configuration(set_keys(PAPER, keys)) for keys in (full, quick)]
 
 
 def check_study(asked, proposal):

@@ -7,7 +7,7 @@ from scipy import fft, stats
 from hardcontact.contact.geometry import contact_positions
 from hardcontact.own import scan_parts
 from hardcontact.own.scan_parts import (
-    Parts,
+    ScanParts,
     half_width,
     jackknife_variance,
     parts_of_scans,
@@ -33,11 +33,11 @@ QUARTERS = scan_parts.quarters_of_contacts(4, 1)
 
 def test_three_scans_are_independent_parts_fewer_are_divided():
     three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, 100.0, 50.0)
-    assert not three.conditional and three.of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
+    assert not three.conditional and three.part_of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
     np.testing.assert_array_equal(three.correlation, np.eye(3))
     two = parts_of_scans(np.array([0, 1, 0]), QUARTERS, 100.0, 50.0)
     assert two.conditional and (two.correlation[:4, 4:] == 0).all()
-    np.testing.assert_array_equal(two.of_contact[1], QUARTERS + 4)
+    np.testing.assert_array_equal(two.part_of_contact[1], QUARTERS + 4)
 
 
 def fields(rng, draws, pixels, reach):
@@ -78,7 +78,7 @@ def test_without_correlation_it_is_students_t():
     values = np.array([0.3, -0.1, 0.4, 0.9])
     left_out = (values.sum() - values) / 3
     expected = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
-    parts = Parts(np.zeros((1, 1, 1), int), np.eye(4), 4)
+    parts = ScanParts(np.zeros((1, 1, 1), int), np.eye(4), 4)
     assert half_of(left_out, parts, 0.95) == pytest.approx(expected)
 
 

@@ -7,7 +7,7 @@ from repository import ROOT, copy_repository, run_snakemake
 from scan_files import cut
 
 from hardcontact.surfaces.height_map import level
-from hardcontact.surfaces.scans import examined, list_measurements, read_measurement, read_scan
+from hardcontact.surfaces.scans import examine, list_measurements, read_measurement, read_scan
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")
@@ -45,7 +45,7 @@ def test_the_whole_container():
 
 def test_no_defect_is_named():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_measurements(CONTAINER))]
-    assert not any(examined(read_measurement(*file)).defects for file in files)
+    assert not any(examine(read_measurement(*file)).defects for file in files)
 
 
 @pytest.mark.parametrize("share", [0.001, 0.5, 0.99])

@@ -9,7 +9,7 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import level_quadratic
 from hardcontact.surfaces.protrusions import Protrusions, add_protrusions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
-from hardcontact.surfaces.scans import examined, height_map
+from hardcontact.surfaces.scans import examine, height_map
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128
@@ -29,7 +29,7 @@ def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
 
 
 def defects_of(heights, pixel_size=PIXEL, **options):
-    return examined(measurement(heights, pixel_size), **options).defects
+    return examine(measurement(heights, pixel_size), **options).defects
 
 
 def with_spikes(seed, share):
@@ -127,7 +127,7 @@ def test_the_share_of_the_rms_height_without_a_curvature():
 
 def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
     scan = measurement(curved(34, 1.0, 30e3, 90e3), PIXEL)
-    flat = examined(scan, levelling="quadratic")
+    flat = examine(scan, levelling="quadratic")
     plain = level_quadratic(height_map(measurement(rough(34, 1.0), PIXEL)))
     np.testing.assert_allclose(flat.heights, plain.heights, atol=1e-6)
     assert not flat.defects
@@ -139,7 +139,7 @@ def test_no_self_affine_surface_is_alarmed(part):
     rng = generator(100 + part)
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
-        assert not examined(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
+        assert not examine(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
 
 
 def protruded(seed):

@@ -7,7 +7,7 @@ from refusals import assert_says
 from scan_files import cut
 
 from hardcontact.base.random import generator
-from hardcontact.config.configuration import NONE, left_out
+from hardcontact.config.configuration import NONE, omitted_targets
 
 pytestmark = pytest.mark.study
 
@@ -27,7 +27,7 @@ def test_targets_left_out_say_why(folder, probe):
     targets = sorted(LEFT_OUT | {"fit"})
     run = quick(folder, "probe", *targets, "-n")
     assert run.returncode == 0
-    reasons = left_out({"published": NONE, "forces": NONE})
+    reasons = omitted_targets({"published": NONE, "forces": NONE})
     for target in targets:
         assert f"{target} is left out: {reasons[target]}" in run.stdout
 

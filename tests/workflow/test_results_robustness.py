@@ -10,7 +10,7 @@ from small_study import QUICK_NUMBERS, QUICK_PATTERNS
 
 from hardcontact.base import dataset
 from hardcontact.base.statistics import bounds
-from hardcontact.config.configuration import with_keys
+from hardcontact.config.configuration import set_keys
 from hardcontact.config.store_keys import store_digests
 from hardcontact.contact.contact import Contact
 
@@ -76,7 +76,7 @@ def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy,
     )
     digests = [
         store_digests(numbers)["mean_forces"]
-        for numbers in (QUICK_NUMBERS, with_keys(QUICK_NUMBERS, {"sets.count": 6}))
+        for numbers in (QUICK_NUMBERS, set_keys(QUICK_NUMBERS, {"sets.count": 6}))
     ]
     path = str(path.relative_to(finished_copy)).replace(*digests)
     run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])

@@ -14,7 +14,7 @@ import yaml
 from forked_runs import forked, linked_copy, run_here
 from repository import PAPER, QUICK, ROOT, leaves, merged
 
-from hardcontact.config.configuration import get_key, with_keys
+from hardcontact.config.configuration import get_key, set_keys
 from hardcontact.config.store_keys import STORE_KEYS
 
 pytestmark = pytest.mark.study
@@ -81,7 +81,7 @@ def is_part(key, whole):
 
 def second_study(keys):
     """Return the overlay of a study of another name, with other values of some keys."""
-    return with_keys({"study": "second"}, {key: another(key) for key in keys})
+    return set_keys({"study": "second"}, {key: another(key) for key in keys})
 
 
 def summary(folder):

@@ -17,11 +17,11 @@ import xarray as xr
 from hardcontact.band.critical_band import logarithmic_limits
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.number import Number
-from hardcontact.config.faults import refuse_lines, shortened
+from hardcontact.config.faults import refuse_lines, shorten
 from hardcontact.config.grids import Grid
-from hardcontact.config.limits import limits_of_scan
+from hardcontact.config.limits import scan_limits
 from hardcontact.config.model import NONE
-from hardcontact.config.own_spectrum import own_spectrum, reliable_part
+from hardcontact.config.own_spectrum import own_spectrum, reliable_spectrum
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
@@ -34,8 +34,8 @@ from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
 from hardcontact.surfaces.scans import (
     Measurement,
-    examined,
-    flattened,
+    examine,
+    flatten,
     height_map,
     read_measurement,
 )
@@ -136,7 +136,7 @@ def from_topography(
 
 def _prepared(measurement: Measurement, sphere_radius: float | None, levelling: str) -> HeightMap:
     """Return a measurement as the study prepares and stores it."""
-    scan = height_map(flattened(measurement, sphere_radius, levelling))
+    scan = height_map(flatten(measurement, sphere_radius, levelling))
     return replace(scan, heights=scan.heights.astype(np.float32))
 
 
@@ -385,9 +385,9 @@ def predict(
     joined, skewness = None, 0.0
     if isinstance(spectrum, HeightMap):
         skewness = metrics(spectrum)["skewness"]
-        scan = examined(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
+        scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
         joined = joined_spectrum([scan], [None])
-        spectrum = reliable_part(joined)
+        spectrum = reliable_spectrum(joined)
     if not isinstance(spectrum, Spectrum):
         raise ValueError(
             "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
@@ -416,7 +416,7 @@ def _refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) 
     """Refuse cutoffs that a periodic surface has no waves at."""
     if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
         raise ValueError(
-            f"cutoffs: expected those of small, large or both, found {shortened(cutoffs)}"
+            f"cutoffs: expected those of small, large or both, found {shorten(cutoffs)}"
         )
     for of_side in cutoffs.values():
         _refuse_no_numbers("cutoffs", of_side)
@@ -433,12 +433,12 @@ def _refuse_reading(files: Sequence[object], **texts: object) -> None:
     """Refuse files that are no paths, and what is no text, by its name."""
     refuse_lines(
         [
-            f"files: expected a path in each argument, found {' '.join(shortened(file).split())}"
+            f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
             for file in files
             if not isinstance(file, str | Path)
         ]
         + [
-            f"{name}: expected a text, found {shortened(text)}"
+            f"{name}: expected a text, found {shorten(text)}"
             for name, text in texts.items()
             if not isinstance(text, str)
         ]
@@ -453,7 +453,7 @@ def _refuse_lengths(**lengths: object) -> None:
 def _refuse_no_numbers(name: str, numbers: object) -> None:
     """Refuse what is no sequence of positive numbers."""
     if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
-        raise ValueError(f"{name}: expected several numbers, found {shortened(numbers)}")
+        raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
     for number in numbers:
         _refuse_not_positive(**{name: number})
 
@@ -485,6 +485,6 @@ def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         "adhesion": {"ranges": [least]},
         "scales": {"range": math.inf},  # the ranges are those above
     }
-    for holds, key, expected, found in limits_of_scan(config, "the map", grid):
+    for holds, key, expected, found in scan_limits(config, "the map", grid):
         if not holds:
             raise ValueError(f"{key.split('.')[-1]}: expected {expected}, found {found}")

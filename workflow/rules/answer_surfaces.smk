@@ -1,6 +1,11 @@
 # The page that answers for own surfaces, and its figures.
 
-from hardcontact.config.configuration import contact_words, left_out, of_paper, read_yaml
+from hardcontact.config.configuration import (
+    contact_words,
+    omitted_targets,
+    quantities_of_paper,
+    read_yaml,
+)
 from hardcontact.config.model import NONE
 from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
 
@@ -35,8 +40,8 @@ rule answer_surfaces:
                 "study": STUDY["study"],
                 "effort": STUDY["effort"],
                 "contact": contact_words(STUDY),
-                "of_paper": of_paper(STUDY),
-                "left_out": list(left_out(STUDY).items()),
+                "of_paper": quantities_of_paper(STUDY),
+                "left_out": list(omitted_targets(STUDY).items()),
                 "citation": {
                     name: read_yaml("CITATION.cff")[name] for name in ("title", "version")
                 },

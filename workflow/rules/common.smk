@@ -8,7 +8,7 @@ from hardcontact.config.model import PAPER
 from hardcontact.config.store_keys import store_digests
 
 start.read_numbers(workflow, config)
-config.update(start.with_effort(config))
+config.update(start.apply_effort(config))
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = Patterns(
     f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"], store_digests(STUDY)

@@ -120,7 +120,7 @@ for scans, surfaces in FILES.scan_groups.items():
         benchmark:
             PATTERNS.benchmark("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}"))
         wildcard_constraints:
-            surface=any_of(surfaces),
+            surface=any_name_pattern(surfaces),
         params:
             canonical=lambda w, scans=scans: canonical(
                 {
@@ -151,7 +151,9 @@ rule prepare_scan:
     benchmark:
         PATTERNS.benchmark("prepare_scan", PATTERNS.levelled)
     wildcard_constraints:
-        surface=any_of(name for name, basis in SELECTION.basis.items() if basis == "measured"),
+        surface=any_name_pattern(
+            name for name, basis in SELECTION.basis.items() if basis == "measured"
+        ),
     params:
         canonical=lambda w: canonical(FILES.levelling(w.surface)),
     script:

@@ -1,7 +1,7 @@
 # The surfaces of the study, their variants, and the lists of their files.
 
 from hardcontact.config.files import Files
-from hardcontact.config.patterns import any_of
+from hardcontact.config.patterns import any_name_pattern
 from hardcontact.config.patterns import wildcard_constraints as constraints
 from hardcontact.config.variants import TABLE1_DEFINITIONS
 

@@ -1,6 +1,6 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
-from hardcontact.config.configuration import PAGES, available_targets, left_out
+from hardcontact.config.configuration import PAGES, available_targets, omitted_targets
 from hardcontact.report.figures.listing import FIGURES, KINDS, OF_INSIGHT, OF_PAPER
 
 #: The datasets of each target that makes some.
@@ -55,7 +55,7 @@ for figure in FIGURES if COMPARED else []:
             FIGURE_FILES[figure],
 
 
-for target, reason in left_out(STUDY).items():
+for target, reason in omitted_targets(STUDY).items():
 
     rule:
         """Say why a target of the paper's study is left out."""

@@ -3,7 +3,7 @@
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.joined_spectrum import drawn_spectra
-from hardcontact.surfaces.scans import flattened, read_stored
+from hardcontact.surfaces.scans import flatten, read_stored
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as job:
@@ -15,7 +15,7 @@ with job(snakemake) as job:
             for realization in range(1, len(job.output) + 1)
         ),
         [
-            flattened(read_stored(file), params["sphere_radius"], params["levelling"])
+            flatten(read_stored(file), params["sphere_radius"], params["levelling"])
             for file in job.input.measurements
         ],
         params["tip_radii"],

@@ -4,7 +4,7 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import amplified
-from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, level_and_stitch
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.substitute_scans import ScanGrid, as_measurement, synthesized_scan
 
@@ -30,6 +30,6 @@ with job(snakemake) as job:
             file_format="NETCDF3_64BIT",
         )
         measurement = as_measurement(scan, job.output[substitute])
-        flat, periodic = prepared(measurement, "substitute", params["sphere_radius"])
+        flat, periodic = level_and_stitch(measurement, "substitute", params["sphere_radius"])
         job.write(flat, LEVELLED, levelled)
         job.write(periodic, STITCHED, stitched)

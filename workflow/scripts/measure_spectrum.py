@@ -2,12 +2,12 @@
 
 from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.scans import examined, read_stored
+from hardcontact.surfaces.scans import examine, read_stored
 
 with job(snakemake) as job:
     params = job.parameters
     measurements = [
-        examined(read_stored(file), params["sphere_radius"], params["levelling"])
+        examine(read_stored(file), params["sphere_radius"], params["levelling"])
         for file in job.input.measurements
     ]
     job.write(

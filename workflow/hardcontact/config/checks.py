@@ -9,13 +9,13 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.config.configuration import get_key
-from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
-from hardcontact.config.grids import PIXEL_SIZES, Grid, alike
+from hardcontact.config.faults import Limit, refuse_all, refuse_lines, violation_messages
+from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import CONTACT
-from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
+from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
 from hardcontact.surfaces.scans import read_measurement, read_scan
 from hardcontact.surfaces.spectrum import is_calibrated, read_bands
 from hardcontact.surfaces.substitute_spectra import described_rms_height
@@ -28,7 +28,7 @@ SUBSTITUTE_RELIEF = 500.0
 RELIEF_OVER_RMS = 4.5
 
 
-def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
+def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
     """Refuse a study that could only fail in a job; read measured scans once all names are known.
 
     Raises ValueError with a line for each fault, naming the key or the file: names of surfaces or
@@ -45,37 +45,37 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     if config["published"] == PAPER:
-        limits = _limits_of_paper(config, contacts, compared)
+        limits = _paper_limits(config, contacts, compared)
     else:
-        limits = _limits_of_own_surfaces(config, contacts)
-        checks += _checks_of_own_surfaces(config, table, substitutes, table1.index)
-    refuse_all([partial(refuse_lines, unmet(limits)), *checks])
+        limits = _own_surface_limits(config, contacts)
+        checks += _own_surface_checks(config, table, substitutes, table1.index)
+    refuse_all([partial(refuse_lines, violation_messages(limits)), *checks])
     rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
     grids = refuse_all(partial(surface_grid, config, *item) for item in rows_of.items())
     check_grids(config, dict(zip(rows_of, grids, strict=True)))
 
 
-def _limit_of_name(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
+def _surface_name_limit(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
     """Return the limit of the name of a surface: the table has it."""
     expected = f"one of {', '.join(surfaces)}, surfaces of the table"
     return Limit(get_key(config, key) in surfaces, key, expected, get_key(config, key))
 
 
-def _limits_of_own_surfaces(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:
+def _own_surface_limits(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:
     """Yield the limit of the sphere, which may be smooth."""
     if config["sphere"]["surface"] != SMOOTH:
-        yield _limit_of_name(config, "sphere.surface", list(contacts.surface.unique()))
+        yield _surface_name_limit(config, "sphere.surface", list(contacts.surface.unique()))
 
 
-def _limits_of_paper(
+def _paper_limits(
     config: dict[str, Any], contacts: pd.DataFrame, compared: Collection[str]
 ) -> Iterator[Limit]:
     """Yield the limits of a study that is compared with the paper."""
     sphere, surfaces = config["sphere"]["surface"], list(contacts.surface.unique())
-    yield _limit_of_name(config, "sphere.surface", surfaces)
+    yield _surface_name_limit(config, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
     for key in ("reference_surface", "indent.surface", "robustness.heights.surface"):
-        yield _limit_of_name(config, key, substrates)
+        yield _surface_name_limit(config, key, substrates)
     reference = config["reference_surface"]
     expected = f"a surface with a published pull-off force ({', '.join(compared)})"
     yield Limit(reference in compared, "reference_surface", expected, reference)
@@ -86,7 +86,7 @@ def _limits_of_paper(
         yield Limit(scans.max() <= pool, "sets.pool", expected, pool)
 
 
-def _checks_of_own_surfaces(
+def _own_surface_checks(
     config: dict[str, Any],
     table: pd.DataFrame,
     substitutes: pd.DataFrame,
@@ -94,7 +94,7 @@ def _checks_of_own_surfaces(
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of substitutes, of scans that contacts do not use, and of own forces."""
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
-        yield partial(refuse_of_paper, path, surface, of_paper)
+        yield partial(refuse_paper_surface, path, surface, of_paper)
     others, scan = table[table.use != CONTACT], config["scan"]
     for path, dataset in zip(others.path, others.dataset, strict=True):
         yield partial(
@@ -142,7 +142,7 @@ def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> 
         if relief == 0:
             raise ValueError(f"{path}: expected a rough surface, found constant height")
         grids.append(Grid(scan.pixels, scan.pixel_size, scan.size, relief))
-        if not alike(grids[0], grids[-1]):
+        if not same_grid(grids[0], grids[-1]):
             raise ValueError(
                 f"{path}: expected, as in the first scan of {surface}, "
                 f"{grids[0].pixels} pixels of {grids[0].pixel_size:.4g} nm; "

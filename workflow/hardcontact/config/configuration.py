@@ -10,16 +10,16 @@ import yaml
 
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import printed
-from hardcontact.config.faults import plain
+from hardcontact.config.faults import quote_key
 from hardcontact.config.model import NONE, PAPER, Study
 
 #: Targets of a study that is compared with the paper.
-OF_PAPER = (
+PAPER_TARGETS = (
     "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
     "robustness", "claims", "figures", "pages", "answer", "insight",
 )  # fmt: skip
 #: Targets of a study of own surfaces; `fit` needs own forces.
-OF_OWN_SURFACES = ("topography", "adhesion", "scales", "force", "fit", "answer")
+OWN_SURFACE_TARGETS = ("topography", "adhesion", "scales", "force", "fit", "answer")
 
 #: Why a target belongs to a study that is compared with the paper.
 REASONS = {
@@ -74,7 +74,7 @@ class _EachKeyOnce(yaml.SafeLoader):
         for key, _ in node.value:
             name = str(key.value)
             if name in names:
-                problem = f"the key {plain(name)} again"
+                problem = f"the key {quote_key(name)} again"
                 raise yaml.MarkedYAMLError(problem=problem, problem_mark=key.start_mark)
             names.add(name)
         return super().construct_mapping(node, deep)
@@ -88,7 +88,7 @@ def refuse_unreadable(path: str | Path) -> None:
         )
     try:
         content = yaml.load(Path(path).read_bytes().decode("utf-8"), _EachKeyOnce)
-        reason = plain(content) if content is not None else "nothing"
+        reason = quote_key(content) if content is not None else "nothing"
     except (OSError, RecursionError, ValueError, yaml.YAMLError) as error:
         text = " ".join(str(error).split())[:150]
         content, reason = None, text if text.isprintable() else ascii(text)
@@ -101,7 +101,7 @@ def get_key(tree: Mapping[str, Any], key: str) -> Any:
     return reduce(getitem, key.split("."), tree)
 
 
-def with_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """Return a copy of a tree of keys with other values, by keys with dots between their parts."""
     changed = dict(config)
     for key, value in values.items():
@@ -128,11 +128,11 @@ def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str,
 
 def available_targets(configuration: Mapping[str, Any]) -> list[str]:
     """Return the targets that the data of a study allow, in their order."""
-    targets = OF_PAPER if configuration["published"] == PAPER else OF_OWN_SURFACES
-    return [target for target in targets if target not in left_out(configuration)]
+    targets = PAPER_TARGETS if configuration["published"] == PAPER else OWN_SURFACE_TARGETS
+    return [target for target in targets if target not in omitted_targets(configuration)]
 
 
-def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
+def omitted_targets(configuration: Mapping[str, Any]) -> dict[str, str]:
     """Return the reason for each target that the data of a study do not allow."""
     if configuration["published"] == PAPER:
         return {}
@@ -148,7 +148,7 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     return {"sphere": str(config["sphere"]["surface"])} | quantities
 
 
-def of_paper(config: Mapping[str, Any]) -> list[str]:
+def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
     """Return the names of QUANTITIES with the values of the paper, a ruby sphere on diamond."""
     paper = Study().model_dump(warnings=False)
     return [

@@ -44,7 +44,7 @@ class Limit(NamedTuple):
     found: object
 
 
-def unmet(limits: Iterable[Limit]) -> Iterator[str]:
+def violation_messages(limits: Iterable[Limit]) -> Iterator[str]:
     """Yield a line for each limit that does not hold."""
     for holds, key, expected, found in limits:
         if not holds:
@@ -77,13 +77,13 @@ def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
     return results
 
 
-def plain(key: object) -> str:
+def quote_key(key: object) -> str:
     """Return a key as a file has it, or escaped and shortened if it would not fit a line."""
     text = str(key)
-    return text if text.strip() and text.isprintable() and len(text) < 80 else shortened(key)
+    return text if text.strip() and text.isprintable() and len(text) < 80 else shorten(key)
 
 
-def shortened(value: object) -> str:
+def shorten(value: object) -> str:
     """Return a value as it was given, on one line of limited length."""
     if isinstance(value, datetime.date):
         return str(value)
@@ -93,7 +93,7 @@ def shortened(value: object) -> str:
     return short.repr(value)
 
 
-def validated(model: type[Model], value: object, where: str = "") -> Model:
+def validate(model: type[Model], value: object, where: str = "") -> Model:
     """Return a value of YAML or of a table as a model.
 
     Raises ValueError with a line each for the first MAX_FAULTS keys at fault, which begins with
@@ -112,22 +112,22 @@ def _lines(model: type[BaseModel], error: ValidationError, where: str) -> list[s
     for fault in error.errors(include_url=False):
         place = fault["loc"]
         if fault["type"] in UNKNOWN_KEYS:
-            unknown.setdefault(place[:-1], []).append(plain(place[-1]))
+            unknown.setdefault(place[:-1], []).append(quote_key(place[-1]))
         elif not place and fault["type"] == "value_error":  # a rule across keys, with their names
             lines = str(fault["ctx"]["error"]).splitlines()
             return [where.removesuffix("config key ") + line for line in lines]
         else:
             faults.setdefault(_key(place), _sentence(fault))
     for place, names in unknown.items():
-        faults[_key(place)] = _unknown(list(section(model, place).model_fields), names)
+        faults[_key(place)] = _unknown(list(section_model(model, place).model_fields), names)
     return [f"{where}{key}: {faults[key]}" for key in sorted(faults)[:MAX_FAULTS]]
 
 
 def _key(place: tuple[int | str, ...]) -> str:
-    return ".".join(map(plain, place)) or "(top level)"
+    return ".".join(map(quote_key, place)) or "(top level)"
 
 
-def section(model: type[BaseModel], place: Iterable[int | str]) -> type[BaseModel]:
+def section_model(model: type[BaseModel], place: Iterable[int | str]) -> type[BaseModel]:
     """Return the model of a section of keys, by the names that lead to it."""
     for name in place:
         part: Any = model.model_fields[str(name)].annotation
@@ -141,7 +141,7 @@ def _sentence(fault: Mapping[str, Any]) -> str:
         return str(fault["ctx"]["error"])
     expected = EXPECTED[fault["type"]].format(**fault.get("ctx", {}))
     expected = expected.replace("''", "nothing").replace("'", "")
-    return f"expected {expected}, found {shortened(fault['input'])}"
+    return f"expected {expected}, found {shorten(fault['input'])}"
 
 
 def _unknown(known: list[str], names: list[str]) -> str:

@@ -11,7 +11,7 @@ from hardcontact.base.units import token
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
-from hardcontact.config.store_keys import SCANS, digest_of, values_of
+from hardcontact.config.store_keys import SCANS, key_values, short_digest
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -60,7 +60,7 @@ class Files:
             "range": f"rho{token(configuration['scales']['range'], 'nm')}",
         }
         keys = (*SCANS, "contact.window", "sphere.surface")
-        self._filter_values = values_of(configuration, keys)
+        self._filter_values = key_values(configuration, keys)
         #: The study's sphere of filtered masters.
         self.probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
         self.surface_variants = surface_variants(configuration)
@@ -289,7 +289,7 @@ class Files:
         """Return the files of the first realizations of the masters of a surface."""
         step = 1 if purpose in ("scales", "drawn") else MASTERS_CHUNK
         names = self._grid_names(purpose, probe)
-        settings = digest_of([self.filters(purpose), self._filter_values])
+        settings = short_digest([self.filters(purpose), self._filter_values])
         return [
             FilteredMasters(purpose, settings, surface, variant, probe, *chunk, **names)
             for chunk in _chunks(realizations, step)

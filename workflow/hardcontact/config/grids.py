@@ -46,13 +46,13 @@ def realization_pixels(pixels: int) -> int:
     return min(REALIZATION_OVER_SCAN * pixels, MAP_PIXELS)
 
 
-def alike(grid: Grid, other: Grid) -> bool:
+def same_grid(grid: Grid, other: Grid) -> bool:
     """Compare the pixels of scans."""
     same_size = math.isclose(other.pixel_size, grid.pixel_size, rel_tol=1e-3)
     return grid.pixels == other.pixels and same_size
 
 
-def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
+def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
 
     In nm, rounded up to three digits, and the reason in words; the radius of the sphere and the
@@ -75,7 +75,7 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     return float(f"{math.ceil(shortest / step) * step:.3g}"), reason
 
 
-def limit_of_memory(key: str, pixels: int, available: int) -> Limit:
+def memory_limit(key: str, pixels: int, available: int) -> Limit:
     """Return the limit of a master larger than any map by the memory available (megabytes)."""
     needed = master_megabytes(pixels, 0)
     fits = pixels <= MAP_PIXELS or needed <= available

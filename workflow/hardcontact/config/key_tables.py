@@ -13,7 +13,7 @@ import yaml
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from hardcontact.config.configuration import with_keys
+from hardcontact.config.configuration import set_keys
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import StudyKeys
 from hardcontact.config.selection import SurfaceRow
@@ -36,18 +36,18 @@ VALUES = {
 }
 
 
-def configuration() -> str:
+def configuration_yaml() -> str:
     """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
     fields = dict(_fields(StudyKeys))
     comments = {
         key: _meaning(field) + (f" ({_paper(field)})" if _paper(field) else "")
         for key, field in fields.items()
     }
-    tree = with_keys({}, {key: field.default for key, field in fields.items()})
+    tree = set_keys({}, {key: field.default for key, field in fields.items()})
     return "\n".join([HEAD, *commented_yaml(tree, comments)]) + "\n"
 
 
-def documented(text: str) -> str:
+def update_tables(text: str) -> str:
     """Return Markdown with its tables made anew: of keys, of columns of a table of surfaces.
 
     They stand between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, for the names
@@ -162,5 +162,5 @@ def _default(value: Any) -> str:
 
 
 if __name__ == "__main__":
-    CONFIGURATION.write_text(configuration(), "utf-8")
-    README.write_text(documented(README.read_text("utf-8")), "utf-8")
+    CONFIGURATION.write_text(configuration_yaml(), "utf-8")
+    README.write_text(update_tables(README.read_text("utf-8")), "utf-8")

@@ -13,7 +13,7 @@ from pydantic import Field, GetCoreSchemaHandler, WrapValidator
 from pydantic_core import CoreSchema, core_schema
 
 from hardcontact.base.units import magnitude
-from hardcontact.config.faults import shortened
+from hardcontact.config.faults import shorten
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Quantity:
         """Return the number of a text. Raises ValueError if it is no quantity within the bounds."""
         value = magnitude(text, self.unit)
         if not self.low <= value <= self.high:
-            raise ValueError(f"expected {self.expects}, found {shortened(text)}")
+            raise ValueError(f"expected {self.expects}, found {shorten(text)}")
         return value
 
     def __get_pydantic_core_schema__(
@@ -55,7 +55,7 @@ class Matching:
         # A terminal would obey what is not printable.
         if text.isprintable() and re.fullmatch(self.pattern, text):
             return text
-        raise ValueError(f"expected {self.expects}, found {shortened(text)}")
+        raise ValueError(f"expected {self.expects}, found {shorten(text)}")
 
     def __get_pydantic_core_schema__(self, _type: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic check texts."""
@@ -76,7 +76,7 @@ def _once(entries: Any, validate: Callable[[Any], list[float]]) -> list[float]:
     """Refuse entries that are given twice."""
     values = validate(entries)
     if len(set(values)) < len(values):
-        raise ValueError(f"expected each entry once, found {shortened(entries)}")
+        raise ValueError(f"expected each entry once, found {shorten(entries)}")
     return values
 
 
@@ -84,9 +84,7 @@ def _or_all(value: Any, validate: Callable[[Any], list[int]]) -> list[int] | str
     """Accept the word all in place of a list."""
     if isinstance(value, str):
         if value != "all":
-            raise ValueError(
-                f"expected all, or a list of numbers of scans, found {shortened(value)}"
-            )
+            raise ValueError(f"expected all, or a list of numbers of scans, found {shorten(value)}")
         return value
     return validate(value)
 

@@ -14,15 +14,15 @@ import numpy as np
 
 from hardcontact.base.printing import print_quantity
 from hardcontact.config.configuration import get_key, master_keys
-from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
+from hardcontact.config.faults import Limit, refuse_all, refuse_lines, violation_messages
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
     Grid,
-    least_range,
-    limit_of_memory,
     machine_megabytes,
+    memory_limit,
+    minimum_range,
 )
 from hardcontact.config.model import PAPER
 from hardcontact.config.variants import study_contact
@@ -44,7 +44,7 @@ class Use:
     range: tuple[str, float, float]  #: Key, shortest range and smallest radius of spheres in nm.
 
 
-def uses_of_scans(config: dict[str, Any]) -> list[Use]:
+def scan_uses(config: dict[str, Any]) -> list[Use]:
     """Return the uses of a study: scans themselves first, then masters."""
     contact = study_contact(config)
     loads, ranges = {"contact.preload": contact}, ("scales.range", contact.range, contact.radius)
@@ -75,17 +75,17 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     Raises ValueError with a line for each fault, which names the key of the configuration; this has
     numbers.
     """
-    name, uses = config["sphere"]["surface"], uses_of_scans(config)
-    tables = [limits_of_scan(config, surface, grid) for surface, grid in grids.items()]
+    name, uses = config["sphere"]["surface"], scan_uses(config)
+    tables = [scan_limits(config, surface, grid) for surface, grid in grids.items()]
     for surface, grid in grids.items():
         if surface != name:
             sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
-            tables.append(_limits_of_pair(config, surface, grid, sphere))
+            tables.append(_pair_limits(config, surface, grid, sphere))
             tables += [
-                _limits_of_master(config, use, side, surface, grid, sphere)
+                _master_limits(config, use, side, surface, grid, sphere)
                 for use, side in product(uses[1:], SIDES)
             ]
-    refuse_all(partial(refuse_lines, islice(unmet(limits), 1)) for limits in tables)
+    refuse_all(partial(refuse_lines, islice(violation_messages(limits), 1)) for limits in tables)
 
 
 def window_images(window: float, size: float) -> float:
@@ -98,7 +98,7 @@ def carrying_pixels(window: float, grid: Grid) -> int:
     return min(window_pixels(window, grid.pixel_size), 2 * grid.pixels) ** 2 // 4
 
 
-def pressed_depth(contact: Contact, relief: float) -> float:
+def penetration_depth(contact: Contact, relief: float) -> float:
     """Return the depth (nm) of the bodies in each other under a load, at most their relief (nm).
 
     On slopes near one a contact is about as deep as it is wide.
@@ -106,9 +106,9 @@ def pressed_depth(contact: Contact, relief: float) -> float:
     return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)
 
 
-def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
+def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Yield the limits of the scans of a surface: loads, numbers of contacts, ranges."""
-    uses, window, stitched = uses_of_scans(config), config["contact"]["window"], 2 * grid.pixels
+    uses, window, stitched = scan_uses(config), config["contact"]["window"], 2 * grid.pixels
     radius = config["sphere"]["radius"]
     if surface == config["sphere"].get("surface"):
         expected = f"at least the size of its scans ({grid.size:.6g} nm)"
@@ -116,7 +116,7 @@ def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator
     available = carrying_pixels(window, grid)
     why = f"which a quarter of the {4 * available} pixels of {surface} can carry"
     for use in uses:
-        yield from _limits_of_loads(use, available, grid.pixel_size, why)
+        yield from _load_limits(use, available, grid.pixel_size, why)
     expected = f"at most the {stitched} pixels along the stitched scan of {surface}"
     for use in uses:
         count = get_key(config, use.count)
@@ -126,29 +126,27 @@ def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator
     if config["published"] == PAPER:
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
     for key, rho in ranges.items():
-        yield _limit_of_range(window, (key, rho, radius), surface, grid)
+        yield _range_limit(window, (key, rho, radius), surface, grid)
 
 
-def _limits_of_pair(
-    config: dict[str, Any], surface: str, grid: Grid, sphere: Grid
-) -> Iterator[Limit]:
+def _pair_limits(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> Iterator[Limit]:
     """Yield the limits of a scan of a substrate and one of the sphere, on common pixels."""
     edge, pixel_size = config["contact"]["window"], min(grid.pixel_size, sphere.pixel_size)
     window, both = window_pixels(edge, pixel_size), f"{surface} and the sphere"
     expected = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {both}"
     yield Limit(window <= MAP_PIXELS, "contact.window", expected, window)
-    yield _limit_of_map(both, pixel_size, grid, sphere)
+    yield _map_limit(both, pixel_size, grid, sphere)
     images = window_images(edge, grid.size)
-    for use in uses_of_scans(config):
+    for use in scan_uses(config):
         if use.section in ("contact", "sets"):
-            yield from _limits_of_contact_pixels(config, use, surface, pixel_size, images)
+            yield from _contact_pixel_limits(config, use, surface, pixel_size, images)
         if "indent.preloads" in use.loads and surface == config["indent"]["surface"]:
             pixels = use.loads["indent.preloads"].pixels(pixel_size)
             within = f"2 to {INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
             yield Limit(2 <= pixels <= INDENT_PIXELS, "indent.preloads", within, pixels)
 
 
-def _limits_of_master(
+def _master_limits(
     config: dict[str, Any], use: Use, side: str, surface: str, grid: Grid, sphere: Grid
 ) -> Iterator[Limit]:
     """Yield the limits of the masters of one side that are built on a surface."""
@@ -159,11 +157,11 @@ def _limits_of_master(
     master, finest = grid._replace(size=size / 2), size / pixels
     expected = f"at least the {needed} of {tiles} x {tiles} stitched scans of {surface}"
     yield Limit(pixels >= needed, keys["pixels"], expected, pixels)
-    yield limit_of_memory(keys["pixels"], pixels, machine_megabytes())
-    yield _limit_of_range(config["contact"]["window"], use.range, surface, master)
+    yield memory_limit(keys["pixels"], pixels, machine_megabytes())
+    yield _range_limit(config["contact"]["window"], use.range, surface, master)
     if use.section in ("scales", "sets"):  # Those that are computed at `scales.range` alone.
         for key, contact in use.loads.items():
-            depth = pressed_depth(contact, grid.relief)
+            depth = penetration_depth(contact, grid.relief)
             shortest = depth / PENETRATION_OVER_RANGE
             pressed = f"as {key} presses the bodies some {depth:.3g} nm into each other"
             expected = f"at least {shortest:.3g} nm, {pressed}"
@@ -184,21 +182,21 @@ def _limits_of_master(
     if use.section == "sets" or config["scales"]["sphere_roughness"]:
         finest = min(finest, sphere.pixel_size)
         both = f"the {side}-scale masters of {surface} and the sphere"
-        yield _limit_of_map(both, finest, master, sphere)
-    yield from _limits_of_contact_pixels(config, use, surface, finest, 1)
+        yield _map_limit(both, finest, master, sphere)
+    yield from _contact_pixel_limits(config, use, surface, finest, 1)
 
 
-def _limit_of_range(
+def _range_limit(
     window: float, shortest: tuple[str, float, float], surface: str, grid: Grid
 ) -> Limit:
     """Return the limit of a range of adhesion for the pixels and the relief of a surface."""
     key, rho, radius = shortest
-    shortest_rho, reason = least_range(radius, window, grid)
+    shortest_rho, reason = minimum_range(radius, window, grid)
     expected = f"at least {shortest_rho:g} nm on {surface}, where {reason}"
     return Limit(rho >= shortest_rho, key, expected, f"{rho:.4g} nm")
 
 
-def _limit_of_map(what: str, pixel_size: float, *grids: Grid) -> Limit:
+def _map_limit(what: str, pixel_size: float, *grids: Grid) -> Limit:
     """Return the limit of maps that are stitched and brought to the pixels (nm) of the finest."""
     pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
     expected = (
@@ -208,7 +206,7 @@ def _limit_of_map(what: str, pixel_size: float, *grids: Grid) -> Limit:
     return Limit(pixels <= MAP_PIXELS, "surfaces and scan", expected, pixels)
 
 
-def _limits_of_contact_pixels(
+def _contact_pixel_limits(
     config: dict[str, Any], use: Use, surface: str, pixel_size: float, images: float
 ) -> Iterator[Limit]:
     """Yield the limits of loads for the contact pixels that are kept in memory at once.
@@ -220,10 +218,10 @@ def _limits_of_contact_pixels(
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{use.count} = {count} and contact.window = {window:.6g} nm"
     )
-    yield from _limits_of_loads(use, int(CONTACT_PIXELS / count**2 / images), pixel_size, why)
+    yield from _load_limits(use, int(CONTACT_PIXELS / count**2 / images), pixel_size, why)
 
 
-def _limits_of_loads(use: Use, available: int, pixel_size: float, why: str) -> Iterator[Limit]:
+def _load_limits(use: Use, available: int, pixel_size: float, why: str) -> Iterator[Limit]:
     """Yield the limit of every load to the contact pixels (edge in nm) that are available."""
     for key, contact in use.loads.items():
         largest = available * (pixel_size * 1e-9) ** 2 * contact.hardness

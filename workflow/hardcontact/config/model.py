@@ -8,7 +8,13 @@ from typing import Any
 
 from pydantic import model_validator
 
-from hardcontact.config.faults import Limit, refuse_lines, section, unmet, validated
+from hardcontact.config.faults import (
+    Limit,
+    refuse_lines,
+    section_model,
+    validate,
+    violation_messages,
+)
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.keys import StudyKeys
 
@@ -27,7 +33,9 @@ class Study(StudyKeys):
 
     @model_validator(mode="after")
     def _check_rules_across_keys(self) -> "Study":
-        refuse_lines(unmet(chain(self._limits_of_names(), self._limits_of_published())))
+        refuse_lines(
+            violation_messages(chain(self._limits_of_names(), self._limits_of_published()))
+        )
         return self
 
     def _limits_of_names(self) -> Iterator[Limit]:
@@ -69,7 +77,7 @@ class Study(StudyKeys):
 def quantity(key: str) -> Quantity:
     """Return the unit and the bounds of a key that is a quantity."""
     *above, name = key.split(".")
-    field = section(Study, above).model_fields[name]
+    field = section_model(Study, above).model_fields[name]
     return next(annotation for annotation in field.metadata if isinstance(annotation, Quantity))
 
 
@@ -81,4 +89,4 @@ def configuration(config: object, where: str = "") -> dict[str, Any]:
     that is unknown or of the wrong type, unit or size.
     """
     # `scans` may be a word in place of a list.
-    return validated(Study, config, f"{where}config key ").model_dump(warnings=False)
+    return validate(Study, config, f"{where}config key ").model_dump(warnings=False)

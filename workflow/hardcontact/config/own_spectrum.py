@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.units import magnitude
-from hardcontact.config.tables import Row, UserTable, found, number, user_table
+from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
@@ -25,7 +25,7 @@ from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import LENGTHS, TAKE_CARE, split_notes
 from hardcontact.surfaces.scans import (
-    examined,
+    examine,
     height_map,
     list_measurements,
     read_measurement,
@@ -95,7 +95,7 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else (), None, 0.0)
     scans = [
-        examined(
+        examine(
             read_measurement(path, member, undefined_pixels, unit, edge), sphere_radius, levelling
         )
         for path in files
@@ -117,7 +117,7 @@ def own_spectrum(
     except ValueError as error:  # Spikes, for example, look like a noise floor.
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
-    reliable = reliable_part(joined)
+    reliable = reliable_spectrum(joined)
     limits = ("shortest_reliable", "longest_reliable", "limited_by")
     notes = []
     for name, scan, *band in zip(
@@ -134,7 +134,7 @@ def own_spectrum(
     return OwnSpectrum(reliable, tuple(notes), joined, max(skewnesses, key=abs, default=0.0))
 
 
-def reliable_part(joined: xr.Dataset) -> Spectrum:
+def reliable_spectrum(joined: xr.Dataset) -> Spectrum:
     """Return the spectrum at the wavelengths at which scans are reliable, of `joined_spectrum`."""
     measured = np.isfinite(joined.joined.values)
     return Spectrum(joined.bin_wavevector.values[measured], joined.joined.values[measured])
@@ -185,7 +185,7 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
     if len(present) != 1:
         raise ValueError(
             f"{table.path}: expected {COLUMNS}, or a scan that begins with numbers, found "
-            f"{found(', '.join(table.header))}"
+            f"{quote_cell(', '.join(table.header))}"
         )
     table.require([present[0], f"{present[0]}_unit"], COLUMNS)
     return present[0]
@@ -193,15 +193,15 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
 
 def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
     """Return wavevector (1/nm) and density (nm⁴, of profiles nm³) of a row."""
-    value, power = number(row[density]), 4 if density == "c_iso" else 3
-    if not 0 < number(row[wave]) < math.inf:
-        raise ValueError(f"{wave}: expected a positive number, found {found(row[wave])}")
+    value, power = parse_number(row[density]), 4 if density == "c_iso" else 3
+    if not 0 < parse_number(row[wave]) < math.inf:
+        raise ValueError(f"{wave}: expected a positive number, found {quote_cell(row[wave])}")
     if not (0 < value < math.inf or (power == 4 and value == 0)):
         accepted = "a number of at least 0" if power == 4 else "a positive number"
-        raise ValueError(f"{density}: expected {accepted}, found {found(row[density])}")
-    wavevector = number(row[wave]) / _nanometres(row, wave)
+        raise ValueError(f"{density}: expected {accepted}, found {quote_cell(row[density])}")
+    wavevector = parse_number(row[wave]) / _nanometres(row, wave)
     if wave == "wavelength":
-        wavevector = 2 * math.pi / (number(row[wave]) * _nanometres(row, wave))
+        wavevector = 2 * math.pi / (parse_number(row[wave]) * _nanometres(row, wave))
     return wavevector, value * _nanometres(row, density) ** power
 
 
@@ -213,4 +213,4 @@ def _nanometres(row: Row, name: str) -> float:
     try:
         return magnitude(f"1 {match[1]}" if match else None, "nm")
     except ValueError:
-        raise ValueError(f"{name}_unit: expected {words}, found {found(unit)}") from None
+        raise ValueError(f"{name}_unit: expected {words}, found {quote_cell(unit)}") from None

@@ -107,12 +107,12 @@ class Patterns:
         return "/".join((self.store, kind, rule, *parts))
 
 
-def any_of(names: Iterable[str]) -> str:
+def any_name_pattern(names: Iterable[str]) -> str:
     """Return the regular expression of names, which nothing meets where there are none."""
     return "|".join(map(re.escape, names)) or "(?!)"
 
 
-def list_of(expression: str) -> str:
+def list_pattern(expression: str) -> str:
     """Return the regular expression of a list that `joined` writes."""
     return rf"{expression}(\+{expression})*"
 
@@ -121,8 +121,8 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
     """Return the regular expression that each wildcard must meet, given all names of two kinds."""
     radius, load, rho = f"R{_NUMBER}um", f"H{_NUMBER}GPa-F{_NUMBER}uN", f"rho{_NUMBER}nm"
     return {
-        **dict.fromkeys(("surface", "bearer"), any_of(surfaces)),
-        "variant": any_of(variants),
+        **dict.fromkeys(("surface", "bearer"), any_name_pattern(surfaces)),
+        "variant": any_name_pattern(variants),
         **dict.fromkeys(("group", "scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",
@@ -130,9 +130,9 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
         "radius": radius,
         "load": load,
         "range": rho,
-        "radii": list_of(radius),
-        "loads": list_of(load),
-        "ranges": list_of(rho),
+        "radii": list_pattern(radius),
+        "loads": list_pattern(load),
+        "ranges": list_pattern(rho),
         "purpose": "|".join(PURPOSES),
         "settings": "[0-9a-f]+",
     }

@@ -10,7 +10,7 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 from hardcontact.base.units import magnitude
-from hardcontact.config.faults import validated
+from hardcontact.config.faults import validate
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED
@@ -199,7 +199,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     columns = [name for name, field in known.items() if field.is_required()]
     listed = f"the columns {', '.join(columns)}, separated by tabs, and a row a scan"
     written.require(columns, f"{content}, {listed}", known)
-    rows = written.convert(lambda row: validated(SurfaceRow, row).model_dump())
+    rows = written.convert(lambda row: validate(SurfaceRow, row).model_dump())
     table = pd.DataFrame.from_dict(rows, orient="index", dtype=str)
     table["scan"] = table["scan"].astype(int)
     table["use"] = table["use"].replace("", CONTACT)

@@ -75,7 +75,7 @@ def _plans_the_run(workflow: Any) -> bool:
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
 
 
-def kept_configuration(config: Mapping[str, Any]) -> str:
+def finished_configuration(config: Mapping[str, Any]) -> str:
     """Return the path of the configuration of a finished study; refuse a changed one, and none.
 
     The command line says which: the key `study`, or nothing for the paper.
@@ -90,7 +90,7 @@ def kept_configuration(config: Mapping[str, Any]) -> str:
     return kept
 
 
-def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
+def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     """Return the configuration; with `effort: quick` the keys under `quick` replace others.
 
     Names of the study and of its store then end with QUICK_NAME: a quick study of an overlay never
@@ -132,7 +132,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
             )
         numbers = numbers_of(config)
         if numbers["quick"]:
-            numbers_of(with_effort(config | {"effort": "quick"}), "effort quick: ")
+            numbers_of(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)
@@ -144,17 +144,17 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
         if _plans_the_run(workflow):
             # Imported here, as the libraries that read scans would cost every job almost a second.
-            from hardcontact.config.checks import check
+            from hardcontact.config.checks import check_study
 
             compared = published.pull_off(PUBLISHED["published_pull_off"]).index
-            check(configuration, rows, compared)
+            check_study(configuration, rows, compared)
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
     return Selection(rows, configuration["sphere"]["surface"])
 
 
-def say_answer(workflow: Any, *pages: str) -> None:
+def log_answer(workflow: Any, *pages: str) -> None:
     """Say at the end of a run what it answers, and which page of those it was asked for to open."""
     asked_for = {str(path) for job in workflow.dag.jobs for path in job.output}
     for page in filter(asked_for.__contains__, pages):
@@ -167,7 +167,7 @@ def say_answer(workflow: Any, *pages: str) -> None:
     _stop_looking()
 
 
-def say_how_to_go_on() -> None:
+def log_how_to_resume() -> None:
     """Say at the end of a run that failed or was stopped that what is made is kept."""
     logger.error("Not all is made: the same command goes on from here.")
     _stop_looking()

@@ -45,16 +45,18 @@ STORE_KEYS = {
 }  # fmt: skip
 
 
-def digest_of(values: object) -> str:
+def short_digest(values: object) -> str:
     """Return a short digest of values, as a part of paths."""
     return hashlib.sha256(canonical(values).encode()).hexdigest()[:8]
 
 
-def values_of(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
+def key_values(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
     """Return the values of keys, with dots between their parts."""
     return {key: get_key(configuration, key) for key in keys}
 
 
 def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
     """Return the digest of the keys of each kind of intermediate."""
-    return {kind: digest_of(values_of(configuration, keys)) for kind, keys in STORE_KEYS.items()}
+    return {
+        kind: short_digest(key_values(configuration, keys)) for kind, keys in STORE_KEYS.items()
+    }

@@ -16,7 +16,7 @@ from typing import NamedTuple, TypeVar
 
 import pandas as pd
 
-from hardcontact.config.faults import plain, refuse_lines
+from hardcontact.config.faults import quote_key, refuse_lines
 from hardcontact.config.key_types import Quantity
 from hardcontact.surfaces.spectrum import CALIBRATED, KNOWN, PARAMETERS, is_calibrated, read_bands
 
@@ -61,7 +61,7 @@ class UserTable(NamedTuple):
         """
         complete = set(columns) <= set(self.header) <= set(known or self.header)
         if not (self.cells and complete and len(set(self.header)) == len(self.header)):
-            header = found(", ".join(self.header))
+            header = quote_cell(", ".join(self.header))
             raise ValueError(
                 f"{self.path}: expected {content}, found {header} and {len(self.cells)} rows"
             )
@@ -121,12 +121,12 @@ def user_table(
     return UserTable(str(path), filled[0][1] if filled else [], dict(filled[1:]))
 
 
-def found(cell: str) -> str:
+def quote_cell(cell: str) -> str:
     """Return a cell as a message shows it."""
-    return plain(cell) if cell else "nothing"
+    return quote_key(cell) if cell else "nothing"
 
 
-def number(cell: str) -> float:
+def parse_number(cell: str) -> float:
     """Return a number, which may be infinite; NaN if the cell is none."""
     try:
         return float(cell)
@@ -153,7 +153,7 @@ def measured_forces(
     forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
     if columns == SUMMARIES:
         refuse_lines(
-            f"{path}: line {line}: expected each surface once, found again {plain(surface)}"
+            f"{path}: line {line}: expected each surface once, found again {quote_key(surface)}"
             for line, surface in forces.surface[forces.duplicated("surface")].items()
         )
     return forces
@@ -164,16 +164,16 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
     surface, count = row["surface"], row.get("count", "1")
     names = ("mean", "median") if "mean" in row else ("value", "value")
     for name in names:
-        if number(row[name]) == 0 or row[name].startswith("<"):
+        if parse_number(row[name]) == 0 or row[name].startswith("<"):
             raise ValueError(
-                f"{name}: expected a force above zero, found {found(row[name])}: of a test below "
-                "the noise write the noise, which makes the mean an upper bound"
+                f"{name}: expected a force above zero, found {quote_cell(row[name])}: of a test "
+                "below the noise write the noise, which makes the mean an upper bound"
             )
     mean, median = (FORCE.number(f"{row[name]} {row['unit']}") for name in names)
     if surface not in surfaces:
-        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {found(surface)}")
+        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_cell(surface)}")
     if not re.fullmatch("[1-9][0-9]{0,8}", count):
-        raise ValueError(f"count: expected a number of tests, found {found(count)}")
+        raise ValueError(f"count: expected a number of tests, found {quote_cell(count)}")
     if median > mean:
         raise ValueError(
             "median: expected at most the mean, as of log-normal forces (or give single tests), "
@@ -189,14 +189,14 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
         known = [name for name in MODELS if line > 2 or name != "power law"]
         missing = set() if hurst else set(CALIBRATED.get(model, ())).difference(published)
         expected = {
-            f"a model, one of {', '.join(known)}; found {found(model)}": model not in known,
+            f"a model, one of {', '.join(known)}; found {quote_cell(model)}": model not in known,
             f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing))} in "
             "resources/paper/table1.csv; found neither": missing,
             "a roll-off wavelength of a varying Hurst exponent, found none": (
                 model == "varying Hurst" and not row["rolloff_nm"]
             ),
             f"a Hurst exponent of {FLATTEST:g} or more, below which a spectrum grows towards "
-            f"short wavelengths, found {number(hurst):g}": number(hurst) < FLATTEST,
+            f"short wavelengths, found {parse_number(hurst):g}": parse_number(hurst) < FLATTEST,
         }
         faults = [f"{path}: line {line}: expected {text}" for text, bad in expected.items() if bad]
         refuse_lines(faults[:1])
@@ -204,7 +204,7 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
             _description(Path(path).parent / row["table"], POINTS)
 
 
-def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) -> None:
+def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
     """Refuse a substitute in a study of own surfaces that stands for one of the paper.
 
     Raises ValueError with one line, given a description that `refuse_description` accepts and the
@@ -219,7 +219,7 @@ def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) 
     if not bands.basis.isin(KNOWN).any():
         raise ValueError(
             f"{path}: expected, in a study of own surfaces, a band whose basis is "
-            f"{' or '.join(KNOWN)}, found {', '.join(map(plain, bands.basis.unique()))}"
+            f"{' or '.join(KNOWN)}, found {', '.join(map(quote_key, bands.basis.unique()))}"
         )
 
 
@@ -238,9 +238,9 @@ def _description(
     def checked(row: Row) -> Row:
         for name in numbers:
             lowest = -math.inf if name in SIGNED else 0
-            if row[name] and not number(row[name]) >= lowest:
+            if row[name] and not parse_number(row[name]) >= lowest:
                 accepted = "a number" if name in SIGNED else "a number, none below zero"
-                raise ValueError(f"{name}: expected {accepted}, found {found(row[name])}")
+                raise ValueError(f"{name}: expected {accepted}, found {quote_cell(row[name])}")
         return row
 
     return table.convert(checked)

@@ -1,1 +1,1 @@
-"""What a person types: `hardcontact new` and `hardcontact predict`."""
+"""The commands: `hardcontact new` and `hardcontact predict`."""

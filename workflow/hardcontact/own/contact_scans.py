@@ -1,4 +1,4 @@
-"""The scans of own surfaces that contacts are made on."""
+"""The scans of own surfaces on which contacts are made."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -7,10 +7,10 @@ import numpy as np
 
 from hardcontact.base.printing import print_length
 from hardcontact.config.faults import refuse_lines
-from hardcontact.config.grids import MAP_PIXELS, PIXEL_SIZES, alike
+from hardcontact.config.grids import MAP_PIXELS, PIXEL_SIZES, same_grid
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH
-from hardcontact.own.inventory import Entry, by_surface
+from hardcontact.own.inventory import Entry, entries_by_surface
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import draw_size
 
@@ -21,15 +21,15 @@ Group = list[Entry]
 
 
 def draw_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> dict[str, float]:
-    """Return within which size (nm) a contact finds its summits on each surface but the sphere's.
+    """Return the draw size (nm) of each surface but the sphere's.
 
-    It is that of the scan on which it is largest.
+    A contact finds its summits within the draw size. The largest of a surface's scans counts.
     """
     sizes: dict[str, float] = {}
     for entry in entries:
-        surface, measured = entry.source.surface, np.isfinite(entry.density)
+        surface, is_measured = entry.source.surface, np.isfinite(entry.density)
         if surface != sphere:
-            spectrum = Spectrum(BIN_CENTRES[measured], entry.density[measured])
+            spectrum = Spectrum(BIN_CENTRES[is_measured], entry.density[is_measured])
             size = draw_size(spectrum, probe.radius, probe.area)
             sizes[surface] = max(size, sizes.get(surface, 0.0))
     return sizes
@@ -40,15 +40,35 @@ def contact_scans(
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, those of a surface on one grid, and reasons.
 
-    Of grids that resolve the interaction radius, it is the smallest that is large enough for the
-    largest draw size (nm, by surface) of all surfaces, or else the largest: so surfaces are
-    compared on scans of one size where they can be. The id of the sphere's surface is None if it is
-    smooth. Raises ValueError with a line for each surface without a height map.
+    Grids that resolve the interaction radius come first. Among these, the smallest grid that is
+    large enough for the largest draw size of all surfaces is taken, or else the largest grid.
+    Surfaces are therefore compared on scans of one size where possible.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+        The topographies of all surfaces.
+    sphere : str or None
+        Id of the sphere's surface; None for a smooth sphere.
+    probe : Contact
+        The sphere, with its radius and range of adhesion in nm.
+    draw_sizes : mapping of str to float
+        The draw size (nm) of each surface, from `draw_sizes`.
+
+    Returns
+    -------
+    tuple of list of Entry and list of str
+        The scans, and one reason in words for each surface.
+
+    Raises
+    ------
+    ValueError
+        If a surface has no height map, with a line for each.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
     enough = LARGE_ENOUGH * max(draw_sizes.values())
-    chosen: list[Entry] = []
+    selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():
         group = _best_group(surface_groups, math.sqrt(2 * probe.radius * probe.range), enough)
@@ -58,27 +78,29 @@ def contact_scans(
                 "they come nearest to" if group[0].size < enough else "the smallest of at least"
             )
             reason += f" {print_length(enough)}, four times sqrt(2 R sigma/t)"
-        chosen += group
-        reasons.append(f"{surface}: {_described(group)}: {reason}")
+        selected += group
+        reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
     if sphere is not None:
-        group = _sphere_group(sphere_groups, chosen, probe.radius)
-        chosen += group
+        group = _sphere_group(sphere_groups, selected, probe.radius)
+        selected += group
         reasons.append(
-            f"{sphere}: {_described(group)}, from which the sphere's shape is subtracted"
+            f"{sphere}: {_group_in_words(group)}, from which the sphere's shape is subtracted"
         )
-    return chosen, reasons
+    return selected, reasons
 
 
 def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
     """Return the height maps of each surface, those on the same pixels together."""
     low, high = PIXEL_SIZES
     groups: dict[str, list[Group]] = {}
-    for surface, scans in by_surface(entries).items():
+    for surface, scans in entries_by_surface(entries).items():
         groups[surface] = []
         for entry in scans:
             if entry.kind == "map" and low <= entry.pixel_size <= high:
-                same = (group for group in groups[surface] if _alike(group, [entry]))
-                group = next(same, None)
+                matching_groups = (
+                    group for group in groups[surface] if same_grid(group[0].grid, entry.grid)
+                )
+                group = next(matching_groups, None)
                 if group is None:
                     groups[surface].append([entry])
                 else:
@@ -93,14 +115,10 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
     return groups
 
 
-def _alike(first: Group, second: Group) -> bool:
-    return alike(first[0].grid, second[0].grid)
-
-
 def _best_group(groups: list[Group], interaction: float, enough: float) -> Group:
-    """Return the scans that contacts are made on, of one surface.
+    """Return the group of scans of one surface on which contacts are made.
 
-    The interaction radius and the size from which scans have the highest points are in nm.
+    The interaction radius, and the size at which a scan is large enough, are in nm.
     """
 
     def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
@@ -115,23 +133,24 @@ def _best_group(groups: list[Group], interaction: float, enough: float) -> Group
 
 
 def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
-    """Return the scans of the sphere: on the pixels of the substrates, or else the most.
+    """Return the scans of the sphere: those on the pixels of the substrates, or the largest group.
 
-    Pairs are computed on the finer pixels of both, so that sizes too different make large maps.
+    Pairs are computed on the finer pixels of both, so that different sizes make large maps.
     """
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:
         scan = group[0]
         large = any(
-            2 * max(scan.size, other.size) / min(scan.pixel_size, other.pixel_size) > MAP_PIXELS
-            for other in substrates
+            2 * max(scan.size, substrate.size) / min(scan.pixel_size, substrate.pixel_size)
+            > MAP_PIXELS
+            for substrate in substrates
         )
-        same = all(alike(scan.grid, other.grid) for other in substrates)
-        return large or scan.size > radius, not same, -len(group), -scan.size
+        matches = all(same_grid(scan.grid, substrate.grid) for substrate in substrates)
+        return large or scan.size > radius, not matches, -len(group), -scan.size
 
     return min(groups, key=rank)
 
 
-def _described(group: Group) -> str:
+def _group_in_words(group: Group) -> str:
     scans = "the scan" if len(group) == 1 else f"the {len(group)} scans"
     return f"{scans} of {print_length(group[0].size)} and {group[0].pixels} pixels"

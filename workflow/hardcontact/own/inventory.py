@@ -1,4 +1,4 @@
-"""What the files of own surfaces hold: one entry a topography, and what cannot be read."""
+"""The contents of the files of own surfaces: one entry a topography, and unreadable members."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_ba
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import (
     Measurement,
-    examined,
+    examine,
     list_measurements,
     read_measurement,
 )
@@ -36,7 +36,7 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class Entry:
-    """One topography: what its file says of it, and what was measured on it; lengths in nm."""
+    """One topography: the statements of its file, and measured properties; lengths in nm."""
 
     source: Source
     dataset: str
@@ -91,12 +91,28 @@ def inventory(
     edge: float | str = "none",
     levelling: str = "plane",
 ) -> tuple[list[Entry], list[str], list[str]]:
-    """Read all topographies of files, of containers all members.
+    """Read all topographies of files, and all members of containers.
 
-    Returns the entries, a line for each member of a container that cannot be used beside others
-    that can, and a line for each problem. Tip radius (nm), unit and edge (nm) are of files that do
-    not state them; the channel is of files that are no containers; the levelling is one of
-    LEVELLING.
+    Parameters
+    ----------
+    sources : sequence of Source
+        The files.
+    tip_radius : float or None
+        Radius of the tip in nm for files that do not state it.
+    channel : str
+        The channel of files that are not containers; empty for the file's own choice.
+    unit : str
+        The unit of length for files that do not state it, or ``"none"``.
+    edge : float or str
+        The longer edge in nm for files that do not state it, or ``"none"``.
+    levelling : str
+        One of LEVELLING.
+
+    Returns
+    -------
+    tuple of list of Entry, list of str and list of str
+        The entries; a line for each unusable member of a container that has usable members; a line
+        for each problem.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []
@@ -124,23 +140,21 @@ def inventory(
         (unreadable if file_entries else problems).extend(faults)
     # A scan that counts twice makes intervals too narrow. Formats round differently: twins have the
     # same pixels, and size and roughness that agree within 1e-4.
-    for first, second in combinations(entries, 2):
-        alike = all(
-            getattr(first, name) == getattr(second, name) for name in ("kind", "pixels")
-        ) and np.allclose(
-            (first.size, first.rms_height, first.peak_to_valley),
-            (second.size, second.rms_height, second.peak_to_valley),
+    for entry, twin in combinations(entries, 2):
+        is_twin = (entry.kind, entry.pixels) == (twin.kind, twin.pixels) and np.allclose(
+            (entry.size, entry.rms_height, entry.peak_to_valley),
+            (twin.size, twin.rms_height, twin.peak_to_valley),
             rtol=1e-4,
             atol=0,
         )
-        if alike and first.source.surface == second.source.surface:
+        if is_twin and entry.source.surface == twin.source.surface:
             problems.append(
-                f"{second.name}: expected each scan once, found that of {first.name} again"
+                f"{twin.name}: expected each scan once, found that of {entry.name} again"
             )
     return entries, unreadable, problems
 
 
-def by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
+def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
     """Return the entries of each surface, in their order."""
     surfaces: dict[str, list[Entry]] = {}
     for entry in entries:
@@ -148,9 +162,9 @@ def by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
     return surfaces
 
 
-def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
+def contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
     """Yield a line for each surface whose scans contradict each other."""
-    for scans in by_surface(entries).values():
+    for scans in entries_by_surface(entries).values():
         differences = contradictions(
             np.array([scan.density for scan in scans]),
             [scan.band.bins for scan in scans],
@@ -167,14 +181,14 @@ def _entry(
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = examined(measurement, source.sphere_radius, levelling)
+    flat = examine(measurement, source.sphere_radius, levelling)
     levelled = flat.heights
     if flat.kind != "map":  # A line scan is levelled by its mean line.
-        place = np.arange(len(levelled))
-        levelled = levelled - np.polynomial.Polynomial.fit(place, levelled, 1)(place)
+        position = np.arange(len(levelled))
+        levelled = levelled - np.polynomial.Polynomial.fit(position, levelled, 1)(position)
     _, density = measured_psd(flat)
-    stated = measurement.tip_radius
-    radius = tip_radius if stated is None else stated
+    stated_radius = measurement.tip_radius
+    radius = tip_radius if stated_radius is None else stated_radius
     return Entry(
         source=source,
         dataset=measurement.dataset,
@@ -187,7 +201,7 @@ def _entry(
         peak_to_valley=float(np.ptp(levelled)),
         relief=float(max(relief, np.ptp(levelled))),
         tip_radius=radius,
-        tip_given=radius is not stated,
+        tip_given=radius is not stated_radius,
         band=reliable_band(flat, radius, density),
         density=density,
         undefined=measurement.undefined,
@@ -197,7 +211,7 @@ def _entry(
 
 
 def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
-    """Return a table of what was found and what it is used for, with notes on reading below."""
+    """Return a table of the entries and their uses, with the notes on reading below."""
     rows = [COLUMNS]
     notes = []
     for number, (entry, use) in enumerate(zip(entries, uses, strict=True), 1):
@@ -236,7 +250,7 @@ def table_rows(
 
     The tip radius is the quantity that the user gave for files that state none, or empty.
     """
-    in_contact = {id(entry) for entry in contact}
+    contact_ids = {id(entry) for entry in contact}
     return [
         {
             "surface": surface,
@@ -245,11 +259,11 @@ def table_rows(
             "source": "measured",
             "path": entry.source.path,
             "dataset": entry.dataset,
-            "use": CONTACT if id(entry) in in_contact else SPECTRUM,
+            "use": CONTACT if id(entry) in contact_ids else SPECTRUM,
             "tip_radius": tip_radius if entry.tip_given else "",
         }
-        for surface, scans in by_surface(entries).items()
+        for surface, scans in entries_by_surface(entries).items()
         for number, entry in enumerate(
-            sorted(scans, key=lambda scan: id(scan) not in in_contact), 1
+            sorted(scans, key=lambda scan: id(scan) not in contact_ids), 1
         )
     ]

@@ -1,7 +1,7 @@
-"""Forces on the masters of one surface: how surely their means are known.
+"""Forces on the masters of one surface, and the intervals of their means.
 
-A master is a scan with artificial roughness, of which each realization draws its own. The mean over
-realizations therefore varies with the scans and, on the same scans, with the random numbers.
+A master is a scan with artificial roughness, and each realization draws its own roughness. The mean
+over realizations therefore varies with the scans and, on the same scans, with the random numbers.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,18 +13,18 @@ import xarray as xr
 from hardcontact.base.dataset import stack
 from hardcontact.own.scan_parts import (
     CONTACTS,
-    Parts,
+    ScanParts,
     Variance,
+    delete_one_logarithms,
     half_width,
     jackknife_variance,
-    left_out_logarithms,
     parts_of_scans,
     quarters_of_contacts,
 )
 
 
 class Masters(NamedTuple):
-    """What masters are made of: realization r of scan (r - 1) modulo the number of scans."""
+    """The scans of masters: realization r uses scan (r - 1) modulo the number of scans."""
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
     tiles: int  #: Mirrored scans along an edge of a large master.
@@ -38,31 +38,31 @@ class MasterForces(NamedTuple):
     #: ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and the
     #: ``ratio`` of their means over contacts.
     forces: xr.Dataset
-    parts: Parts
+    scan_parts: ScanParts
     cell: float  #: The longest wavelength in nm.
 
 
 def forces_of_masters(
     scales: xr.Dataset, surface: str, side: str, masters: Masters
 ) -> MasterForces:
-    """Return the forces, as in scales.nc, on the masters there are of one surface and side."""
+    """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
     cell = float(scales.unfiltered_wavelength.sel(surface=surface, side="large"))
     tiles = masters.tiles if side == "large" else 1
     cell *= tiles / masters.tiles
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["ratio"]
     )
-    parts = parts_of_scans(
+    scan_parts = parts_of_scans(
         (forces.realization.values - 1) % masters.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         cell / tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
         masters.places[surface],
     )
-    return MasterForces(forces, parts, cell)
+    return MasterForces(forces, scan_parts, cell)
 
 
-def over_masters(
+def summarize_masters(
     scales: xr.Dataset, masters: Masters, summary: Callable[[MasterForces], xr.Dataset]
 ) -> xr.Dataset:
     """Return a summary of the forces, as in scales.nc, over surface and side."""
@@ -82,28 +82,30 @@ def half_width_over_masters(
 ) -> np.ndarray:
     """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
-    The statistic (realization, ...) is of the mean forces of a master with and without a filter.
-    Three scans or more differ in their realizations too, so that their scatter holds that of the
-    artificial roughness. The quarters of one or two scans share their realizations: another seed
-    moves all of them at once. The variance of a mean over realizations is added, whatever part of
-    it the quarters hold already: rather too wide an interval than one that leaves out the choice of
-    random numbers. Another spectrum, which the measurements allow as well, moves all realizations
-    at once, too: the mean square of its shifts (realization, ...) is added, if spectra were drawn.
+    The statistic (realization, ...) takes the mean forces on a master with and without a filter.
+    Three scans or more also differ in their realizations, so that their scatter includes the
+    scatter of the artificial roughness. The quarters of one or two scans share their realizations:
+    another seed moves all of them at once. The variance of a mean over realizations is therefore
+    added. Since the quarters already contain a share of it, the interval is rather too wide.
+    Another spectrum that the measurements also allow moves all realizations at once, too. If
+    spectra were drawn, the mean square of their shifts (realization, ...) is added.
     """
 
-    def over_contacts(kept: xr.DataArray) -> xr.DataArray:
-        """Return the statistic (realization, ...) of the contacts (realization, y, x) kept."""
-        filtered = masters.forces.pull_off_force.where(kept).mean(CONTACTS)
-        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept).mean(CONTACTS)
+    def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
+        """Return the statistic (realization, ...) over the kept contacts (realization, y, x)."""
+        filtered = masters.forces.pull_off_force.where(kept_contacts).mean(CONTACTS)
+        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept_contacts).mean(CONTACTS)
         return statistic(filtered, unfiltered).transpose("realization", ...)
 
-    left_out = left_out_logarithms(
-        masters.parts, "realization", lambda kept: over_contacts(kept).mean("realization")
+    logarithms = delete_one_logarithms(
+        masters.scan_parts,
+        "realization",
+        lambda kept_contacts: contact_statistic(kept_contacts).mean("realization"),
     )
-    sources = [jackknife_variance(left_out, masters.parts)]
+    sources = [jackknife_variance(logarithms, masters.scan_parts)]
     count = masters.forces.sizes["realization"]
-    if masters.parts.conditional and count > 1:
-        logarithms = np.log(over_contacts(xr.DataArray(True)).values)
+    if masters.scan_parts.conditional and count > 1:
+        logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = masters.forces.get(shift)
     if shifts is not None and shifts.notnull().any():

@@ -1,7 +1,7 @@
 """The command `hardcontact new`: from files of scans to a study of own surfaces.
 
-It reads the files, prints what they hold, chooses what to compute and writes an overlay and a table
-of surfaces. It prints one line per problem, all at once, and then writes nothing.
+It reads the files, prints their contents, proposes a value for each key, and writes an overlay and
+a table of surfaces. If there are problems, it prints one line for each and writes nothing.
 """
 
 import os
@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.whole_file import whole_file
-from hardcontact.config.configuration import read_yaml, with_keys
-from hardcontact.config.faults import refuse_all, refuse_lines, validated
+from hardcontact.config.configuration import read_yaml, set_keys
+from hardcontact.config.faults import refuse_all, refuse_lines, validate
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, SMOOTH, configuration
@@ -24,7 +24,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.own.inventory import (
     SPECTRUM,
     Entry,
-    by_surface,
+    entries_by_surface,
     inventory,
     printed_table,
     table_rows,
@@ -35,12 +35,12 @@ from hardcontact.own.request import (
     ROOT,
     SPHERE,
     Option,
+    list_sources,
     name_faults,
-    options,
-    parsed,
+    parse_arguments,
+    parse_quantities,
     path_from_root,
     questioned_quantities,
-    sources,
 )
 
 
@@ -58,7 +58,7 @@ def main() -> int:
 
             print(predict(predict_arguments(sys.argv[2:])))
         else:
-            print(new_study(parsed(sys.argv[1:])))
+            print(new_study(parse_arguments(sys.argv[1:])))
         sys.stdout.flush()
     except BrokenPipeError:  # The reader of the output has ended, such as `head`.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -73,12 +73,12 @@ def main() -> int:
 
 
 def new_study(arguments: Namespace) -> str:
-    """Write the files of a study of own surfaces; return what was found, chosen and written.
+    """Write the files of a study of own surfaces; return a report in words.
 
     Raises ValueError with a line for each problem; then nothing is written.
     """
-    quantities, faults = options(arguments)
-    files, file_faults = sources(arguments, quantities["radius"].number)
+    quantities, faults = parse_quantities(arguments)
+    files, file_faults = list_sources(arguments, quantities["radius"].number)
     tip = quantities.get("tip")
     tip_text = tip.text if tip else ""
     entries, unreadable, problems = inventory(
@@ -121,7 +121,7 @@ def _checks(
     """Yield the checks of cells of the table and of own forces."""
     for row in rows:  # The label of a surface is refused by itself, not with each of its files.
         cells = {**row, "label": row["surface"]}
-        yield partial(validated, SurfaceRow, cells, f"{row['path']!r}: ")
+        yield partial(validate, SurfaceRow, cells, f"{row['path']!r}: ")
     if arguments.forces is not None:
         substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
         yield partial(measured_forces, arguments.forces, substrates, "--forces")
@@ -130,7 +130,7 @@ def _checks(
 def _plan(
     arguments: Namespace, quantities: Mapping[str, Option], entries: Sequence[Entry]
 ) -> tuple[Proposal, list[Choice]]:
-    """Return the proposal, and all keys of the overlay but those that count at quick effort.
+    """Return the proposal, and all keys of the overlay except the keys of quick effort.
 
     Raises ValueError if the study would refuse these scans at either effort.
     """
@@ -141,18 +141,18 @@ def _plan(
         range=quantities["range"].number,
     )
     sphere = SPHERE if arguments.sphere else None
-    proposal = propose(entries, sphere, probe, quantities["range"].given)
+    proposal = propose(entries, sphere, probe, quantities["range"].is_given)
     proposal.cautions.extend(questioned_quantities(quantities))
     choices = [*_named_choices(arguments, quantities), *proposal.choices]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
-        for surface, scans in by_surface(proposal.contact).items()
+        for surface, scans in entries_by_surface(proposal.contact).items()
     }
-    full = values(choices)
-    for keys in (full, full | values(proposal.quick)):
-        # Faults of keys that follow from the name are those of the name.
-        others = {key: value for key, value in keys.items() if key not in ("study", "store")}
-        check_grids(configuration(with_keys(read_yaml("config/config.yaml"), others)), grids)
+    full = values_by_key(choices)
+    for keys in (full, full | values_by_key(proposal.quick)):
+        # The name itself is checked by `name_faults`.
+        other_keys = {key: value for key, value in keys.items() if key not in ("study", "store")}
+        check_grids(configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids)
     refuse_unreliable(entries)
     return proposal, choices
 
@@ -177,14 +177,14 @@ def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> It
     for option, (key, meaning) in QUANTITIES.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]
-            origin = "as given" if quantity.given else f"the paper's; --{option} changes it"
+            origin = "as given" if quantity.is_given else f"the paper's; --{option} changes it"
             yield Choice(key, quantity.text, f"{meaning}: {origin}")
 
 
 def _report_lines(
     entries: Sequence[Entry], unreadable: list[str], proposal: Proposal, choices: Sequence[Choice]
 ) -> Iterator[str]:
-    """Yield the lines that say what was found and chosen."""
+    """Yield the lines of the report on the entries and the choices."""
     contact = {id(entry) for entry in proposal.contact}
     yield "Found:"
     yield printed_table(
@@ -209,7 +209,7 @@ def _report_lines(
         yield from (f"- {caution}" for caution in proposal.cautions)
 
 
-def values(choices: Sequence[Choice]) -> dict[str, Any]:
+def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
     """Return the values of choices by their keys."""
     return {choice.key: choice.value for choice in choices}
 
@@ -217,11 +217,11 @@ def values(choices: Sequence[Choice]) -> dict[str, Any]:
 def overlay_text(run: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
     """Return an overlay as YAML: the command that runs it, and each choice below its reason.
 
-    The choices of quick effort stand under the key `quick`.
+    The key `quick` has the choices of quick effort.
     """
     reasons = {choice.key: choice.reason for choice in choices}
     reasons["quick"] = "With --config effort=quick these replace those above."
-    tree = with_keys({}, values(choices)) | {"quick": with_keys({}, values(quick))}
+    tree = set_keys({}, values_by_key(choices)) | {"quick": set_keys({}, values_by_key(quick))}
     lines = commented_yaml(tree, reasons)
     head = "# Written by `hardcontact new`; config/README.md explains every key.\n"
     return f"{head}# {run}\n" + "".join(f"{line}\n" for line in lines)

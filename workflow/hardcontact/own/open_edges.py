@@ -1,4 +1,4 @@
-"""The band of own surfaces: edges with intervals from few scans, and edges that are left open."""
+"""The band of own surfaces: edges with intervals from few scans, and open edges."""
 
 from typing import Any
 
@@ -11,11 +11,11 @@ from hardcontact.own.master_forces import (
     MasterForces,
     Masters,
     half_width_over_masters,
-    over_masters,
+    summarize_masters,
 )
 from hardcontact.own.scan_parts import logarithmic_interval
 
-#: What an edge is described by: further dimensions, and attributes.
+#: The variables that describe an edge: their additional dimensions and their attributes.
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     "edge": ((), {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"}),
     "edge_bound": ((), {"units": "nm", "long_name": "limit of an open edge"}),
@@ -31,15 +31,26 @@ def band_edges(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
-    `scales` has the forces on the filtered masters, as in scales.nc; the tolerance is the relative
-    change of the force that counts.
+    Parameters
+    ----------
+    scales : xarray.Dataset
+        The forces on the filtered masters, as in scales.nc.
+    masters : Masters
+        The scans of the masters.
+    tolerance : float
+        The smallest relative change of the force that counts.
+    confidence : float
+        The confidence of the intervals.
 
-    Returns, over surface, side and cutoff_wavelength, ``scale_ratio``, the mean over realizations,
-    with its interval, from zero to infinity where it is not bounded; over surface and side the
-    variables of EDGE; over surface ``conditional`` (1 where the interval is conditional on one or
-    two scans), ``interval_source``, ``interval_scans``, label and basis.
+    Returns
+    -------
+    xarray.Dataset
+        ``scale_ratio`` (surface, side, cutoff_wavelength), the mean over realizations, with its
+        interval, which runs from zero to infinity if it is not bounded; the variables of EDGE
+        (surface, side); ``conditional`` (surface), 1 if the interval is conditional on one or two
+        scans; ``interval_source``, ``interval_scans``, label and basis (surface).
     """
-    curves = over_masters(scales, masters, lambda forces: _ratios(forces, confidence))
+    curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     curves = curves.transpose("surface", "side", ...)
     sources = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
     band = curves[["scale_ratio", "scale_ratio_interval"]].merge(sources)
@@ -50,44 +61,53 @@ def band_edges(
 
 
 def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
-    """Return the ratios of one surface and side with their interval, and where that comes from."""
+    """Return the ratios of one surface and side, their intervals, and the source of these."""
     half = half_width_over_masters(
         masters, lambda filtered, unfiltered: filtered / unfiltered, "ratio_shift", confidence
     )
     ratio = masters.forces.ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
-    filled = interval
+    bounds = interval
     if not np.isnan(interval).all():
-        # A ratio without an interval among others that have one is the same in all parts: known.
-        filled = np.where(np.isnan(interval), ratio[:, None], interval)
+        # Where the other ratios have intervals, a ratio without one is the same in all parts.
+        bounds = np.where(np.isnan(interval), ratio[:, None], interval)
     axis, unit = "cutoff_wavelength", {"units": "1"}
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
-        logarithms = np.log(ratio), np.log(filled)
+        logarithms = np.log(ratio), np.log(bounds)
     return xr.Dataset(
         with_interval("scale_ratio", axis, ratio, interval, unit, confidence)
         | with_interval("logarithm", axis, *logarithms, unit, confidence)
         | {
             "cell": masters.cell,
-            "conditional": int(masters.parts.conditional),
-            "interval_source": masters.parts.source,
-            "interval_scans": masters.parts.scans,
+            "conditional": int(masters.scan_parts.conditional),
+            "interval_source": masters.scan_parts.source,
+            "interval_scans": masters.scan_parts.scans,
         },
         {axis: masters.forces[axis].variable},
     )
 
 
 def edges_of_curves(curves: xr.Dataset, limits: tuple[float, float]) -> dict[str, Any]:
-    """Return the variables EDGE, over the dimensions of ``cell``, of several curves.
+    """Return the variables of EDGE for several curves.
 
-    The curves have ``logarithm``, ln(ratio) of several surfaces, and its interval
-    (cutoff_wavelength, ...), NaN at cutoffs that a curve does not have; ``cell`` (...), the longest
-    wavelength of the surface in nm; side as a coordinate. Between the limits, lower and upper, a
-    change counts as none.
+    Parameters
+    ----------
+    curves : xarray.Dataset
+        ``logarithm``, ln(ratio) of several surfaces, and its interval (cutoff_wavelength, ...), NaN
+        at cutoffs that a curve does not have; ``cell`` (...), the longest wavelength of the surface
+        in nm; side as a coordinate.
+    limits : tuple of float
+        Lower and upper limit of ln(ratio), between which the force counts as unchanged.
+
+    Returns
+    -------
+    dict
+        The variables of EDGE, over the dimensions of ``cell``.
     """
     dimensions, shape = curves.cell.dims, curves.cell.shape
     edges = []
-    for place in np.ndindex(shape):
-        curve = curves.isel(dict(zip(dimensions, place, strict=True)))
+    for index in np.ndindex(shape):
+        curve = curves.isel(dict(zip(dimensions, index, strict=True)))
         side = str(curve.side.values)
         curve = curve.dropna("cutoff_wavelength", subset=["logarithm"])
         curve = curve.sortby("cutoff_wavelength", ascending=side == "small")
@@ -96,9 +116,11 @@ def edges_of_curves(curves: xr.Dataset, limits: tuple[float, float]) -> dict[str
         edges.append(describe_edge(Curve(side, float(curve.cell), cutoffs, values, limits)))
     return {
         name: (
-            (*dimensions, *further),
-            np.array([edge[name] for edge in edges]).reshape(*shape, *[2 for _ in further]),
+            (*dimensions, *dimensions_added),
+            np.array([edge[name] for edge in edges]).reshape(
+                *shape, *[2 for _ in dimensions_added]
+            ),
             attributes,
         )
-        for name, (further, attributes) in EDGE.items()
+        for name, (dimensions_added, attributes) in EDGE.items()
     }

@@ -1,8 +1,8 @@
 """Range and work of adhesion that the user's own measured forces allow: fit.nc.
 
-Forces F are measured, forces f are computed at 1 J/m²: at every range the work W = F/f(rho) makes
-them agree. One surface gives a curve W(rho). Of several surfaces, the region holds the pairs of
-range and work that lie within the intervals of all of them at once. Tests scatter log-normally.
+Forces F are measured, and forces f are computed at 1 J/m². At every range, the work W = F/f(rho)
+makes them agree. One surface gives a curve W(rho). For several surfaces, the region contains the
+pairs of range and work within the intervals of all surfaces at once. Tests scatter log-normally.
 """
 
 from collections.abc import Mapping
@@ -32,7 +32,7 @@ from hardcontact.paper.error_map import fit
 
 #: Logarithms of a sampled mean beyond this are as good as infinite.
 ENDLESS = 50.0
-#: Ranges of adhesion of the curves, from the least to the greatest one computed.
+#: Number of ranges of adhesion on the curves, from the shortest to the longest computed range.
 FINE_RANGES = 401
 
 NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
@@ -41,13 +41,13 @@ NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1")
 class MeasuredTests(NamedTuple):
     """Tests on one surface."""
 
-    mean: float  #: Of the forces in N.
+    mean: float  #: Mean force in N.
     shape: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
-    number: int  #: Of the tests.
+    number: int  #: Number of tests.
 
 
 def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface, from its rows of `config.tables.measured_forces`."""
+    """Return the tests on one surface from its rows of the table of measured forces."""
     count = int(forces["count"].sum())
     mean = float(np.average(forces["mean"], weights=forces["count"]))
     if count < 2:
@@ -58,20 +58,20 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
 
 
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Draw mean forces (samples,) in N of a log-normal of which a few tests are known.
+    """Draw mean forces (samples,) in N of a log-normal distribution from a few tests.
 
     The generalized pivot of the logarithm of the mean, mu + s²/2, is m - z s*/sqrt(n) + s*²/2 with
-    s*² = (n - 1) s²/chi²(n - 1); z is normal, m and s are mean and deviation of the logarithms of n
-    tests. Its deviation from m + s²/2 is added to the logarithm of the mean measured. NaN for a
-    single test, whose scatter is unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan.
-    Inference 115 (2003) 103.
+    s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and m and s are mean and deviation of the
+    logarithms of n tests. The deviation of the pivot from m + s²/2 is added to the logarithm of the
+    measured mean. NaN for a single test, whose scatter is unknown. Source: Krishnamoorthy and
+    Mathew, J. Stat. Plan. Inference 115 (2003) 103.
     """
     if tests.number < 2:
         return np.full(samples, np.nan)
     freedom, variance = tests.number - 1, tests.shape**2
-    drawn = variance * freedom / rng.chisquare(freedom, samples)
+    variance_drawn = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
-    deviation = (drawn - variance) / 2 - normal * np.sqrt(drawn / tests.number)
+    deviation = (variance_drawn - variance) / 2 - normal * np.sqrt(variance_drawn / tests.number)
     return np.asarray(tests.mean * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
 
 
@@ -80,18 +80,31 @@ def fit_measured(
 ) -> xr.Dataset:
     """Fit range and work of adhesion to measured forces, with the roughness of the scans.
 
-    Forces are at 1 J/m², as in adhesion.nc; those measured are of `config.tables.measured_forces`,
-    the sizes of the scans in nm. Means of tests and of scans are sampled.
+    Means of tests and of scans are sampled.
 
-    Returns, over surface (those with forces), ``measured_force`` in N with its interval, ``tests``,
-    label and ``interval_source``. Over contact_model, surface and rho (a fine grid) is
-    ``work_of_adhesion`` in J/m² with its interval. Over contact_model and rho is ``region``, the
-    lowest and highest work in J/m² that all surfaces allow, NaN where they allow none; its extent
-    ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those computed is
-    allowed, and ``region_status``, found, open or none. Of several surfaces there is the best fit
-    ``best_range``, ``best_work`` and ``best_error``. Of two, ``exact_pairs`` counts the pairs that
-    give both forces: where there are some, two unknowns fit two numbers by construction, and
-    ``best_error`` is NaN.
+    Parameters
+    ----------
+    adhesion : xarray.Dataset
+        Computed forces at 1 J/m², as in adhesion.nc.
+    forces : pandas.DataFrame
+        Measured forces in N, from `config.tables.measured_forces`.
+    sizes : mapping of str to float
+        Edge of the scans of each surface in nm.
+    sampling : Sampling
+        Seed, number of samples and confidence.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``measured_force`` (surface) in N with its interval, ``tests``, label and
+        ``interval_source``, for the surfaces with forces; ``work_of_adhesion`` (contact_model,
+        surface, rho) in J/m² with its interval, on a fine grid of ranges; ``region``
+        (contact_model, rho, bound), the lowest and highest work in J/m² that all surfaces allow, or
+        NaN; its extent ``region_range`` in nm and ``region_work``, NaN if the region reaches the
+        shortest or longest computed range, and ``region_status``: found, open or none.
+        For several surfaces, ``best_range``, ``best_work`` and ``best_error`` are the best fit. For
+        two surfaces, ``exact_pairs`` counts the pairs that give both forces. If there are any, two
+        unknowns fit two numbers by construction, and ``best_error`` is NaN.
     """
     radius, rhos = float(adhesion.attrs["sphere_radius"]), adhesion.rho.values
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
@@ -116,7 +129,7 @@ def fit_measured(
         models[(model,)] = _fit(force, target, np.stack(works, axis=1), rhos, sampling.confidence)
     # Tests and parts of scans, which intervals come from, are the same for all contact models.
     sources = [
-        scan.parts[0].source if test.number > 1 else "one_test"
+        scan.scan_parts[0].source if test.number > 1 else "one_test"
         for scan, test in zip(scans, tests, strict=True)
     ]
     variables = sampling.with_interval(
@@ -137,8 +150,10 @@ def fit_measured(
 def _sampled_forces(scans: ScanForces, surface: str, sampling: Sampling) -> np.ndarray:
     """Draw mean forces (sample, rho) of a surface, with the same random numbers at every range."""
     deviations = [
-        sampled_deviations(sampling.generator("scans", surface), left_out, parts, sampling.samples)
-        for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
+        sampled_deviations(
+            sampling.generator("scans", surface), delete_one, scan_parts, sampling.samples
+        )
+        for delete_one, scan_parts in zip(scans.delete_one.T, scans.scan_parts, strict=True)
     ]
     return np.asarray(scans.mean * np.exp(np.stack(deviations, axis=1)))
 
@@ -148,10 +163,10 @@ def _fit(
 ) -> xr.Dataset:
     """Return the fit of one contact model.
 
-    Forces (surface, rho) are computed at 1 J/m² and (surface,) measured, in N; works (sample,
-    surface, rho) in J/m² have tests and scans resampled. The region takes the intervals of n
-    surfaces, independent of each other, at the confidence c^(1/n), so that all of them together
-    hold the true pair with the confidence c.
+    `force` (surface, rho) is computed at 1 J/m² and `target` (surface,) is measured, in N. The
+    works (sample, surface, rho) in J/m² have resampled tests and scans. The region takes the
+    intervals of n independent surfaces at the confidence c^(1/n), so that all intervals together
+    contain the true pair with the confidence c.
     """
     count = len(target)
     # A single range stays single.
@@ -169,11 +184,11 @@ def _fit(
     work_of_adhesion = target[:, None] / force
     best_range, best_work, best_error, exact_pairs = np.nan, np.nan, np.nan, 0
     if count > 1:
-        place, work, error = fit(force, target)
-        best_range, best_work, best_error = float(fine[place]), float(work), float(error)
+        best_index, work, error = fit(force, target)
+        best_range, best_work, best_error = float(fine[best_index]), float(work), float(error)
     if count == 2:
-        above = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
-        exact_pairs = int(np.count_nonzero(np.diff(above)))
+        exceeds = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
+        exact_pairs = int(np.count_nonzero(np.diff(exceeds)))
     if exact_pairs:
         best_error = np.nan  # of the grid of ranges alone
     variables = with_interval(
@@ -190,10 +205,10 @@ def _fit(
 
 
 def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:
-    """Return the extent of a region (rho, bound), and which of its ends are open.
+    """Return the extent of a region (rho, bound), and the status of its ends.
 
-    Where the region reaches a range at the end of those computed, it may go on beyond: the range
-    has no limit there, nor has the work.
+    If the region reaches the shortest or longest computed range, it may extend beyond. Then range
+    and work have no limit there.
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
     ranges, works, status = np.full(2, np.nan), np.full(2, np.nan), np.full(2, "none", "<U5")
@@ -211,29 +226,42 @@ def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:
     }
 
 
-def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
-    """Return a fit to measured forces with the works of adhesion at the range that is asked for.
+def add_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
+    """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
-    The work is a measured force over that computed at 1 J/m². Where continued roughness changes the
-    computed force by a factor, it changes the work by one over that: W F_scan/F_continued. Masters
-    were computed at one range and in plastic contact alone, so that this is no curve.
+    The work is the measured force divided by the force computed at 1 J/m². Extrapolated roughness
+    changes the computed force by a factor and the work by its inverse: W F_scan/F_continued.
+    Masters are computed at one range and in plastic contact only, so that this is not a curve.
 
-    The fit is of `fit_measured`, the predicted forces, as in force.nc, are over the same surfaces
-    and others. ``continued_work`` (surface, side) is in J/m²; in its interval the relative ends of
-    measured and computed force, which are independent, are added as squares of their logarithms.
-    With it come ``continued_differs`` and ``transition`` of the forces, and the attribute
-    ``range_of_adhesion``, at which ``work_of_adhesion`` is to be compared.
+    Parameters
+    ----------
+    fitted : xarray.Dataset
+        The fit, from `fit_measured`.
+    force : xarray.Dataset
+        Predicted forces, as in force.nc, over the surfaces of the fit and possibly others.
+
+    Returns
+    -------
+    xarray.Dataset
+        The fit with ``continued_work`` (surface, side) in J/m² and its interval, in which the
+        independent relative errors of measured and computed force are added as squares of their
+        logarithms; ``continued_differs`` and ``transition`` of the forces; the attribute
+        ``range_of_adhesion``, at which ``work_of_adhesion`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)
-    measured, computed = fitted.measured_force, surface_force.continued_force
-    less, more = (np.log(end / measured) for end in bounds(fitted, "measured_force"))
+    measured_force, computed_force = fitted.measured_force, surface_force.continued_force
+    log_lower, log_upper = (
+        np.log(end / measured_force) for end in bounds(fitted, "measured_force")
+    )
     low, high = bounds(surface_force, "continued_force")
-    above = np.log(high / computed)
-    below = np.log(low.where(low > 0) / computed).where(low != 0, -np.inf)
-    work = (measured / (computed / force.attrs["work_of_adhesion"])).transpose("surface", "side")
-    ends = [-np.hypot(less, above), np.hypot(more, below)]
+    log_high = np.log(high / computed_force)
+    log_low = np.log(low.where(low > 0) / computed_force).where(low != 0, -np.inf)
+    work = (measured_force / (computed_force / force.attrs["work_of_adhesion"])).transpose(
+        "surface", "side"
+    )
+    ends = [-np.hypot(log_lower, log_high), np.hypot(log_upper, log_low)]
     interval = xr.concat([work * np.exp(end) for end in ends], "bound")
-    continued = with_interval(
+    variables = with_interval(
         "continued_work",
         work.dims,
         work.values,
@@ -242,7 +270,7 @@ def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         fitted.attrs["confidence"],
     )
     return (
-        fitted.assign(continued)
+        fitted.assign(variables)
         .assign(
             continued_differs=surface_force.continued_differs, transition=surface_force.transition
         )

@@ -19,7 +19,12 @@ from hardcontact.config.model import NONE, Study
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.own.request import QUANTITIES, add_shared, options, questioned_quantities
+from hardcontact.own.request import (
+    QUANTITIES,
+    add_shared_options,
+    parse_quantities,
+    questioned_quantities,
+)
 from hardcontact.theory.prediction import (
     MAX_NEGLIGIBLE_CHANGE,
     prediction,
@@ -54,7 +59,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
         allow_abbrev=False,
     )  # fmt: skip
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
-    add_shared(parser)
+    add_shared_options(parser)
     parser.add_argument("--modulus", help="effective modulus of both bodies (that of the paper's)")
     parser.add_argument(
         "--dataset", "--channel", default="", metavar="NAME",
@@ -66,12 +71,12 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def predict(arguments: Namespace) -> str:
-    """Return the prediction in words, and write the files of numbers that were asked for.
+    """Return the prediction in words, and write the requested files of numbers.
 
-    A file named - is returned in place of the words. Raises ValueError with a line for each
-    problem.
+    If a file is named -, its content is returned in place of the words. Raises ValueError with a
+    line for each problem.
     """
-    quantities, faults = options(arguments)
+    quantities, faults = parse_quantities(arguments)
     radius, rho, work, preload, hardness = (
         quantities[name].number for name in ("radius", "range", "work", "preload", "hardness")
     )
@@ -94,15 +99,22 @@ def predict(arguments: Namespace) -> str:
         edge=quantities["size"].number if "size" in quantities else NONE,
         levelling=arguments.levelling,
     )
-    _, own = refuse_all([partial(refuse_lines, faults), reader])
+    _, user_spectrum = refuse_all([partial(refuse_lines, faults), reader])
     numbers = {
-        name: Number(name, option.number, option.unit, status="given" if option.given else "paper")
+        name: Number(
+            name, option.number, option.unit, status="given" if option.is_given else "paper"
+        )
         for name, option in quantities.items()
         if name in QUANTITIES
     }
     tolerance = Study().scales.tolerance
     numbers |= prediction(
-        own.spectrum, contact, tolerance, arguments.file, own.joined, own.skewness
+        user_spectrum.spectrum,
+        contact,
+        tolerance,
+        arguments.file,
+        user_spectrum.joined,
+        user_spectrum.skewness,
     )
     modulus, status = assumed_modulus(hardness), "paper"
     if "modulus" in quantities:
@@ -111,11 +123,11 @@ def predict(arguments: Namespace) -> str:
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITIES}
     cautions = [f"take care: {line}" for line in questioned_quantities(quantities)]
-    report = "\n".join([*own.notes, _report(numbers, texts), *cautions])
+    report = "\n".join([*user_spectrum.notes, _report(numbers, texts), *cautions])
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":
-            sys.stderr.writelines(f"{line}\n" for line in [*own.notes, *cautions])
+            sys.stderr.writelines(f"{line}\n" for line in [*user_spectrum.notes, *cautions])
             report = write(numbers)
         elif path is not None:
             with whole_file(path) as temporary:
@@ -124,7 +136,7 @@ def predict(arguments: Namespace) -> str:
 
 
 def _json(numbers: Mapping[str, Number]) -> str:
-    """Return numbers by name, each with value and unit; interval and status where there are any."""
+    """Return numbers by name, each with value, unit, and its interval and status if it has any."""
     entries = {
         name: {"value": plain(number.value), "unit": number.unit}
         | (
@@ -139,7 +151,7 @@ def _json(numbers: Mapping[str, Number]) -> str:
 
 
 def _csv(numbers: Mapping[str, Number]) -> str:
-    """Return numbers as a table, a row each; cells are empty where there is nothing."""
+    """Return numbers as a table, one row a number; unknown cells are empty."""
     columns = ["quantity", "value", "unit", "low", "high", "status"]
     table = pd.DataFrame([number[:6] for number in numbers.values()], columns=columns)
     finite = table.replace([math.inf, -math.inf], math.nan)
@@ -151,7 +163,7 @@ WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv
 
 
 def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
-    """Return the prediction in words; the texts are those of the quantities of the command line."""
+    """Return the prediction in words; `texts` has the quantities as the user wrote them."""
     # Imported here: it takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 

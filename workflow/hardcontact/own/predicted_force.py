@@ -1,6 +1,6 @@
 """The pull-off forces that a work and a range of adhesion predict, without a fit: force.nc.
 
-They are those on the scans, and those with roughness continued beyond the wavelengths of the scans.
+There are forces on the scans, and forces with roughness extrapolated beyond their wavelengths.
 """
 
 from collections.abc import Mapping
@@ -18,14 +18,14 @@ from hardcontact.own.master_forces import (
     MasterForces,
     Masters,
     half_width_over_masters,
-    over_masters,
+    summarize_masters,
 )
 from hardcontact.own.scan_parts import (
     CONTACTS,
-    Parts,
+    ScanParts,
+    delete_one_logarithms,
     half_width,
     jackknife_variance,
-    left_out_logarithms,
     logarithmic_interval,
     parts_of_scans,
     quarters_of_contacts,
@@ -56,15 +56,27 @@ def own_force(
 ) -> xr.Dataset:
     """Return the predicted forces of all surfaces, their limits and their scatter.
 
-    Datasets are as in the files of these names. The contact that is asked for has the radius of the
-    sphere, range, work, load and window; the tolerance is the relative
-    change of the force that counts as none.
+    Parameters
+    ----------
+    adhesion, scales, topography, spectra : xarray.Dataset
+        The datasets of these names, as in their files.
+    contact : Contact
+        Radius of the sphere, range and work of adhesion, load and window.
+    masters : Masters
+        The scans of the masters.
+    tolerance : float
+        Relative change of the force up to which the force counts as unchanged.
+    confidence : float
+        The confidence of the intervals.
 
-    Returns, over surface, the forces on the scans (`predicted_force`) and with continued roughness
-    (`continued_force`), never above that of a smooth sphere; whether scans, windows and pixels are
-    large or small enough (`finite_scan`); the scatter of single forces (`force_scatter`); and the
-    place among the regimes (`regime_coordinates`). Attributes hold the Tabor parameter, and whether
-    it says that the bodies are hard (`tabor`).
+    Returns
+    -------
+    xarray.Dataset
+        Over surface: the forces on the scans (`predicted_force`) and with extrapolated roughness
+        (`continued_force`), never above the force on a smooth sphere; whether scans, windows and
+        pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`); and the
+        coordinates in the map of regimes (`regime_coordinates`). The attributes have the Tabor
+        parameter and its verdict on the bodies, hard or not (`tabor`).
     """
     force = predicted_force(
         adhesion,
@@ -73,27 +85,28 @@ def own_force(
         sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
         confidence=confidence,
     )
-    continued = continued_force(scales, masters, contact.work, confidence)
-    force = with_continued_force(force, continued, tolerance)
-    force = with_smooth_bound(force, contact.area)
-    joined = {
+    continued_forces = continued_force(scales, masters, contact.work, confidence)
+    force = add_continued_force(force, continued_forces, tolerance)
+    force = bound_by_smooth_sphere(force, contact.area)
+    spectra_by_surface = {
         name: spectrum_from(spectra.sel(surface=name)) for name in force["surface"].values.tolist()
     }
     draw_sizes = {
-        name: draw_size(spectrum, contact.radius, contact.area) for name, spectrum in joined.items()
+        name: draw_size(spectrum, contact.radius, contact.area)
+        for name, spectrum in spectra_by_surface.items()
     }
     force = with_sizes(force, topography, contact, draw_sizes)
     scatter = force_scatter(
-        joined,
+        spectra_by_surface,
         contact,
         [contact.range],
-        dict.fromkeys(joined, 0.0),  # the scatter over the places of one scan
+        dict.fromkeys(spectra_by_surface, 0.0),  # the scatter over the places of one scan
         tolerance=tolerance,
         confidence=confidence,
     ).squeeze("rho", drop=True)
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
     stiffness = tabor(contact, assumed_modulus(contact.hardness))
-    return force.merge(regime_coordinates(joined, contact)).assign_attrs(
+    return force.merge(regime_coordinates(spectra_by_surface, contact)).assign_attrs(
         tabor_parameter=stiffness.value, bodies=stiffness.status
     )
 
@@ -101,39 +114,39 @@ def own_force(
 class ScanForces(NamedTuple):
     """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
-    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the forces given.
-    left_out: np.ndarray  #: (part, rho) logarithms of the mean of all parts but one.
-    parts: list[Parts]  #: (rho,) they correlate the more the longer the range.
+    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
+    delete_one: np.ndarray  #: (part, rho) logarithms of the mean of all parts but one.
+    scan_parts: list[ScanParts]  #: (rho,) they correlate the more the longer the range.
 
 
 def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
     """Return the fewest places that the contacts on a scan touch, by surface.
 
-    Of several scans of the sphere, that one counts with which they touch the most.
+    For several scans of the sphere, the scan with the most touched places counts.
     """
     places = adhesion.touched_places.max("sphere_scan").min("scan")
     return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
 
 
 def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: float) -> ScanForces:
-    """Return the mean forces of one surface and contact model, and those without each part.
+    """Return the mean forces of one surface and contact model, with and without each part.
 
-    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing;
-    `size` is the edge of a scan, `radius` that of the sphere, in nm; `places` are those of
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
+    `size` is the edge of a scan and `radius` the radius of the sphere, in nm; `places` comes from
     `fewest_places`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACTS)
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
-    parts = [
+    scan_parts = [
         parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), places)
         for rho in scan_forces.rho.values
     ]
-    left_out = left_out_logarithms(
-        parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACTS).mean("scan")
+    delete_one = delete_one_logarithms(
+        scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACTS).mean("scan")
     )
-    return ScanForces(scan_forces.mean(CONTACTS).mean("scan").values, left_out, parts)
+    return ScanForces(scan_forces.mean(CONTACTS).mean("scan").values, delete_one, scan_parts)
 
 
 def predicted_force(
@@ -141,15 +154,32 @@ def predicted_force(
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work of adhesion and all ranges.
 
-    Forces are at 1 J/m², as in adhesion.nc; the work is in J/m², the range of adhesion and the
-    edges of the scans of each surface in nm. Raises ValueError if the range was not computed.
+    Parameters
+    ----------
+    adhesion : xarray.Dataset
+        Forces at 1 J/m², as in adhesion.nc.
+    work, rho : float
+        Work of adhesion in J/m² and range of adhesion in nm.
+    sizes : mapping of str to float
+        Edge of the scans of each surface in nm.
+    confidence : float
+        The confidence of the intervals.
 
-    Over surface, contact_model and rho in N are ``force``, the mean over contacts and scans, with
-    its interval by Student's t on logarithms, over scans or quarters of one or two, from zero to
-    infinity where it is not bounded; and ``force_quantile`` of single contacts over `quantile`.
-    Over surface are ``conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
-    ``contacts`` on a scan, ``touched_places`` of `fewest_places`, label, basis and
-    ``correlation_of_parts`` at the range asked for, the attribute ``range_of_adhesion``.
+    Returns
+    -------
+    xarray.Dataset
+        ``force`` (surface, contact_model, rho) in N, the mean over contacts and scans. Its interval
+        follows from Student's t on logarithms, over scans or over quarters of one or two scans, and
+        runs from zero to infinity if it is not bounded. ``force_quantile`` (surface, contact_model,
+        rho, quantile) in N has quantiles of single contacts. Over surface: ``conditional`` (1 for
+        quarters), ``interval_source``, ``interval_scans``, ``contacts`` on a scan,
+        ``touched_places`` from `fewest_places`, label, basis, and ``correlation_of_parts`` at the
+        range ``rho``, which is the attribute ``range_of_adhesion``.
+
+    Raises
+    ------
+    ValueError
+        If forces at the range were not computed.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -187,8 +217,8 @@ def _surface_force(
     half = np.array(
         [
             [
-                half_width([jackknife_variance(left_out, parts)], confidence)
-                for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
+                half_width([jackknife_variance(delete_one, scan_parts)], confidence)
+                for delete_one, scan_parts in zip(scans.delete_one.T, scans.scan_parts, strict=True)
             ]
             for scans in models
         ]
@@ -197,18 +227,18 @@ def _surface_force(
     quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACTS]).transpose(
         "contact_model", "rho", "quantile"
     )
-    parts = models[0].parts[int(np.abs(adhesion.rho.values - rho).argmin())]
+    scan_parts = models[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
     dimensions = ("contact_model", "rho")
     return xr.Dataset(
         with_interval("force", dimensions, mean, interval, NEWTON, confidence)
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
-            "conditional": int(parts.conditional),
-            "interval_source": parts.source,
-            "interval_scans": parts.scans,
+            "conditional": int(scan_parts.conditional),
+            "interval_source": scan_parts.source,
+            "interval_scans": scan_parts.scans,
             "contacts": ((), np.prod([adhesion.sizes[axis] for axis in CONTACTS]), {"units": "1"}),
             "touched_places": ((), places, {"units": "1"}),
-            "correlation_of_parts": ((), parts.shared, {"units": "1"}),
+            "correlation_of_parts": ((), scan_parts.shared, {"units": "1"}),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
     )
@@ -220,62 +250,72 @@ def continued_force(
     """Return the mean force on masters with all their roughness, in plastic contact.
 
     `scales` has the forces of the masters at 1 J/m², as in scales.nc; the work of adhesion is in
-    J/m². Over surface and side stand ``continued_force`` in N with its interval, from the same
-    parts and realizations as the edges of the band, ``continued_source``, what that comes from, and
-    ``continued_end`` in nm, the last wavelength: the shortest or the longest. Over side
-    ``transition`` in nm, from which on the roughness is that of the spectrum.
+    J/m². Returns ``continued_force`` (surface, side) in N with its interval, from the same parts
+    and realizations as the edges of the band; ``continued_source``, the source of the interval;
+    ``continued_end`` in nm, the shortest or the longest wavelength; and ``transition`` (side) in
+    nm, the wavelength beyond which the roughness follows the spectrum.
     """
     attributes = NEWTON | {"long_name": "mean pull-off force with roughness continued"}
 
-    def summary(given: MasterForces) -> xr.Dataset:
-        force = work * given.forces.unfiltered_pull_off_force.mean().values
+    def summary(master_forces: MasterForces) -> xr.Dataset:
+        force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
         half = half_width_over_masters(
-            given, lambda filtered, unfiltered: unfiltered, "unfiltered_shift", confidence
+            master_forces, lambda filtered, unfiltered: unfiltered, "unfiltered_shift", confidence
         )
-        interval, end = logarithmic_interval(force, half), float(given.forces.unfiltered_wavelength)
+        interval, end = (
+            logarithmic_interval(force, half),
+            float(master_forces.forces.unfiltered_wavelength),
+        )
         return xr.Dataset(
             with_interval("continued_force", (), force, interval, attributes, confidence)
             | {
-                "continued_source": given.parts.source,
+                "continued_source": master_forces.scan_parts.source,
                 "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
             }
         )
 
-    return over_masters(scales, masters, summary).assign(transition=scales.transition)
+    return summarize_masters(scales, masters, summary).assign(transition=scales.transition)
 
 
-def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: float) -> xr.Dataset:
-    """Return predicted forces with those of continued roughness, and whether the two differ.
+def add_continued_force(
+    force: xr.Dataset, continued_forces: xr.Dataset, tolerance: float
+) -> xr.Dataset:
+    """Return predicted forces with the forces of extrapolated roughness and their difference.
 
-    The continued ones are of the same work and of the range that is asked for; the tolerance is the
-    relative change of the force that counts as none. ``continued_differs`` (surface, side) is 1
-    where the force with continued roughness lies outside the interval of that on the scans, or
-    there is none, and the change is more than the tolerance; 0 where one number says both.
+    Both have the same work and range of adhesion. ``continued_differs`` (surface, side) is 1 if the
+    force with extrapolated roughness differs by more than the relative tolerance and lies outside
+    the interval of the force on the scans, or if this has no interval. Otherwise it is 0: one
+    number can stand for both.
     """
     rho = force.attrs["range_of_adhesion"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
     low, high = bounds(scan_force, "force")
-    inside = (low <= continued.continued_force) & (continued.continued_force <= high)
-    changed = np.abs(continued.continued_force / scan_force.force - 1) > tolerance
-    differs = (changed & ~inside).drop_vars("contact_model").astype(int)
+    is_inside = (low <= continued_forces.continued_force) & (
+        continued_forces.continued_force <= high
+    )
+    is_changed = np.abs(continued_forces.continued_force / scan_force.force - 1) > tolerance
+    differs = (is_changed & ~is_inside).drop_vars("contact_model").astype(int)
     differs.attrs = {"units": "1", "long_name": "1 where that differs from the force on the scans"}
-    return force.merge(continued).assign(continued_differs=differs.transpose("surface", "side"))
+    return force.merge(continued_forces).assign(
+        continued_differs=differs.transpose("surface", "side")
+    )
 
 
-def with_smooth_bound(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return predicted forces of which no mean, nor its interval, exceeds that of a smooth sphere.
+def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
+    """Return predicted forces whose means and intervals never exceed the force on a smooth sphere.
 
-    A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. Where long
-    waves alone bend the surface, this is 2 pi R W/sqrt(D), D = det(1 - R Hess h) at the point of
-    contact: more than 2 pi R W in a dale. As the apex moves by D times what the point of contact
-    does, the mean over places of the apex is that of 2 pi R W sqrt(D) over the surface, and
-    sqrt(D) is at most 1 - R lap(h)/2, whose mean is one. Short waves, whose peaks keep the rest
-    apart, lower the force; pixels raise it, by 1 + A_pix/(12 R rho), as the highest of them is not
-    the highest point. So the mean is at most 2 pi R W, and in plastic contact W/rho times the area
-    F/H more, which touches at gap zero. Single contacts (`force_quantile`) have no such bound.
+    A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
+    long waves bend the surface, the integral is 2 pi R W/sqrt(D) with D = det(1 - R Hess h) at the
+    point of contact: more than 2 pi R W in a dale. When the point of contact moves, the apex moves
+    D times as far. The mean force over positions of the apex is therefore the mean of 2 pi R W
+    sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one. Short waves
+    lower the force, since their peaks keep the bodies apart. Pixels raise it by the factor 1 +
+    A_pix/(12 R rho), since the highest pixel is not the highest point. The mean force is therefore
+    at most 2 pi R W. In plastic contact, the area F/H touches at zero gap and adds W/rho times this
+    area. Single contacts (`force_quantile`) have no such bound.
 
-    Forces are those of `with_continued_force`, the area F/H is in nm². They gain ``smooth_bound``
-    (contact_model, rho) in N, which replaces larger ones.
+    The forces come from `add_continued_force`; the area F/H is in nm². ``smooth_bound``
+    (contact_model, rho) in N is added to them and replaces larger forces.
     """
     radius, work = force.attrs["sphere_radius"], force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])

@@ -1,4 +1,4 @@
-"""Every key of a study of own surfaces that depends on its scans, with reasons in words."""
+"""The keys of a study of own surfaces that depend on its scans, with reasons in words."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,15 +14,15 @@ from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
-    least_range,
+    minimum_range,
 )
-from hardcontact.config.limits import pressed_depth, window_images
+from hardcontact.config.limits import penetration_depth, window_images
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
-from hardcontact.own.inventory import FILLING, Entry, by_surface, contradicting
+from hardcontact.own.inventory import FILLING, Entry, contradiction_lines, entries_by_surface
 from hardcontact.surfaces.reliable_band import LIMITS
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
@@ -59,7 +59,7 @@ MANY_UNDEFINED = 0.05
 
 
 class Effort(NamedTuple):
-    """What a study may cost."""
+    """The size of a study, which decides its cost."""
 
     pixels: int  #: along an edge of masters, if scans do not have more
     cutoffs: int  #: on each side
@@ -75,7 +75,7 @@ QUICK = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ran
 
 
 class Choice(NamedTuple):
-    """A value that is chosen, as YAML has it: its key with dots, and a reason or nothing."""
+    """A chosen value in YAML's form, its key with dots, and a reason or an empty text."""
 
     key: str
     value: object
@@ -83,7 +83,7 @@ class Choice(NamedTuple):
 
 
 class Proposal(NamedTuple):
-    """What is chosen for scans."""
+    """The choices for scans."""
 
     contact: list[Entry]  #: scans that contacts are made on; others only enter the spectrum
     choices: list[Choice]
@@ -97,9 +97,26 @@ def propose(
 ) -> Proposal:
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
-    The probe has radius, load and range of adhesion; the user gave its range, or it is the usual
-    one. Raises ValueError with a line for each surface without a height map, and for surfaces with
-    scans too different for one study.
+    Parameters
+    ----------
+    entries : sequence of Entry
+        The topographies of all surfaces.
+    sphere : str or None
+        Id of the sphere's surface; None for a smooth sphere.
+    probe : Contact
+        The sphere, with its radius, load and range of adhesion.
+    range_given : bool
+        Whether the user gave the range of adhesion; otherwise it is the usual range.
+
+    Returns
+    -------
+    Proposal
+        Choices, reasons and cautions.
+
+    Raises
+    ------
+    ValueError
+        If surfaces have no height map, with a line for each, or scans too different for one study.
     """
     summits = draw_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, summits)
@@ -113,9 +130,9 @@ def propose(
             f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
             "make a study of each"
         )
-    contact, shortest_range, why = _contact(scans, substrates, probe, range_given)
-    full = list(_choices(substrates, contact, shortest_range, why, FULL))
-    quick = list(_choices(substrates, contact, shortest_range, why, QUICK))
+    contact, shortest_range, contact_reasons = _contact(scans, substrates, probe, range_given)
+    full = list(_choices(substrates, contact, shortest_range, contact_reasons, FULL))
+    quick = list(_choices(substrates, contact, shortest_range, contact_reasons, QUICK))
     usual = {choice.key: choice.value for choice in full}
     if gaps := sum(entry.undefined > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
@@ -128,9 +145,9 @@ def propose(
     cautions += [
         f"{entry.name}: {line}" for entry in entries for line in split_notes(entry.notes)[1]
     ]
-    cautions += _contact_cautions(substrates, probe.range, contact, why, summits)
+    cautions += _contact_cautions(substrates, probe.range, contact, contact_reasons, summits)
     cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]
-    cautions += contradicting(entries)
+    cautions += contradiction_lines(entries)
     cautions += [
         f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and filled with "
         "heights smoother than the surface"
@@ -144,12 +161,13 @@ def propose(
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
-    """Refuse surfaces of which too few wavelengths are reliable for a spectrum.
+    """Refuse surfaces with too few reliable wavelengths for a spectrum.
 
-    There is a line for each, and one for each defect of its scans, which may be the cause.
+    Raises ValueError with a line for each surface, and for each defect of its scans, which may be
+    the cause.
     """
     faults = []
-    for surface, scans in by_surface(entries).items():
+    for surface, scans in entries_by_surface(entries).items():
         count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
         if count < MIN_BINS:
             bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
@@ -171,16 +189,16 @@ def _contact(
 ) -> tuple[Contact, float, dict[str, str]]:
     """Return the probe with a window, and with a longer range of adhesion if the scans need it.
 
-    The scans of contacts are given with those of the sphere and without. Returns also the shortest
-    range (nm) that the scans permit, and the reasons for window and range by key. The limits of the
-    study refuse a range that stays too short.
+    `scans` includes the scans of the sphere, `substrates` does not. Also returns the shortest range
+    (nm) that the scans permit, and the reasons for window and range by key. The limits of the study
+    refuse a range that stays too short.
     """
     window, _ = _window(scans, probe.radius, probe.range)
-    shortest, why = _shortest_range(scans, substrates, probe, window)
+    shortest, reason = _shortest_range(scans, substrates, probe, window)
     rho, range_reason = probe.range, "as given" if range_given else "the paper's"
     if shortest > rho and not range_given:
         rho = max(rho, min(shortest, LONGEST_RANGE))
-        range_reason = f"the least on these scans, where {why}"
+        range_reason = f"the least on these scans, where {reason}"
     # A wider window, as a longer range needs, does not raise the shortest range.
     window, window_reason = _window(scans, probe.radius, rho)
     reasons = {"contact.window": window_reason, "scales.range": range_reason}
@@ -192,11 +210,14 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
     rms_height = max(scan.rms_height for scan in scans)
     finest = min(scan.pixel_size for scan in scans)
     smallest = min(scan.size for scan in scans)
-    height, what = RANGES_IN_WINDOW * rho, f"{RANGES_IN_WINDOW} ranges of adhesion"
+    height, height_words = RANGES_IN_WINDOW * rho, f"{RANGES_IN_WINDOW} ranges of adhesion"
     if RMS_IN_WINDOW * rms_height > height:
-        height, what = RMS_IN_WINDOW * rms_height, f"{RMS_IN_WINDOW} rms heights"
+        height, height_words = RMS_IN_WINDOW * rms_height, f"{RMS_IN_WINDOW} rms heights"
     edge, reason = min(
-        (2 * math.sqrt(2 * radius * height), f"at its edge the sphere is {what} above its apex"),
+        (
+            2 * math.sqrt(2 * radius * height),
+            f"at its edge the sphere is {height_words} above its apex",
+        ),
         (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
         (2 * IMAGES * smallest, f"{IMAGES} mirrored scans, which all have the same summits"),
     )
@@ -209,39 +230,39 @@ def _shortest_range(
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
     tiles = _tiles(substrates, window, FULL.pixels)
-    limits = [least_range(probe.radius, window, scan.grid) for scan in scans]
+    limits = [minimum_range(probe.radius, window, scan.grid) for scan in scans]
     for scan in substrates:
         master = scan.grid._replace(size=scan.size * tiles)
-        limits.append(least_range(probe.radius, window, master))
-        depth = pressed_depth(probe, scan.relief)
-        pressed = f"the preload presses the bodies some {depth:.3g} nm into each other"
-        limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), pressed))
+        limits.append(minimum_range(probe.radius, window, master))
+        depth = penetration_depth(probe, scan.relief)
+        depth_reason = f"the preload presses the bodies some {depth:.3g} nm into each other"
+        limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), depth_reason))
     return max(limits)
 
 
 def _tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
-    """Return the stitched scans along an edge of large-scale masters of so many pixels.
+    """Return the number of stitched scans along an edge of large-scale masters.
 
-    The master is eight scans long, as in the paper, and longer than the window (nm), if its pixels
-    suffice.
+    The master is eight scans long, as in the paper, and longer than the window (nm), if its number
+    of pixels suffices.
     """
     size = min(scan.size for scan in substrates)
-    wanted = math.ceil(max(SCANS * size, WINDOWS * window) / (2 * size) * (1 - 1e-9))
-    return max(1, min(wanted, pixels // max(2 * scan.pixels for scan in substrates)))
+    tiles = math.ceil(max(SCANS * size, WINDOWS * window) / (2 * size) * (1 - 1e-9))
+    return max(1, min(tiles, pixels // max(2 * scan.pixels for scan in substrates)))
 
 
 def _contact_cautions(
     substrates: Sequence[Entry],
     usual_range: float,
     contact: Contact,
-    why: Mapping[str, str],
+    reasons: Mapping[str, str],
     summits: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield what the user should know of contacts on these scans, in sentences."""
+    """Yield cautions about contacts on these scans, as sentences for the user."""
     if contact.range > usual_range:
         yield (
             f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
-            f"it is {why['scales.range']}"
+            f"it is {reasons['scales.range']}"
         )
     share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
     if share < SHARE:
@@ -256,14 +277,14 @@ def _contact_cautions(
             f"({largest:.3g} nm²): one pixel touches, and hardness and preload do not matter "
             "on the scans"
         )
-    for surface, drawn in summits.items():
+    for surface, draw_width in summits.items():
         size = min(scan.size for scan in substrates if scan.source.surface == surface)
-        low, high = finite_scan_ratio(size, drawn)
+        low, high = finite_scan_ratio(size, draw_width)
         if high > 1:
             yield (
                 f"{surface}: the sphere finds its highest points within some "
-                f"{print_length(LARGE_ENOUGH * drawn)}, the scans are {print_length(size)} wide: "
-                f"forces on such scans come out {low:g} to {high:g} times too high"
+                f"{print_length(LARGE_ENOUGH * draw_width)}, the scans are {print_length(size)} "
+                f"wide: forces on such scans come out {low:g} to {high:g} times too high"
             )
 
 
@@ -271,10 +292,10 @@ def _choices(
     substrates: Sequence[Entry],
     contact: Contact,
     shortest_range: float,
-    why: Mapping[str, str],
+    reasons: Mapping[str, str],
     effort: Effort,
 ) -> Iterator[Choice]:
-    """Yield what is computed at some effort, within what the checks permit."""
+    """Yield the choices of one effort, within the limits of the checks."""
     small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
     count, slow = _count(substrates, contact, small_pixels, effort.contacts)
     masters = effort.fewest if slow else effort.realizations
@@ -287,10 +308,10 @@ def _choices(
         realizations = min(most_scans * masters_a_scan, 2 * effort.realizations)
     ranges = [_nm(rho) for rho in _ranges(contact.range, shortest_range, effort.ranges)]
     permitted = f"these scans permit {shortest_range:.3g} nm or more"
-    yield Choice("contact.window", _nm(contact.window), why["contact.window"])
+    yield Choice("contact.window", _nm(contact.window), reasons["contact.window"])
     yield Choice("contact.count", count, "contacts along an edge of their array")
     yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
-    yield Choice("scales.range", _nm(contact.range), why["scales.range"])
+    yield Choice("scales.range", _nm(contact.range), reasons["scales.range"])
     yield Choice("scales.realizations", realizations, "masters on each side")
     yield from _master_choices(substrates, contact, effort, small_pixels)
 
@@ -298,7 +319,7 @@ def _choices(
 def _master_choices(
     substrates: Sequence[Entry], contact: Contact, effort: Effort, small_pixels: int
 ) -> Iterator[Choice]:
-    """Yield what masters and their filters are."""
+    """Yield the settings of masters and their filters."""
     tiles = _tiles(substrates, contact.window, effort.pixels)
     large_pixels = max(2 * scan.pixels for scan in substrates) * tiles
     size = min(scan.size for scan in substrates)
@@ -308,21 +329,21 @@ def _master_choices(
     small = _cutoffs(4 * finest, size, effort.cutoffs)
     large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
     small_transition, large_transition, reason = _transitions(substrates)
-    above = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    large_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     edge = f"mirrored scans along an edge, {print_length(2 * size * tiles)}"
     yield Choice("scales.small.pixels", small_pixels, f"{print_length(finest)} a pixel")
     yield Choice("scales.small.transition", _nm(small_transition), reason)
     yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
     yield Choice("scales.large.pixels", large_pixels, "those of the scans")
     yield Choice("scales.large.tiles", tiles, edge)
-    yield Choice("scales.large.transition", _nm(large_transition), above)
+    yield Choice("scales.large.transition", _nm(large_transition), large_reason)
     yield Choice("scales.large.cutoffs", large, "to half the size of the master")
 
 
-def _small_pixels(scan: Entry, contact: Contact, most: int) -> int:
+def _small_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     """Return the pixels of small-scale masters of one scan: stitched, halved repeatedly."""
     pixels = 2 * scan.pixels
-    while 2 * pixels <= most:
+    while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
         seconds = _contact_seconds(scan, contact, pixel_size)
         if pixel_size < FINEST or COUNTS[-1] ** 2 * seconds > CONTACT_SECONDS:
@@ -332,41 +353,44 @@ def _small_pixels(scan: Entry, contact: Contact, most: int) -> int:
 
 
 def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
-    """Return about how long (s) one contact, and all its images, take on pixels of a size (nm)."""
+    """Return about the time (s) for one contact and all its images on pixels of a size (nm)."""
     images = window_images(contact.window, scan.size)
     tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
     return contact.pixels(pixel_size) * images * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 
 def _count(
-    substrates: Sequence[Entry], contact: Contact, small_pixels: int, most: int
+    substrates: Sequence[Entry], contact: Contact, small_pixels: int, max_count: int
 ) -> tuple[int, bool]:
     """Return the contacts along an edge that time and memory permit, and whether they take long.
 
-    The pixels of all contacts are kept in memory: on scans with their images, and on masters.
+    The pixels of all contacts stay in memory: on scans with their images, and on masters.
     """
-    seconds, kept = 0.0, 0.0
+    seconds, kept_pixels = 0.0, 0.0
     for scan in substrates:
         images, finest = window_images(contact.window, scan.size), 2 * scan.size / small_pixels
-        for pixel_size, repeated in ((scan.pixel_size, images), (finest, 1.0)):
+        for pixel_size, image_count in ((scan.pixel_size, images), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
-            kept = max(kept, contact.pixels(pixel_size) * repeated)
+            kept_pixels = max(kept_pixels, contact.pixels(pixel_size) * image_count)
     for count in COUNTS:
         slow = count**2 * seconds > CONTACT_SECONDS
-        if count <= most and count**2 * kept <= CONTACT_PIXELS and not slow:
+        if count <= max_count and count**2 * kept_pixels <= CONTACT_PIXELS and not slow:
             break
     return count, slow
 
 
-def _cutoffs(shortest: float, longest: float, most: int) -> list[str]:
+def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:
     """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
     steps = int(math.log(longest / shortest) / math.log(RATIO))
-    wavelengths = np.geomspace(shortest, longest, min(most, max(steps, 1) + 1))
+    wavelengths = np.geomspace(shortest, longest, min(max_cutoffs, max(steps, 1) + 1))
     return [_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
 
 def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
-    """Return the wavelengths (nm) beyond which roughness is artificial, and why the shorter one."""
+    """Return both wavelengths (nm) beyond which roughness is artificial, and a reason in words.
+
+    The reason is for the shorter wavelength.
+    """
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in substrates):.3g}")
     ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
     ends += [(scan.band.shortest, LIMITS[scan.band.limited_by]) for scan in substrates]
@@ -376,16 +400,16 @@ def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
 
 
 def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
-    """Return ranges of adhesion (nm) about that of the masters, which is one of them.
+    """Return ranges of adhesion (nm) around the range of the masters, and this range itself.
 
-    Limits of the study refuse a range of the masters below the shortest that scans permit.
+    Limits of the study refuse a range of the masters below the shortest range that scans permit.
     """
     accepted = model.quantity("scales.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)
-    below = np.geomspace(shortest, rho, count // 2 + 1)[:-1]
-    above = np.geomspace(rho, longest, count - count // 2)[1:]
-    rounded = {float(f"{length:.2g}") for length in (*below[1:], *above)}
+    shorter = np.geomspace(shortest, rho, count // 2 + 1)[:-1]
+    longer = np.geomspace(rho, longest, count - count // 2)[1:]
+    rounded = {float(f"{length:.2g}") for length in (*shorter[1:], *longer)}
     return sorted({shortest, rho, *(length for length in rounded if length > shortest)})
 
 

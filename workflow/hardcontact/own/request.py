@@ -1,4 +1,4 @@
-"""What the user asks of `hardcontact new`: the command line, and what is wrong with it."""
+"""The command line of `hardcontact new`: its arguments and their faults."""
 
 import os
 import re
@@ -31,7 +31,7 @@ QUANTITIES = {
     "range": ("scales.range", "range of adhesion"),
     "work": ("adhesion.work", "work of adhesion of the predicted force"),
 }
-#: What the quantities usually are; beyond it the unit may be wrong. Sources: spheres and loads of
+#: The usual values of quantities; beyond them the unit may be wrong. Sources: spheres and loads of
 #: microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59 (2005) 1;
 #: diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al., Nature Mater. 4
 #: (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces (2011).
@@ -60,12 +60,12 @@ Several surfaces, each with its label and its files:
 
 
 class Option(NamedTuple):
-    """A quantity as it is written and as a number; from the user, or else the paper's."""
+    """A quantity, as written text and as a number; from the user, or the paper's value."""
 
     text: str
     number: float
     unit: str
-    given: bool
+    is_given: bool
 
 
 class Source(NamedTuple):
@@ -78,7 +78,7 @@ class Source(NamedTuple):
     sphere_radius: float | None = None  #: in nm, of scans of the sphere
 
 
-def parsed(arguments: Sequence[str]) -> Namespace:
+def parse_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the program's name; a wrong one ends the program."""
     parser = ArgumentParser(
         "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter,
@@ -102,7 +102,7 @@ def parsed(arguments: Sequence[str]) -> Namespace:
         "--sphere", nargs="+", default=[], metavar="FILE",
         help="scans of the sphere where it touches; without them it is smooth",
     )  # fmt: skip
-    add_shared(parser)
+    add_shared_options(parser)
     parser.add_argument(
         "--channel", default="", metavar="NAME",
         help="of all files but containers, or its number (the first of heights)",
@@ -115,8 +115,8 @@ def parsed(arguments: Sequence[str]) -> Namespace:
     return parser.parse_intermixed_args(arguments)
 
 
-def add_shared(parser: ArgumentParser) -> None:
-    """Add what both commands have: QUANTITIES, and what files of scans may not state."""
+def add_shared_options(parser: ArgumentParser) -> None:
+    """Add the options of both commands: QUANTITIES, and properties that files may not state."""
     paper = read_yaml("config/config.yaml")
     for name, (key, meaning) in QUANTITIES.items():
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {get_key(paper, key)})")
@@ -135,10 +135,11 @@ def add_shared(parser: ArgumentParser) -> None:
     )  # fmt: skip
 
 
-def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
-    """Return the quantities of the command line by name, and a line for each that is wrong.
+def parse_quantities(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
+    """Return the quantities of the command line by name, and a line for each faulty quantity.
 
-    Tip, size and modulus are there only if they are given; a faulty quantity has the paper's value.
+    Tip, size and modulus are included only if the user gave them. A faulty quantity has the paper's
+    value.
     """
     paper = read_yaml("config/config.yaml")
     accepted = {name: quantity(key) for name, (key, _) in QUANTITIES.items()}
@@ -162,23 +163,23 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
 
 
 def questioned_quantities(quantities: Mapping[str, Option]) -> Iterator[str]:
-    """Yield a line for each quantity that the user gave and that is not PLAUSIBLE."""
+    """Yield a line for each quantity of the user that is not PLAUSIBLE."""
     for name, (low, high, kind) in PLAUSIBLE.items():
         option = quantities[name]
         lowest, highest = (magnitude(text, option.unit) for text in (low, high))
-        if option.given and not lowest <= option.number <= highest:
+        if option.is_given and not lowest <= option.number <= highest:
             yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual of {kind}"
 
 
 def name_faults(arguments: Namespace) -> Iterator[str]:
-    """Yield what is wrong with the name of a study, a line each."""
+    """Yield a line for each fault of the name of a study."""
     name = arguments.name
     try:
         # The quick study beside it must have a name, too.
         STUDY_NAME.check(f"{name}{QUICK_NAME}")
     except ValueError:
-        expected = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_NAME)))
-        yield f"NAME: expected {expected}, no blanks, found {name!r}"
+        accepted = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_NAME)))
+        yield f"NAME: expected {accepted}, no blanks, found {name!r}"
         return
     if arguments.files:
         yield from _label_faults("NAME", name)
@@ -194,15 +195,15 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
 
 
 def _label_faults(option: str, label: str) -> Iterator[str]:
-    """Yield that figures cannot have a label, if so."""
+    """Yield a line if figures cannot have a label."""
     try:
         LABEL.check(label)
     except ValueError as error:
         yield f"{option}: label: {error}"
 
 
-def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
-    """Return the files of all surfaces, the sphere's last, and a line for each fault of theirs.
+def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
+    """Return the files of all surfaces, the sphere's last, and a line for each fault.
 
     The radius of the sphere is in nm.
     """
@@ -246,7 +247,7 @@ def surface_id(label: str) -> str:
 
 
 def path_from_root(file: str) -> str:
-    """Return a path as studies have it: from the top folder; one to elsewhere stays absolute."""
+    """Return a path relative to the top folder; an absolute path to elsewhere stays absolute."""
     absolute = os.path.abspath(file)
     if os.path.isabs(file) and not Path(absolute).is_relative_to(ROOT):
         return absolute

@@ -1,11 +1,11 @@
-"""Parts of scans that vary by themselves: the interval of a few scans comes from them.
+"""Parts of scans, which give the interval of a mean over a few scans.
 
-With three scans of a surface or more, the parts are the scans. With fewer, they are the quarters
-of each scan: contacts of a mirrored scan are grouped by the quarter in which they lie. Quarters are
-not independent: a contact feels the surface around it with the weight exp(-r²/(2 R rho)), with
-which the paraboloid r²/2R enters Eq. 3 of the paper, so that contacts of different quarters feel
-the same peaks. R, rho and the size of the scan say how much, which corrects the variance. Where
-contacts touch fewer places than there are quarters, some of these are one draw, and give none.
+If a surface has three scans or more, the parts are the scans. Otherwise the parts are the quarters
+of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters are not
+independent. A contact feels the surface around it with the weight exp(-r²/(2 R rho)), since the
+paraboloid r²/2R enters Eq. 3 of the paper, and contacts of different quarters feel the same peaks.
+R, rho and the size of the scan give this correlation, which corrects the variance. If the contacts
+touch fewer places than there are quarters, some quarters are one draw, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -29,16 +29,16 @@ SAME = 1 - 1e-9
 class Variance(NamedTuple):
     """Variance of the logarithm of a statistic from one source."""
 
-    value: np.ndarray  #: (...), NaN where it is not known.
-    freedom: float  #: Degrees of freedom it is known with.
+    value: np.ndarray  #: (...), NaN where the variance is unknown.
+    freedom: float  #: Degrees of freedom of the variance.
 
 
 @dataclass(frozen=True, eq=False)
-class Parts:
+class ScanParts:
     """Parts of the scans of one surface."""
 
     #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
-    of_contact: np.ndarray
+    part_of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
     scans: int  #: The scans they are parts of.
     places: float = np.inf  #: The fewest places that the contacts of a scan touch.
@@ -63,10 +63,10 @@ class Parts:
     def widening(self) -> tuple[float, float]:
         """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
 
-        The variance is (n - 1)/n sum (l_i - l)². Parts of the mean correlation c lower it by the
-        factor 1 - c and raise the variance of their mean by 1 + (n - 1) c, which is corrected. The
-        degrees of freedom are those of Satterthwaite for the correlation matrix C:
-        (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN where these parts give no interval.
+        The jackknife variance is (n - 1)/n sum (l_i - l)². A mean correlation c of the parts lowers
+        it by the factor 1 - c and raises the variance of their mean by the factor 1 + (n - 1) c.
+        The factor returned corrects both. Satterthwaite's degrees of freedom for the correlation
+        matrix C are (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN if these parts give no interval.
         """
         count, shared = len(self.correlation), self.shared
         if count < 2 or shared > SAME or self.touches_few:
@@ -77,9 +77,9 @@ class Parts:
 
     @property
     def source(self) -> str:
-        """What an interval comes from: "scans", "quarters" of them or, of one part, "none".
+        """Source of an interval: "scans" or "quarters" of scans.
 
-        There is none from "few_places" either.
+        A single part ("none") and parts that touch few places ("few_places") give no interval.
         """
         if not self.conditional:
             return "scans"
@@ -89,10 +89,11 @@ class Parts:
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
-    """Return the quarter of the scan in which each contact of an array (count, count) lies.
+    """Return the quarter of the scan that holds each contact of an array (count, count).
 
-    A map is a mirrored scan, repeated `tiles` times along an edge; contacts lie as
-    `contact_positions` says. Quarters are 2 in the second half along y, plus 1 in that along x.
+    A map is a mirrored scan, repeated `tiles` times along an edge; `contact_positions` defines the
+    positions of the contacts. The quarter is 2 in the second half along y, plus 1 in the second
+    half along x.
     """
     unfolded = 2 * tiles * (np.arange(count) + 0.25) / count % 2  # in edges of the scan
     half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
@@ -105,69 +106,87 @@ def parts_of_scans(
     size: float,
     reach: float,
     places: float = np.inf,
-) -> Parts:
+) -> ScanParts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
-    `scan_of_map` (map,) is the number of the scan that each map is made of, `quarters` (contact_y,
-    contact_x) are of `quarters_of_contacts`; `size` is the edge of a scan, `reach` sqrt(R rho), the
-    deviation of the weight with which a contact feels the surface, both in nm. `places` are those
-    of Parts.
+    Parameters
+    ----------
+    scan_of_map : numpy.ndarray
+        (map,) The number of the scan that each map is made of.
+    quarters : numpy.ndarray
+        (contact_y, contact_x) The quarter of each contact, from `quarters_of_contacts`.
+    size : float
+        Edge of a scan in nm.
+    reach : float
+        sqrt(R rho) in nm, the deviation of the weight with which a contact feels the surface.
+    places : float
+        The fewest places that the contacts of a scan touch.
+
+    Returns
+    -------
+    ScanParts
+        The parts.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
-        of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
-        return Parts(of_contact, np.eye(len(scans)), len(scans), places)
+        part_of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
+        return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), places)
     numbers, quarter = np.unique(quarters, return_inverse=True)
-    of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
+    part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
     correlation = _correlation_of_quarters(size, reach)[np.ix_(numbers, numbers)]
-    return Parts(of_contact, np.kron(np.eye(len(scans)), correlation), len(scans), places)
+    return ScanParts(part_of_contact, np.kron(np.eye(len(scans)), correlation), len(scans), places)
 
 
 def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
-    Along one axis contacts of one half together feel its indicator, smoothed by a Gaussian of the
-    deviation s = `reach`: 1/2 ± sum_k a_k cos(k pi x/L) exp(-(k pi s/L)²/2) over odd k, where
-    a_k = ±2/(k pi) are the Fourier coefficients of a step. Roughness without correlation of its own
-    gives the covariances 1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2 of a half with itself and the other.
+    Along one axis, the contacts of one half feel the surface with the indicator of this half,
+    smoothed by a Gaussian of the deviation s = `reach`. This weight is
+    1/2 ± sum_k a_k cos(k pi x/L) exp(-(k pi s/L)²/2) over odd k, where a_k = ±2/(k pi) are the
+    Fourier coefficients of a step. Uncorrelated roughness therefore gives the covariance
+    1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2: plus of a half with itself, minus with the other half.
     """
     order = np.arange(1, 2000, 2)
     step = 2 / (np.pi * order) ** 2 * np.exp(-((np.pi * order * reach / size) ** 2))
-    other = (0.25 - step.sum()) / (0.25 + step.sum())
-    halves = np.array([[1.0, other], [other, 1.0]])
+    covariance_ratio = (0.25 - step.sum()) / (0.25 + step.sum())
+    halves = np.array([[1.0, covariance_ratio], [covariance_ratio, 1.0]])
     return np.kron(halves, halves)
 
 
-def left_out_logarithms(
-    parts: Parts, maps: str, statistic: Callable[[xr.DataArray], xr.DataArray]
+def delete_one_logarithms(
+    scan_parts: ScanParts, maps: str, statistic: Callable[[xr.DataArray], xr.DataArray]
 ) -> np.ndarray:
-    """Return the logarithms (part, ...) of a statistic of all parts but one.
+    """Return the logarithms (part, ...) of a statistic over all parts except one.
 
-    The statistic (...) is a function of which contacts (maps, contact_y, contact_x) are kept.
+    The statistic (...) is a function of the mask (maps, contact_y, contact_x) of kept contacts.
     """
     return np.array(
         [
-            np.log(statistic(xr.DataArray(parts.of_contact != part, dims=(maps, *CONTACTS))).values)
-            for part in range(len(parts.correlation))
+            np.log(
+                statistic(
+                    xr.DataArray(scan_parts.part_of_contact != number, dims=(maps, *CONTACTS))
+                ).values
+            )
+            for number in range(len(scan_parts.correlation))
         ]
     )
 
 
-def jackknife_variance(left_out: np.ndarray, parts: Parts) -> Variance:
-    """Return the variance of the delete-one jackknife, corrected by `Parts.widening`.
+def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Variance:
+    """Return the variance of the delete-one jackknife, corrected by `ScanParts.widening`.
 
-    `left_out` (part, ...) is of `left_out_logarithms`.
+    `logarithms` (part, ...) come from `delete_one_logarithms`.
     """
-    factor, freedom = parts.widening
-    return Variance((len(left_out) - 1) * left_out.var(axis=0) * factor, freedom)
+    factor, freedom = scan_parts.widening
+    return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, freedom)
 
 
 def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
     """Return the half width of the interval of a logarithm whose variance has several sources.
 
-    Student's t with the sum of the variances v_i (...) of independent sources, and the degrees of
-    freedom of Welch and Satterthwaite: (sum v_i)²/sum(v_i²/f_i). NaN where a variance is, and where
-    all are rounding.
+    It follows from Student's t with the sum of the variances v_i (...) of independent sources and
+    the degrees of freedom (sum v_i)²/sum(v_i²/f_i) of Welch and Satterthwaite. NaN if a variance is
+    NaN, or if all variances are rounding.
     """
     from scipy import special
 
@@ -183,28 +202,29 @@ def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
 def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
-    From zero to infinity, which is no bound, where it would span a factor of a thousand or more to
-    each side: Student's t of one degree of freedom, from two realizations, can span any.
+    An interval that would span a factor of a thousand or more to each side becomes zero to
+    infinity, which is no bound. Student's t with one degree of freedom, from two realizations, can
+    span any factor.
     """
     finite = value[..., None] * np.exp(np.stack([-half, half], axis=-1))
     return np.where((half > UNBOUNDED)[..., None], [0.0, np.inf], finite)
 
 
 def sampled_deviations(
-    rng: np.random.Generator, left_out: np.ndarray, parts: Parts, samples: int
+    rng: np.random.Generator, logarithms: np.ndarray, scan_parts: ScanParts, samples: int
 ) -> np.ndarray:
     """Draw deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    They are of Student's t, as in `half_width`; `left_out` (part, ...) is of `left_out_logarithms`.
-    With the same generator, parts that differ in their correlation alone share their random
-    numbers. NaN for fewer than two parts.
+    They follow Student's t, as in `half_width`; `logarithms` (part, ...) come from
+    `delete_one_logarithms`. With the same generator, parts that differ only in their correlation
+    share their random numbers. NaN for fewer than two parts.
     """
     from scipy import special
 
-    count = len(left_out)
-    factor, freedom = parts.widening
+    count = len(logarithms)
+    factor, freedom = scan_parts.widening
     normal, level = rng.standard_normal((samples, count)), rng.uniform(size=samples)
     chi_squared = 2 * special.gammaincinv(freedom / 2, level)
     scale = np.sqrt(factor * (count - 1) / count * freedom / chi_squared)
-    drawn = np.tensordot(scale[:, None] * normal, left_out - left_out.mean(axis=0), axes=1)
-    return np.asarray(np.clip(drawn, -ENDLESS, ENDLESS))
+    deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)
+    return np.asarray(np.clip(deviations, -ENDLESS, ENDLESS))

@@ -66,13 +66,13 @@ UNKNOWN_KINDS = {
 }
 
 
-def datasets_of(content: bytes) -> dict[str, Any]:
+def list_datasets(content: bytes) -> dict[str, Any]:
     """Return as `datasets` the data files in a container, in its order; one empty name else."""
     entries = _container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
 
-def measurement_of(
+def read_measurement_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, edge: float | str
 ) -> dict[str, Any]:
     """Return the fields of a `Measurement` but its path, as `scans.read_measurement` does."""

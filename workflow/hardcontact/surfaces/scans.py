@@ -94,9 +94,11 @@ def read_measurement(
         If the scan is missing, unreadable, too large, without physical size or unit, reentrant, of
         absurd size, height or slope, or has undefined pixels that may not be filled; one line.
     """
-    from hardcontact.surfaces.scan_formats import measurement_of
+    from hardcontact.surfaces.scan_formats import read_measurement_fields
 
-    fields = read_in_child(measurement_of, Path(path), dataset, undefined_pixels, unit, edge)
+    fields = read_in_child(
+        read_measurement_fields, Path(path), dataset, undefined_pixels, unit, edge
+    )
     fields["notes"] = tuple(fields["notes"])
     return Measurement(path=str(path), **fields)
 
@@ -119,9 +121,9 @@ def list_measurements(path: str | Path) -> list[str]:
     They are the data files in a container, in its order, and one empty name for any other file.
     Raises ValueError, in one line, if the file is missing or the container cannot be used.
     """
-    from hardcontact.surfaces.scan_formats import datasets_of
+    from hardcontact.surfaces.scan_formats import list_datasets
 
-    return list(read_in_child(datasets_of, Path(path))["datasets"])
+    return list(read_in_child(list_datasets, Path(path))["datasets"])
 
 
 def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
@@ -131,7 +133,7 @@ def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
     return HeightMap(measurement.heights, measurement.pixel_size, False, basis)
 
 
-def flattened(
+def flatten(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
     """Return a measurement, a map without its sphere and levelled.
@@ -146,13 +148,13 @@ def flattened(
     return replace(measurement, heights=flat.heights)
 
 
-def examined(
+def examine(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
     """Return a measurement as `flattened` makes it, with its defects."""
     from scipy.signal import detrend  # A slow import.
 
-    flat = flattened(measurement, sphere_radius, levelling)
+    flat = flatten(measurement, sphere_radius, levelling)
     levelled = flat.heights if flat.kind == "map" else detrend(flat.heights)
     defects = scan_defects(measurement.heights, levelled, measurement.pixel_size)
     return replace(flat, defects=defects)
@@ -163,7 +165,7 @@ LEVELLED = "levelled scan, the sphere subtracted if it shows one"
 STITCHED = "scan and its mirror images, periodic"
 
 
-def prepared(
+def level_and_stitch(
     measurement: Measurement,
     basis: str,
     sphere_radius: float | None = None,
