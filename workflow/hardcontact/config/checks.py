@@ -23,19 +23,30 @@ from hardcontact.surfaces.substitute_spectra import described_rms_height
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
 #: paper, in nm: five times the rms height of the roughest.
 SUBSTITUTE_RELIEF = 500.0
-#: The same bound over the rms height of all waves of a domain: 3.7 was found at most on 24 random
-#: surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms; a fifth more for others.
+#: The same bound relative to the rms height of all waves of a domain. The largest ratio on 24
+#: random surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms, was 3.7; this is a fifth
+#: more.
 RELIEF_OVER_RMS = 4.5
 
 
 def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
-    """Refuse a study that could only fail in a job; read measured scans once all names are known.
+    """Refuse a study that would fail in a job; measured scans are read after all other checks.
 
-    Raises ValueError with a line for each fault, naming the key or the file: names of surfaces or
-    scans that are not in the table, values that contradict each other, unusable scans,
-    wavelengths, windows and loads that the pixels do not permit. The configuration has numbers,
-    the table is that of `selection.selected_scans`, and surfaces that are compared have a
-    published pull-off force.
+    Parameters
+    ----------
+    config : dict
+        The configuration, with quantities as numbers.
+    table : pandas.DataFrame
+        The table of surfaces, from `selection.selected_scans`.
+    compared : collection of str
+        The surfaces with a published pull-off force.
+
+    Raises
+    ------
+    ValueError
+        With a line for each fault, which names the key or the file: names of surfaces or scans that
+        are not in the table, contradictory values, unusable scans, and wavelengths, windows and
+        loads that the pixels do not permit.
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
@@ -56,9 +67,9 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
 
 
 def _surface_name_limit(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
-    """Return the limit of the name of a surface: the table has it."""
-    expected = f"one of {', '.join(surfaces)}, surfaces of the table"
-    return Limit(get_key(config, key) in surfaces, key, expected, get_key(config, key))
+    """Return the limit of a key that names a surface: the table must contain the surface."""
+    accepted = f"one of {', '.join(surfaces)}, surfaces of the table"
+    return Limit(get_key(config, key) in surfaces, key, accepted, get_key(config, key))
 
 
 def _own_surface_limits(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:
@@ -77,26 +88,26 @@ def _paper_limits(
     for key in ("reference_surface", "indent.surface", "robustness.heights.surface"):
         yield _surface_name_limit(config, key, substrates)
     reference = config["reference_surface"]
-    expected = f"a surface with a published pull-off force ({', '.join(compared)})"
-    yield Limit(reference in compared, "reference_surface", expected, reference)
-    pool, drawn = config["sets"]["pool"], contacts[contacts.source == "substitute"]
-    scans = drawn.surface[drawn.surface != sphere].value_counts(sort=False)
+    accepted = f"a surface with a published pull-off force ({', '.join(compared)})"
+    yield Limit(reference in compared, "reference_surface", accepted, reference)
+    pool, substitutes = config["sets"]["pool"], contacts[contacts.source == "substitute"]
+    scans = substitutes.surface[substitutes.surface != sphere].value_counts(sort=False)
     if len(scans):
-        expected = f"at least the {scans.max()} scans of {scans.idxmax()}"
-        yield Limit(scans.max() <= pool, "sets.pool", expected, pool)
+        accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
+        yield Limit(scans.max() <= pool, "sets.pool", accepted, pool)
 
 
 def _own_surface_checks(
     config: dict[str, Any],
     table: pd.DataFrame,
     substitutes: pd.DataFrame,
-    of_paper: Collection[str],
+    paper_surfaces: Collection[str],
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of substitutes, of scans that contacts do not use, and of own forces."""
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
-        yield partial(refuse_paper_surface, path, surface, of_paper)
-    others, scan = table[table.use != CONTACT], config["scan"]
-    for path, dataset in zip(others.path, others.dataset, strict=True):
+        yield partial(refuse_paper_surface, path, surface, paper_surfaces)
+    spectrum_scans, scan = table[table.use != CONTACT], config["scan"]
+    for path, dataset in zip(spectrum_scans.path, spectrum_scans.dataset, strict=True):
         yield partial(
             read_measurement,
             path, dataset, scan["undefined_pixels"], unit=scan["unit"], edge=scan["edge"],
@@ -107,10 +118,11 @@ def _own_surface_checks(
 
 
 def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    """Return the grid of the scans of a surface, given its rows in the table; measured are read.
+    """Return the grid of the scans of a surface from its rows in the table.
 
-    Relief of measured scans is the largest of them, of substitutes that of their largest master. A
-    scan that cannot be used or has other pixels than the first is refused in one line.
+    Measured scans are read; their relief is the largest of all scans. The relief of a substitute is
+    the relief of its largest master. Raises ValueError with one line if a scan is unusable or its
+    pixels differ from the first scan's.
     """
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":
@@ -119,13 +131,13 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
         if not is_calibrated(read_bands(path)):
             largest = 2 * size * config["scales"]["large"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
-        grid, where = Grid(pixels, size / pixels, size, relief), "config key scan.size"
+        grid, location = Grid(pixels, size / pixels, size, relief), "config key scan.size"
     else:
-        grid, where = _measured_grid(config, surface, rows), path
+        grid, location = _measured_grid(config, surface, rows), path
     low, high = PIXEL_SIZES
     if not low <= grid.pixel_size <= high:
         raise ValueError(
-            f"{where}: expected pixels of {low:g} to {high:g} nm, where spectra are known, "
+            f"{location}: expected pixels of {low:g} to {high:g} nm, where spectra are known, "
             f"found {grid.pixel_size:.6g} nm"
         )
     return grid

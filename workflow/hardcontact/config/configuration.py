@@ -50,7 +50,7 @@ PAGES = {
     "faults": ("B. The study itself", "faults and what becomes of them"),
 }
 
-#: What a quantity of contacts is called, its key and its unit.
+#: The name of each quantity of contacts, with its key and its unit.
 QUANTITIES = {
     "radius of the sphere": ("sphere.radius", "nm"),
     "hardness": ("contact.hardness", "Pa"),
@@ -66,7 +66,7 @@ def read_yaml(path: str) -> Any:
 
 
 class _EachKeyOnce(yaml.SafeLoader):
-    """Refuses a key that is given twice, of which only the last would count."""
+    """Refuses a repeated key, since YAML itself would use only the last value."""
 
     def construct_mapping(self, node: Any, deep: bool = False) -> dict[Any, Any]:
         """Return the mapping of a node."""
@@ -81,7 +81,7 @@ class _EachKeyOnce(yaml.SafeLoader):
 
 
 def refuse_unreadable(path: str | Path) -> None:
-    """Refuse a file that is no YAML with keys at its top; raise ValueError with one line."""
+    """Refuse a file that is not YAML with keys at its top; raise ValueError with one line."""
     if not Path(path).exists():
         raise ValueError(
             f"{path}: expected a YAML file, found none (targets stand before --configfile)"
@@ -102,16 +102,16 @@ def get_key(tree: Mapping[str, Any], key: str) -> Any:
 
 
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of a tree of keys with other values, by keys with dots between their parts."""
-    changed = dict(config)
+    """Return a copy of a tree of keys with new values, by keys with dots between their parts."""
+    updated = dict(config)
     for key, value in values.items():
         *sections, name = key.split(".")
-        section = changed
-        for part in sections:
-            section[part] = dict(section.get(part, {}))
-            section = section[part]
+        section = updated
+        for section_name in sections:
+            section[section_name] = dict(section.get(section_name, {}))
+            section = section[section_name]
         section[name] = value
-    return changed
+    return updated
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
@@ -119,10 +119,12 @@ def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str,
 
     A section inherits missing settings from the section around it, and at last from `scales`.
     """
-    parts = section.split(".")
-    sections = ["scales", *(".".join(parts[: end + 1]) for end in range(len(parts)))]
+    names = section.split(".")
+    sections = ["scales", *(".".join(names[: end + 1]) for end in range(len(names)))]
     return {
-        name: f"{part}.{side}.{name}" for part in sections for name in get_key(config, part)[side]
+        name: f"{section_name}.{side}.{name}"
+        for section_name in sections
+        for name in get_key(config, section_name)[side]
     }
 
 
@@ -149,7 +151,7 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
 
 
 def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
-    """Return the names of QUANTITIES with the values of the paper, a ruby sphere on diamond."""
+    """Return the names of the QUANTITIES whose values are the paper's: a ruby sphere on diamond."""
     paper = Study().model_dump(warnings=False)
     return [
         name for name, (key, _) in QUANTITIES.items() if get_key(config, key) == get_key(paper, key)

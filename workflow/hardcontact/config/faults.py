@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-#: What the message of each type of pydantic's errors says was expected.
+#: The accepted values in words, for each type of pydantic's errors.
 EXPECTED = {
     "bool_type": "true or false",
     "dict_type": "a mapping",
@@ -29,38 +29,38 @@ EXPECTED = {
 UNKNOWN_KEYS = ("extra_forbidden", "invalid_key")
 #: How many faults of one model are reported at once, and how many lines of all files.
 MAX_FAULTS, MAX_LINES = 10, 100
-#: Similarity, of 1, from which an unknown key is taken for a known one: a letter or two differ.
+#: Similarity from which an unknown key is taken for a known key: 1 if equal.
 SIMILARITY = 0.75
 
 Model = TypeVar("Model", bound=BaseModel)
 
 
 class Limit(NamedTuple):
-    """A limit of a key, or of several with "and" between them: what it expects and finds."""
+    """A limit of a key, or of several with "and" between: its accepted values, and its value."""
 
     holds: bool
     key: str
-    expected: object
-    found: object
+    accepted: object
+    value: object
 
 
 def violation_messages(limits: Iterable[Limit]) -> Iterator[str]:
     """Yield a line for each limit that does not hold."""
-    for holds, key, expected, found in limits:
+    for holds, key, accepted, value in limits:
         if not holds:
             keys = "keys" if " and " in key else "key"
-            yield f"config {keys} {key}: expected {expected}, found {found}"
+            yield f"config {keys} {key}: expected {accepted}, found {value}"
 
 
 def refuse_lines(lines: Iterable[str]) -> None:
-    """Raise a ValueError of lines, each a fault, if there are any.
+    """Raise ValueError if there are lines, each of which reports a fault.
 
-    There are MAX_LINES at most: the last one counts those that are not reported.
+    If there are more than MAX_LINES, the last line counts the faults that are not reported.
     """
     reported = [*lines]
     if len(reported) > MAX_LINES:
-        more = len(reported) - MAX_LINES + 1
-        reported[MAX_LINES - 1 :] = [f"expected fewer faults, found {more} more"]
+        unreported = len(reported) - MAX_LINES + 1
+        reported[MAX_LINES - 1 :] = [f"expected fewer faults, found {unreported} more"]
     if reported:
         raise ValueError("\n".join(reported))
 
@@ -84,7 +84,7 @@ def quote_key(key: object) -> str:
 
 
 def shorten(value: object) -> str:
-    """Return a value as it was given, on one line of limited length."""
+    """Return a value as written, on one line of limited length."""
     if isinstance(value, datetime.date):
         return str(value)
     short = reprlib.Repr()
@@ -93,60 +93,62 @@ def shorten(value: object) -> str:
     return short.repr(value)
 
 
-def validate(model: type[Model], value: object, where: str = "") -> Model:
+def validate(model: type[Model], value: object, prefix: str = "") -> Model:
     """Return a value of YAML or of a table as a model.
 
-    Raises ValueError with a line each for the first MAX_FAULTS keys at fault, which begins with
-    the text `where`: the key, what was expected, what was found.
+    Raises ValueError with a line for each of the first MAX_FAULTS faulty keys: the prefix, the key,
+    the accepted values and the value.
     """
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        lines = _lines(model, error, where)
+        lines = _lines(model, error, prefix)
     raise ValueError("\n".join(lines))
 
 
-def _lines(model: type[BaseModel], error: ValidationError, where: str) -> list[str]:
+def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[str]:
     faults = dict[str, str]()
     unknown = dict[tuple[int | str, ...], list[str]]()
     for fault in error.errors(include_url=False):
-        place = fault["loc"]
+        keys = fault["loc"]
         if fault["type"] in UNKNOWN_KEYS:
-            unknown.setdefault(place[:-1], []).append(quote_key(place[-1]))
-        elif not place and fault["type"] == "value_error":  # a rule across keys, with their names
+            unknown.setdefault(keys[:-1], []).append(quote_key(keys[-1]))
+        elif not keys and fault["type"] == "value_error":  # a rule across keys, with their names
             lines = str(fault["ctx"]["error"]).splitlines()
-            return [where.removesuffix("config key ") + line for line in lines]
+            return [prefix.removesuffix("config key ") + line for line in lines]
         else:
-            faults.setdefault(_key(place), _sentence(fault))
-    for place, names in unknown.items():
-        faults[_key(place)] = _unknown(list(section_model(model, place).model_fields), names)
-    return [f"{where}{key}: {faults[key]}" for key in sorted(faults)[:MAX_FAULTS]]
+            faults.setdefault(_key(keys), _sentence(fault))
+    for keys, names in unknown.items():
+        faults[_key(keys)] = _unknown(list(section_model(model, keys).model_fields), names)
+    return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)[:MAX_FAULTS]]
 
 
-def _key(place: tuple[int | str, ...]) -> str:
-    return ".".join(map(quote_key, place)) or "(top level)"
+def _key(keys: tuple[int | str, ...]) -> str:
+    return ".".join(map(quote_key, keys)) or "(top level)"
 
 
-def section_model(model: type[BaseModel], place: Iterable[int | str]) -> type[BaseModel]:
+def section_model(model: type[BaseModel], keys: Iterable[int | str]) -> type[BaseModel]:
     """Return the model of a section of keys, by the names that lead to it."""
-    for name in place:
-        part: Any = model.model_fields[str(name)].annotation
-        model = part
+    for name in keys:
+        annotation: Any = model.model_fields[str(name)].annotation
+        model = annotation
     return model
 
 
 def _sentence(fault: Mapping[str, Any]) -> str:
-    """Return what was expected of a value and what was found."""
+    """Return the accepted values and the value, as a sentence."""
     if fault["type"] == "value_error":
         return str(fault["ctx"]["error"])
-    expected = EXPECTED[fault["type"]].format(**fault.get("ctx", {}))
-    expected = expected.replace("''", "nothing").replace("'", "")
-    return f"expected {expected}, found {shorten(fault['input'])}"
+    accepted = EXPECTED[fault["type"]].format(**fault.get("ctx", {}))
+    accepted = accepted.replace("''", "nothing").replace("'", "")
+    return f"expected {accepted}, found {shorten(fault['input'])}"
 
 
-def _unknown(known: list[str], names: list[str]) -> str:
+def _unknown(known_keys: list[str], names: list[str]) -> str:
     """Return the expected keys, with a question for those that unknown keys resemble."""
-    near = (difflib.get_close_matches(name, known, 1, SIMILARITY) for name in names)
-    meant = ", ".join(dict.fromkeys(key for keys in near for key in keys))
-    question = f" (did you mean {meant}?)" if meant else ""
-    return f"expected one of {', '.join(known)}; found {', '.join(sorted(names))[:200]}{question}"
+    matches = (difflib.get_close_matches(name, known_keys, 1, SIMILARITY) for name in names)
+    suggestions = ", ".join(dict.fromkeys(key for keys in matches for key in keys))
+    question = f" (did you mean {suggestions}?)" if suggestions else ""
+    return (
+        f"expected one of {', '.join(known_keys)}; found {', '.join(sorted(names))[:200]}{question}"
+    )

@@ -1,4 +1,4 @@
-"""Every file of one study: those of each surface, pair of scans, realization and variant."""
+"""Every file of one study: for each surface, pair of scans, realization and variant."""
 
 from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
@@ -39,7 +39,7 @@ FilteredMasters = namedtuple(
 
 def _chunks(count: int, step: int) -> list[tuple[int, int]]:
     """Return the first and the last of each chunk of the numbers from 1 to a count."""
-    return [(first, min(first + step - 1, count)) for first in range(1, count + 1, step)]
+    return [(start, min(start + step - 1, count)) for start in range(1, count + 1, step)]
 
 
 class Files:
@@ -85,9 +85,9 @@ class Files:
 
     def spectrum(self, surface: str, variant: str = STUDY_VARIANT) -> str:
         """Return the spectrum of a surface at all scales."""
-        measured = self._selection.basis[surface] == "measured"
+        is_measured = self._selection.basis[surface] == "measured"
         patterns, variant = self._patterns, self.surface_variants[variant].spectrum
-        pattern = patterns.measured_spectrum if measured else patterns.calibrated_spectrum
+        pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
         return self.path(pattern, surface, variant=variant)
 
     def measurements(self, surface: str) -> list[str]:
@@ -130,8 +130,8 @@ class Files:
         realizations = max(self._configuration[key]["realizations"] for key in VARIED)
         selection, groups = self._selection, defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditionings:
-            last = selection.group(surface, selection.own_scan(surface, realizations))
-            for group in range(last + 1):
+            last_group = selection.group(surface, selection.own_scan(surface, realizations))
+            for group in range(last_group + 1):
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
 
@@ -140,7 +140,7 @@ class Files:
         return self.path(self._patterns.stitched, surface, variant=variant, scan=scan)
 
     def stitched_of_realization(
-        self, surface: str, realization: int, variant: str, own: bool = False
+        self, surface: str, realization: int, variant: str, own_scans: bool = False
     ) -> str:
         """Return the scan that a realization builds on, in turn where there are fewer scans.
 
@@ -148,7 +148,7 @@ class Files:
         """
         scans = self._selection.scans(surface)
         scan = scans[(realization - 1) % len(scans)]
-        if own and self._selection.basis[surface] == "substitute":
+        if own_scans and self._selection.basis[surface] == "substitute":
             scan = self._selection.own_scan(surface, realization)
         return self.stitched(surface, scan, variant)
 
@@ -206,13 +206,15 @@ class Files:
         """Scan of the indented surface and of the sphere in repeated contact, the first pairs."""
         indented = self._configuration["indent"]["surface"]
         pairs = [
-            (scan, other) for surface, scan, other in self.pairs_in_turn if surface == indented
+            (scan, sphere_scan)
+            for surface, scan, sphere_scan in self.pairs_in_turn
+            if surface == indented
         ]
         return pairs[: self._configuration["insight"]["realizations"]]
 
     @property
     def chunks(self) -> list[Chunk]:
-        """The scans of all pools, from the first to the last of those computed together."""
+        """The scans of all pools, in chunks that are computed together."""
         chunks = _chunks(self._configuration["sets"]["pool"], CHUNK)
         return [Chunk(surface, *chunk) for surface in self._selection.pooled for chunk in chunks]
 
@@ -226,13 +228,13 @@ class Files:
     def protruded_chunks(self, bearer: str) -> list[ProtrudedChunk]:
         """Return the variants of each job, first to last, of each surface that they change.
 
-        All substrates feel protrusions of the sphere. There are none unless bearer and surfaces are
-        substitutes: measured surfaces have the protrusions that they have.
+        All substrates feel protrusions of the sphere. The list is empty unless bearer and surfaces
+        are substitutes, since protrusions cannot be added to measured surfaces.
         """
         selection = self._selection
         surfaces = selection.substrates if bearer == selection.sphere else [bearer]
-        measured = selection.basis[bearer] == "measured"
-        if measured or not set(surfaces) <= set(selection.pooled):
+        is_measured = selection.basis[bearer] == "measured"
+        if is_measured or not set(surfaces) <= set(selection.pooled):
             return []
         chunks = _chunks(self._configuration["sets"]["protruded"], PROTRUDED_CHUNK)
         return [ProtrudedChunk(name, bearer, *chunk) for name in surfaces for chunk in chunks]
@@ -296,7 +298,10 @@ class Files:
         ]
 
     def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of the study on its own sphere; only measured ones are drawn."""
+        """Return the masters of the study on its own sphere.
+
+        Spectra are drawn only for measured surfaces.
+        """
         surfaces, probe = self._selection.substrates, self.probe
         count = self._configuration["scales"]["realizations"]
         if purpose == "drawn":
@@ -314,7 +319,7 @@ class Files:
     def varied_masters(self, section: str) -> list[FilteredMasters]:
         """Return the masters of the sets, which are the study's own, or those of robustness.
 
-        Both share those of the study itself.
+        Both share the masters of the study itself.
         """
         counts = {key: self._configuration[key]["realizations"] for key in VARIED}
         masters = dict[FilteredMasters, None]()  # in order, each once
@@ -327,7 +332,7 @@ class Files:
         return list(masters)
 
     def master_sources(self, row: Any) -> dict[str, list[str]]:
-        """Return the master files of a row of the study; of others scans and spectra."""
+        """Return the master files of a row of the study, or scans and spectra of another row."""
         realizations = range(int(row.first), int(row.last) + 1)
         surface, variant = row.surface, row.variant
         if row.purpose == "scales":
@@ -354,21 +359,24 @@ class Files:
 
     @property
     def varied_surfaces(self) -> list[tuple[str, str]]:
-        """Every surface and variant of it that some variant of the study asks for."""
-        made = (item for variant in self.variants for item in variant.variant.items())
-        return list(dict.fromkeys(made))
+        """Every surface and variant of it that some variant of the study needs."""
+        variant_surfaces = (item for variant in self.variants for item in variant.variant.items())
+        return list(dict.fromkeys(variant_surfaces))
 
     def mean_loads(self, probe: str) -> list[dict[str, float]]:
         """Return the loads of mean forces: of the study, and of its variants on a rough sphere."""
-        purpose, on = ("sets", self.probe) if probe == "rough" else ("scales", probe)
-        loads: list[dict[str, float]] = self.contact_grid(purpose, on)["loads"]
+        purpose, filter_probe = ("sets", self.probe) if probe == "rough" else ("scales", probe)
+        loads: list[dict[str, float]] = self.contact_grid(purpose, filter_probe)["loads"]
         return loads
 
     @property
     def varied_forces(self) -> list[MeanForces]:
         """The mean forces on the rough sphere of every surface and variant of it."""
         names = self._grid_names("sets", self.probe)
-        return [MeanForces(*made, "rough", **names) for made in self.varied_surfaces]
+        return [
+            MeanForces(surface, variant, "rough", **names)
+            for surface, variant in self.varied_surfaces
+        ]
 
     @property
     def smooth_forces(self) -> list[MeanForces]:

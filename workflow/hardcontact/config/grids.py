@@ -9,9 +9,9 @@ from hardcontact.config.faults import Limit
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
-#: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
+#: Largest number of pixels along an edge of a map: arrays of more than 2 GiB are not validated.
 MAP_PIXELS = 16384
-#: Edge of the periodic random surface that a substitute is cut out of, in edges of the substitute.
+#: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
 REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each.
@@ -25,8 +25,8 @@ PENETRATION_OVER_RANGE = 25.0
 #: or the transform of one in single precision and two maps. 13.2 were measured at 8192²
 #: without the writing of the file, which may hold one more map.
 BYTES_A_PIXEL = 17.0
-#: Megabytes besides: Python, its packages, the scan, blocks of rows in double precision.
-BESIDES = 500
+#: Further megabytes: Python, its packages, the scan, blocks of rows in double precision.
+BASE_MEGABYTES = 500
 
 
 class Grid(NamedTuple):
@@ -42,25 +42,25 @@ class Grid(NamedTuple):
 
 
 def realization_pixels(pixels: int) -> int:
-    """Return the pixels along an edge of the random surface that a substitute is cut out of."""
+    """Return the pixels along an edge of the random surface from which a substitute is cut."""
     return min(REALIZATION_OVER_SCAN * pixels, MAP_PIXELS)
 
 
-def same_grid(grid: Grid, other: Grid) -> bool:
-    """Compare the pixels of scans."""
-    same_size = math.isclose(other.pixel_size, grid.pixel_size, rel_tol=1e-3)
-    return grid.pixels == other.pixels and same_size
+def same_grid(grid: Grid, reference: Grid) -> bool:
+    """Return whether two grids have the same number and size of pixels."""
+    same_size = math.isclose(reference.pixel_size, grid.pixel_size, rel_tol=1e-3)
+    return grid.pixels == reference.pixels and same_size
 
 
 def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
 
-    In nm, rounded up to three digits, and the reason in words; the radius of the sphere and the
-    edge of the window are in nm, the grid is that of the surface before stitching, which doubles
-    its size to the period. The interaction radius sqrt(2 R rho) must span two pixels, and
-    exponentials of height over range must not overflow. Where the window holds a period of the
-    surface, every contact has the highest pixel of the map within half a period of it, and cannot
-    be farther from it than the sphere's curvature says.
+    The range is in nm, rounded up to three digits, and comes with a reason in words. The radius of
+    the sphere and the edge of the window are in nm. The grid describes the surface before
+    stitching, which doubles its size to the period. The interaction radius sqrt(2 R rho) must span
+    two pixels, and exponentials of height over range must not overflow. If the window contains a
+    period of the surface, the highest pixel of the map is within half a period of every contact.
+    The curvature of the sphere then limits its height above the contact.
     """
     relief = grid.relief
     if window >= 2 * grid.size:
@@ -79,8 +79,8 @@ def memory_limit(key: str, pixels: int, available: int) -> Limit:
     """Return the limit of a master larger than any map by the memory available (megabytes)."""
     needed = master_megabytes(pixels, 0)
     fits = pixels <= MAP_PIXELS or needed <= available
-    expected = f"at most {MAP_PIXELS} on this machine of {available / 1e3:.3g} GB"
-    return Limit(fits, key, expected, f"{pixels}, which take {needed / 1e3:.3g} GB")
+    accepted = f"at most {MAP_PIXELS} on this machine of {available / 1e3:.3g} GB"
+    return Limit(fits, key, accepted, f"{pixels}, which take {needed / 1e3:.3g} GB")
 
 
 def master_megabytes(pixels: int, minimum: int) -> int:
@@ -88,7 +88,7 @@ def master_megabytes(pixels: int, minimum: int) -> int:
 
     In units of 10^6 bytes, given the pixels along an edge and the minimum for smaller masters.
     """
-    return max(minimum, BESIDES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
+    return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 
 
 def machine_megabytes() -> int:

@@ -1,4 +1,4 @@
-"""The configuration of the paper and the tables of `config/README.md`, made from the keys.
+"""Write the configuration of the paper and the tables of `config/README.md` from the keys.
 
 ``python -m hardcontact.config.key_tables``, in the top folder, writes both.
 """
@@ -48,10 +48,10 @@ def configuration_yaml() -> str:
 
 
 def update_tables(text: str) -> str:
-    """Return Markdown with its tables made anew: of keys, of columns of a table of surfaces.
+    """Return Markdown with renewed tables of keys and of the columns of a table of surfaces.
 
-    They stand between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, for the names
-    ``keys`` and ``columns``.
+    The tables are between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, with the
+    names ``keys`` and ``columns``.
     """
     text = _inserted(text, "keys", "\n\n".join(_sections()))
     rows = [
@@ -63,8 +63,8 @@ def update_tables(text: str) -> str:
 
 def _inserted(text: str, name: str, lines: str) -> str:
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
-    before, _, after = text.partition(begin)
-    return f"{before}{begin}\n{lines}\n\n{end}{after.partition(end)[2]}"
+    head, _, tail = text.partition(begin)
+    return f"{head}{begin}\n{lines}\n\n{end}{tail.partition(end)[2]}"
 
 
 def _meaning(field: FieldInfo) -> str:
@@ -72,38 +72,38 @@ def _meaning(field: FieldInfo) -> str:
     return " ".join(str(field.description).split())
 
 
-def _fields(section: type[BaseModel], above: str = "") -> Iterator[tuple[str, FieldInfo]]:
-    """Yield the keys of a section and of those within it, each with its field."""
+def _fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
+    """Yield the keys of a section and of the sections in it, each with its field."""
     for name, field in section.model_fields.items():
         if isinstance(field.default, BaseModel):
-            yield from _fields(type(field.default), f"{above}{name}.")
+            yield from _fields(type(field.default), f"{prefix}{name}.")
         else:
-            yield f"{above}{name}", field
+            yield f"{prefix}{name}", field
 
 
 def _paper(field: FieldInfo) -> str:
     """Return the section of the paper that a default comes from, or nothing."""
-    about: Any = field.json_schema_extra or {}
-    return str(about.get("paper", ""))
+    extra: Any = field.json_schema_extra or {}
+    return str(extra.get("paper", ""))
 
 
 def commented_yaml(
-    tree: Mapping[str, Any], comments: Mapping[str, str], above: str = ""
+    tree: Mapping[str, Any], comments: Mapping[str, str], prefix: str = ""
 ) -> Iterator[str]:
     """Yield the lines of a tree of keys as YAML, every key below its comment.
 
-    Comments are by key, with dots between its parts; `above` leads to the tree.
+    Comments are by key, with dots between its parts; `prefix` is the key of the tree itself.
     """
-    indent = "  " * above.count(".")
+    indent = "  " * prefix.count(".")
     for name, value in tree.items():
         section = isinstance(value, dict) and bool(value)
         if section:
             yield ""
-        comment = textwrap.wrap(comments.get(f"{above}{name}", ""), 96)
+        comment = textwrap.wrap(comments.get(f"{prefix}{name}", ""), 96)
         yield from (f"{indent}# {line}" for line in comment)
         yield f"{indent}{name}:" if section else f"{indent}{name}: {_written(value)}"
         if section:
-            yield from commented_yaml(value, comments, f"{above}{name}.")
+            yield from commented_yaml(value, comments, f"{prefix}{name}.")
 
 
 def _sections() -> Iterator[str]:
@@ -127,7 +127,7 @@ def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def _values(field: FieldInfo) -> str:
-    """Return which values a field may have, with their unit."""
+    """Return the accepted values of a field in words, with their unit."""
     for annotation in field.metadata:
         if isinstance(annotation, Quantity | Matching):
             return annotation.expects
@@ -149,13 +149,13 @@ def _values(field: FieldInfo) -> str:
 
 
 def _written(value: Any) -> str:
-    """Return a value as it stands in YAML, on one line."""
+    """Return a value as YAML on one line."""
     text: str = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
     return text.strip()[1:-1]
 
 
 def _default(value: Any) -> str:
-    """Return a default as it stands in a table."""
+    """Return a default for a table; a long list is shortened."""
     if isinstance(value, list) and len(value) > LIST_LIMIT:
         return f"{len(value)} values, `{value[0]}` to `{value[-1]}`"
     return f"`{_written(value)}`"

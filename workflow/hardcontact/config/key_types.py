@@ -45,7 +45,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Matching:
-    """Printable text that matches a pattern as a whole, and what matches it, in words."""
+    """Printable text that matches a whole pattern, and the pattern in words."""
 
     pattern: str
     expects: str
@@ -65,9 +65,9 @@ class Matching:
 def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float]:
     """Refuse quantities that do not ascend, in whatever units they are written."""
     numbers = validate(texts)
-    for place, (smaller, larger) in enumerate(pairwise(numbers)):
+    for index, (smaller, larger) in enumerate(pairwise(numbers)):
         if smaller >= larger:
-            written = f"{texts[place + 1]} after {texts[place]}"
+            written = f"{texts[index + 1]} after {texts[index]}"
             raise ValueError(f"expected ascending values, found {written}")
     return numbers
 

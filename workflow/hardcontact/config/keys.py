@@ -1,6 +1,6 @@
 """The keys of a study, one field a key: type, unit, limits, default and documentation.
 
-The defaults are the paper's. The string below a key says what it means, `key` names the section of
+The defaults are the paper's. The string below a key gives its meaning; `key` names the section of
 the paper that the default comes from. config/config.yaml and the tables of config/README.md are
 made from this module: ``python -m hardcontact.config.key_tables``.
 """
@@ -42,12 +42,12 @@ from hardcontact.config.key_types import (
 
 
 def nm(*lengths: float) -> list[str]:
-    """Return lengths in nm as they stand in a configuration."""
+    """Return lengths in nm as texts for a configuration."""
     return [f"{length:g} nm" for length in lengths]
 
 
 def key(default: Any, paper: str = "") -> Any:
-    """Describe a key: its default, the section of the paper that this comes from."""
+    """Describe a key: its default, and the section of the paper with this default."""
     return Field(default=default, json_schema_extra={"paper": paper})
 
 
@@ -76,9 +76,9 @@ class SphereKeys(Keys):
 class ScanKeys(Keys):
     """Scans.
 
-    Pixels and size of a measured scan are those of its file. Spectra are calibrated at the geometry
-    that Table 1 was measured with (512 pixels, 2500 nm), whatever these keys say; scans of other
-    pixels keep its rms heights.
+    A measured scan has the pixels and the size of its file. Spectra are calibrated at the geometry
+    of the scans of Table 1 (512 pixels, 2500 nm), regardless of these keys; scans of other pixels
+    keep its rms heights.
     """
 
     pixels: ScanPixels = key(512, "Methods")
@@ -173,7 +173,7 @@ class LargeScaleKeys(Keys):
 class ScalesKeys(Keys):
     """Scales.
 
-    More realizations add masters; those there are stay.
+    More realizations add masters; existing masters stay.
     """
 
     range: Range = key("5.6 nm", "Determining the Most Relevant Length-scales")
@@ -242,8 +242,8 @@ class SetsKeys(Keys):
     """Sets.
 
     Many equally good sets of substitute scans, drawn from a pool, in place of the one set of the
-    study; each claim tells in how many sets it holds. Robustness is computed at the same size.
-    A larger `pool` and more realizations add scans and masters; those there are stay.
+    study. Each claim reports the number of sets in which it holds. Robustness is computed at the
+    same size. A larger `pool` and more realizations add scans and masters; existing ones stay.
     """
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
@@ -347,10 +347,10 @@ class ScalingKeys(Keys):
 class InsightKeys(Keys):
     """Insight.
 
-    Beyond the paper: what decides the critical band, and how far the method can be trusted; the
-    chapter that `snakemake insight` makes. `small`, `large` and `reach` are of `laws.nc`,
-    `scaling` and `small.pixels` are of `scaling.nc`; `count` and `realizations` are of both and of
-    `closed_form.nc`; all else is of `closed_form.nc` and `statistics.nc`.
+    The chapter of `snakemake insight` goes beyond the paper: the causes of the critical band, and
+    the limits of the method. `laws.nc` uses `small`, `large` and `reach`; `scaling.nc` uses
+    `scaling` and `small.pixels`; both and `closed_form.nc` use `count` and `realizations`;
+    `closed_form.nc` and `statistics.nc` use all other keys.
     """
 
     realizations: Realizations = 3
@@ -374,7 +374,7 @@ class InsightKeys(Keys):
 class StudyKeys(Keys):
     """The study.
 
-    Studies of other names share what is in the store; a new store is filled from nothing.
+    Studies with different names share the intermediates in the store; a new store starts empty.
     """
 
     study: StudyName = "paper"

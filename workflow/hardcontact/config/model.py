@@ -29,64 +29,62 @@ QUICK_NAME = "-quick"
 
 
 class Study(StudyKeys):
-    """A study: keys that keep the rules across them."""
+    """The keys of a study, with the rules across keys."""
 
     @model_validator(mode="after")
     def _check_rules_across_keys(self) -> "Study":
-        refuse_lines(
-            violation_messages(chain(self._limits_of_names(), self._limits_of_published()))
-        )
+        refuse_lines(violation_messages(chain(self._name_limits(), self._published_limits())))
         return self
 
-    def _limits_of_names(self) -> Iterator[Limit]:
+    def _name_limits(self) -> Iterator[Limit]:
         """Yield the limits of the effort and of the folders."""
         quick = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-        filled = self.effort != "quick" or bool(self.quick)
-        yield Limit(filled, "effort", "full where no keys stand under quick", quick)
-        named = sorted({"study", "store"} & self.quick.keys())
-        expected = f"no study or store there: their names are those above, with {QUICK_NAME}"
-        yield Limit(not named, "quick", expected, " and ".join(named))
+        has_quick_keys = self.effort != "quick" or bool(self.quick)
+        yield Limit(has_quick_keys, "effort", "full where no keys stand under quick", quick)
+        repeated_names = sorted({"study", "store"} & self.quick.keys())
+        accepted = f"no study or store there: their names are those above, with {QUICK_NAME}"
+        yield Limit(not repeated_names, "quick", accepted, " and ".join(repeated_names))
         if self.quick and self.effort != "quick":
-            expected = f"another end than {QUICK_NAME}, that of names with effort: quick"
+            accepted = f"another end than {QUICK_NAME}, that of names with effort: quick"
             for key, name in (("study", self.study), ("store", self.store)):
-                yield Limit(not name.endswith(QUICK_NAME), key, expected, name)
+                yield Limit(not name.endswith(QUICK_NAME), key, accepted, name)
         folder = f"results/{self.study}"
         results, store = Path(os.path.realpath(folder)), Path(os.path.realpath(self.store))
-        apart = not (results.is_relative_to(store) or store.is_relative_to(results))
-        yield Limit(apart, "store", f"a folder apart from {folder}", self.store)
-        inside = store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent)
+        is_apart = not (results.is_relative_to(store) or store.is_relative_to(results))
+        yield Limit(is_apart, "store", f"a folder apart from {folder}", self.store)
+        is_inside = store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent)
         yield Limit(
-            not inside, "store", "a folder in results or outside of the project", self.store
+            not is_inside, "store", "a folder in results or outside of the project", self.store
         )
 
-    def _limits_of_published(self) -> Iterator[Limit]:
-        """Yield the limits of a study that is compared with the paper, or of one that is not."""
+    def _published_limits(self) -> Iterator[Limit]:
+        """Yield the limits that depend on whether a study is compared with the paper."""
         if self.published == PAPER:
             forces, contacts = self.forces, self.contact.count**2
             yield Limit(forces == NONE, "forces", f"{NONE} with published: {PAPER}", forces)
-            expected = f"at most contact.count squared = {contacts}"
+            accepted = f"at most contact.count squared = {contacts}"
             for name in ("elastic", "asperities"):
                 number = getattr(self, name).contacts
-                yield Limit(number <= contacts, f"{name}.contacts", expected, number)
+                yield Limit(number <= contacts, f"{name}.contacts", accepted, number)
         elif self.sphere.surface == SMOOTH:
-            expected = f"false with sphere.surface: {SMOOTH}"
+            accepted = f"false with sphere.surface: {SMOOTH}"
             rough = self.scales.sphere_roughness
-            yield Limit(not rough, "scales.sphere_roughness", expected, "true")
+            yield Limit(not rough, "scales.sphere_roughness", accepted, "true")
 
 
 def quantity(key: str) -> Quantity:
     """Return the unit and the bounds of a key that is a quantity."""
-    *above, name = key.split(".")
-    field = section_model(Study, above).model_fields[name]
+    *sections, name = key.split(".")
+    field = section_model(Study, sections).model_fields[name]
     return next(annotation for annotation in field.metadata if isinstance(annotation, Quantity))
 
 
-def configuration(config: object, where: str = "") -> dict[str, Any]:
+def configuration(config: object, prefix: str = "") -> dict[str, Any]:
     """Return a configuration, as read from YAML, with every quantity as a number.
 
-    Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Keys that are left
-    out have their defaults. Raises ValueError with a line, after the text `where`, for each key
-    that is unknown or of the wrong type, unit or size.
+    Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Missing keys have
+    their defaults. Raises ValueError with a line, after the prefix, for each key that is unknown or
+    has a wrong type, unit or size.
     """
     # `scans` may be a word in place of a list.
-    return validate(Study, config, f"{where}config key ").model_dump(warnings=False)
+    return validate(Study, config, f"{prefix}config key ").model_dump(warnings=False)

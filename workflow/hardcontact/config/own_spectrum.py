@@ -1,7 +1,7 @@
 """The user's own spectrum: a table of a power spectral density, or scans of a surface.
 
-A table has its units and is turned into C_iso. Of scans the wavelengths count at which they are
-reliable.
+A table has its units and is converted to C_iso. Scans give the spectrum at their reliable
+wavelengths.
 """
 
 import math
@@ -32,13 +32,13 @@ from hardcontact.surfaces.scans import (
 )
 from hardcontact.surfaces.spectrum import Spectrum
 
-#: Columns of which a table has one of each pair, each with a column of its unit.
+#: Pairs of columns. A table has one column of each pair, and a column with its unit.
 WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
 COLUMNS = (
     "a table with one of the columns wavevector and wavelength, one of c_iso and c_1d, and the "
     "unit of each (wavelength_unit, ...)"
 )
-#: The unit of a column: how it is written about that of a length, and in words.
+#: The unit of a column: a pattern around the unit of length, and words.
 UNITS = {
     "wavevector": (
         r"rad\s*/\s*(\S+)",
@@ -51,18 +51,18 @@ UNITS = {
 #: Characters of the first line of a file that tell a table from heights.
 MAX_LINE = 1000
 #: The fewest wavelengths with roughness that a table must have.
-FEWEST = 5
+MIN_WAVELENGTHS = 5
 #: Independent waves that each bin of a profile's density is taken to have when it is converted.
 WAVES_OF_A_BIN = 20.0
 
 
 class OwnSpectrum(NamedTuple):
-    """C_iso of the user's files, and in words what was left out or done in reading them."""
+    """C_iso of the user's files, with notes in words on changes and omissions in reading them."""
 
     spectrum: Spectrum
     notes: tuple[str, ...]
-    joined: xr.Dataset | None  #: Of scans, as by `joined_spectrum`; None for a table.
-    skewness: float  #: Of the heights of the map where it is largest; 0 without a map.
+    joined: xr.Dataset | None  #: The spectrum from `joined_spectrum`; None for a table.
+    skewness: float  #: The largest skewness of the heights of a map; 0 without a map.
 
 
 def own_spectrum(
@@ -78,11 +78,36 @@ def own_spectrum(
 ) -> OwnSpectrum:
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
 
-    The files are one table, as of `table_spectrum`, or scans, of which a CSV begins with numbers.
-    Scans are read by `read_measurement`, `examined` and joined by `joined_spectrum`;
-    the edge (nm) and the unit are of files that state none. A dataset is the only member of a
-    container that counts; the radius of the tip (nm) is of files that state none. The spectrum of
-    scans ends where they are reliable. Raises ValueError with a line for each fault.
+    Scans are read by `read_measurement`, checked by `examine` and joined by `joined_spectrum`.
+
+    Parameters
+    ----------
+    files : sequence of str or Path
+        One table for `table_spectrum`, or scans. A CSV of a scan begins with numbers.
+    dataset : str
+        The only member of a container to read; empty: all members.
+    tip_radius : float or None
+        Radius of the tip in nm for files that do not state it.
+    undefined_pixels : str
+        ``"refuse"``, or the interpolation that fills undefined pixels.
+    unit : str
+        The unit of length for files that do not state it, or ``"none"``.
+    edge : float or str
+        The longer edge in nm for files that do not state it, or ``"none"``.
+    levelling : str
+        One of LEVELLING.
+    sphere_radius : float or None
+        Radius in nm of the sphere on the scans; None for a flat surface.
+
+    Returns
+    -------
+    OwnSpectrum
+        The spectrum of a table, or of scans at their reliable wavelengths.
+
+    Raises
+    ------
+    ValueError
+        If a file is invalid, with a line for each fault.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -123,8 +148,8 @@ def own_spectrum(
     for name, scan, *band in zip(
         names, scans, *(joined[limit].values for limit in limits), strict=True
     ):
-        read, cautions = split_notes(scan.notes)
-        notes.append("; ".join([f"{name}: reliable {ReliableBand(*band)}", *read]))
+        changes, cautions = split_notes(scan.notes)
+        notes.append("; ".join([f"{name}: reliable {ReliableBand(*band)}", *changes]))
         notes += [f"{TAKE_CARE}{name}: {line}" for line in cautions]
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
     differing = told_contradictions(contradictions(*columns), names)
@@ -135,13 +160,13 @@ def own_spectrum(
 
 
 def reliable_spectrum(joined: xr.Dataset) -> Spectrum:
-    """Return the spectrum at the wavelengths at which scans are reliable, of `joined_spectrum`."""
-    measured = np.isfinite(joined.joined.values)
-    return Spectrum(joined.bin_wavevector.values[measured], joined.joined.values[measured])
+    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans."""
+    is_measured = np.isfinite(joined.joined.values)
+    return Spectrum(joined.bin_wavevector.values[is_measured], joined.joined.values[is_measured])
 
 
 def _is_table(path: str | Path) -> bool:
-    """Return whether a file is a table of a spectrum: a CSV that does not begin with numbers."""
+    """Return True if a file is a table of a spectrum: a CSV that does not begin with numbers."""
     if Path(path).suffix.lower() != ".csv":
         return False
     if not Path(path).is_file():
@@ -154,24 +179,26 @@ def _is_table(path: str | Path) -> bool:
 def table_spectrum(path: str | Path) -> Spectrum:
     """Read the user's own power spectral density from a CSV with a header.
 
-    Columns: `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² = 1/(2 pi) ∫ q C_iso
-    dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); and the unit of each, named for it with `_unit`. A
-    density of 0 says no roughness. Returns C_iso in nm⁴ at the table's own wavevectors, of profiles
-    by the inverse Abel transform. Raises ValueError with a line for each faulty row.
+    The columns are `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² = 1/(2 pi) ∫ q
+    C_iso dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); and the unit of each column, in a column whose
+    name ends with `_unit`. A density of 0 means no roughness. Returns C_iso in nm⁴ at the table's
+    own wavevectors; C_1D is converted by the inverse Abel transform. Raises ValueError with a line
+    for each faulty row.
     """
     table = user_table(path, "a table of a power spectral density")
     wave, density = _column(table, WAVES), _column(table, DENSITIES)
     points = table.convert(partial(_point, wave=wave, density=density))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
-        before = lines.setdefault(f"{wavevector:.9g}", line)
-        if before != line:
+        first_line = lines.setdefault(f"{wavevector:.9g}", line)
+        if first_line != line:
             raise ValueError(
-                f"{path}: line {line}: expected each wavelength once, found that of line {before}"
+                f"{path}: line {line}: expected each wavelength once, "
+                f"found that of line {first_line}"
             )
     rough = sum(value > 0 for _, value in points.values())
-    if rough < FEWEST:
-        raise ValueError(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
+    if rough < MIN_WAVELENGTHS:
+        raise ValueError(f"{path}: expected at least {MIN_WAVELENGTHS} wavelengths, found {rough}")
     wavevectors, densities = np.array(sorted(points.values())).T
     if density == "c_1d":
         waves = np.full(densities.shape, WAVES_OF_A_BIN)
@@ -180,7 +207,7 @@ def table_spectrum(path: str | Path) -> Spectrum:
 
 
 def _column(table: UserTable, names: Sequence[str]) -> str:
-    """Return which of two columns a table has, beside that of its unit."""
+    """Return the name of the column that a table has, out of two; its unit must be there, too."""
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(
@@ -192,7 +219,7 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
 
 
 def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
-    """Return wavevector (1/nm) and density (nm⁴, of profiles nm³) of a row."""
+    """Return wavevector (1/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
     value, power = parse_number(row[density]), 4 if density == "c_iso" else 3
     if not 0 < parse_number(row[wave]) < math.inf:
         raise ValueError(f"{wave}: expected a positive number, found {quote_cell(row[wave])}")

@@ -1,4 +1,4 @@
-"""Every path of a study: patterns with wildcards, and what may stand in these."""
+"""Every path of a study: patterns with wildcards, and the values of these."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -14,8 +14,8 @@ PUBLISHED = {
 #: Name of the variant of a surface that the study itself is about.
 STUDY_VARIANT = "study"
 
-#: What masters are filtered for: the study, with spectra that are drawn, sets and robustness, how
-#: the edges of the band scale, and how plasticity and range enhance each other.
+#: The purposes of filtered masters: the study, the study with drawn spectra, sets and robustness,
+#: the scaling of the edges of the band, and how plasticity and range enhance each other.
 PURPOSES = ("scales", "drawn", "sets", "scaling", "enhancement")
 
 _SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
@@ -26,10 +26,19 @@ _NUMBER = "[0-9.e+-]+"
 class Patterns:
     """The paths of a study, with wildcards in braces where a rule makes several files.
 
-    What people sweep stands in the paths of intermediates by its value, all else that they depend
-    on as a digest, so that files of two values lie side by side. `results` is the folder of the
-    final files, `store` that of the intermediates, which studies share, `sphere` the surface that
-    is the sphere's, and `digests` those of `store_keys`, by the kind of intermediate.
+    Paths of intermediates contain the values of the quantities that people sweep, and a digest of
+    all other keys on which they depend. Files of two values therefore exist at the same time.
+
+    Parameters
+    ----------
+    results : str
+        Folder of the final files.
+    store : str
+        Folder of the intermediates, which studies share.
+    sphere : str
+        Id of the sphere's surface.
+    digests : mapping of str to str
+        The digest of `store_keys` for each kind of intermediate.
     """
 
     def __init__(self, results: str, store: str, sphere: str, digests: Mapping[str, str]) -> None:
@@ -55,19 +64,18 @@ class Patterns:
         self.elastic = f"{folder['elastic']}/{pair}-{{sphere_scan}}.nc"
         self.asperities = f"{folder['asperities']}/{pair}-{{sphere_scan}}.nc"
 
-        at_range = "{radius}/{load}/{range}/{surface}/{variant}"
-        self.pool = f"{folder['pool']}/{at_range}/scans-{{first}}-{{last}}.nc"
-        self.protruded = f"{folder['protruded']}/{at_range}/{{bearer}}/{{first}}-{{last}}.nc"
-        self.pull_off = f"{folder['pull_off']}/{sphere}/{at_range}/scan-{{scan}}.nc"
-        of_scan = f"{folder['laws']}/{sphere}/{at_range}/scan-{{scan}}"
-        self.law_scan, self.law_small, self.law_large = (
-            f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
-        )
+        settings = "{radius}/{load}/{range}/{surface}/{variant}"
+        self.pool = f"{folder['pool']}/{settings}/scans-{{first}}-{{last}}.nc"
+        self.protruded = f"{folder['protruded']}/{settings}/{{bearer}}/{{first}}-{{last}}.nc"
+        self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
+        law_folder = f"{folder['laws']}/{sphere}/{settings}/scan-{{scan}}"
+        self.law_scan = f"{law_folder}/scan.nc"
+        self.law_small = f"{law_folder}/small.nc"
+        self.law_large = f"{law_folder}/large.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
-        self.small_master, self.large_master = (
-            self.master.replace("{side}", side) for side in ("small", "large")
-        )
-        # A spectrum drawn within what measurements leave open.
+        self.small_master = self.master.replace("{side}", "small")
+        self.large_master = self.master.replace("{side}", "large")
+        # A spectrum drawn within the uncertainty of the measurements.
         self.drawn_spectrum = f"{folder['drawn_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
         grid = "{radii}/{loads}/{ranges}/{surface}/{variant}"
@@ -93,32 +101,32 @@ class Patterns:
 
     def log(self, rule: str, output: str = "") -> str:
         """Return the path of the log of a rule, given its output if that has wildcards."""
-        return self._of_run("logs", rule, output, ".log")
+        return self._run_path("logs", rule, output, ".log")
 
     def benchmark(self, rule: str, output: str = "") -> str:
         """Return the path of the benchmark of a rule, given its output if that has wildcards."""
-        return self._of_run("benchmarks", rule, output, ".tsv")
+        return self._run_path("benchmarks", rule, output, ".tsv")
 
-    def _of_run(self, kind: str, rule: str, output: str, suffix: str) -> str:
+    def _run_path(self, kind: str, rule: str, output: str, suffix: str) -> str:
         """Return a path that has the wildcards of an output below the folder of its rule."""
         if "{" not in output:
             return f"{self.results}/{kind}/{rule}{suffix}"
-        _, *parts = PurePosixPath(output).relative_to(self.store).with_suffix(suffix).parts
-        return "/".join((self.store, kind, rule, *parts))
+        _, *folders = PurePosixPath(output).relative_to(self.store).with_suffix(suffix).parts
+        return "/".join((self.store, kind, rule, *folders))
 
 
 def any_name_pattern(names: Iterable[str]) -> str:
-    """Return the regular expression of names, which nothing meets where there are none."""
+    """Return a regular expression that matches the names; without names it matches nothing."""
     return "|".join(map(re.escape, names)) or "(?!)"
 
 
 def list_pattern(expression: str) -> str:
-    """Return the regular expression of a list that `joined` writes."""
+    """Return a regular expression of a list with plus signs between its values."""
     return rf"{expression}(\+{expression})*"
 
 
 def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
-    """Return the regular expression that each wildcard must meet, given all names of two kinds."""
+    """Return the regular expression that each wildcard must match."""
     radius, load, rho = f"R{_NUMBER}um", f"H{_NUMBER}GPa-F{_NUMBER}uN", f"rho{_NUMBER}nm"
     return {
         **dict.fromkeys(("surface", "bearer"), any_name_pattern(surfaces)),

@@ -26,7 +26,7 @@ HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
 
 
 class QuantityText(Quantity):
-    """Text of a quantity within bounds, or none; it stays as it is written."""
+    """Text of a quantity within bounds, or empty; the text itself is the value."""
 
     def check(self, text: str) -> str:
         """Return a text that is a quantity or empty, or raise a ValueError."""
@@ -87,11 +87,11 @@ class SurfaceRow(Keys):
 
 
 class Selection:
-    """What the rows of a table of surfaces say, asked for by surface.
+    """The surfaces and scans of a table of surfaces.
 
-    Rows, one a scan, are those of `selected_scans`; a sphere that the table lacks is smooth.
-    Surfaces are in the order of the table, substrates all but the sphere's; by surface, `labels`
-    has the name to print, and `basis` ``"measured"`` or ``"substitute"``.
+    The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
+    `surfaces` are in the order of the table; `substrates` are all surfaces except the sphere's. By
+    surface, `labels` has the name to print, and `basis` has ``"measured"`` or ``"substitute"``.
     """
 
     def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
@@ -111,7 +111,7 @@ class Selection:
 
     @property
     def sphere_scans(self) -> list[int]:
-        """Numbers of the scans of the sphere; of a smooth one NO_SCAN alone."""
+        """Numbers of the scans of the sphere; NO_SCAN alone for a smooth sphere."""
         return self.scans(self.sphere) or [NO_SCAN]
 
     def all_scans(self, surface: str) -> list[int]:
@@ -119,14 +119,14 @@ class Selection:
         return [int(scan) for scan in self._all_rows.scan[self._all_rows.surface == surface]]
 
     def tip_radii(self, surface: str) -> list[float | None]:
-        """Return the tip radius (nm) of all scans of a surface, None where the table has none."""
+        """Return the tip radius (nm) of all scans of a surface; None if the table has no radius."""
         texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
         return [magnitude(text, "nm") if text else None for text in texts]
 
     def contact_places(self, surface: str) -> list[int]:
-        """Return which of the measured scans of a surface contacts are made on, from 0."""
+        """Return the indices, from 0, of the measured scans of a surface that make contacts."""
         uses = self._all_rows.use[self._all_rows.surface == surface]
-        return [place for place, use in enumerate(uses) if use == CONTACT]
+        return [index for index, use in enumerate(uses) if use == CONTACT]
 
     def own_scan(self, surface: str, realization: int) -> int:
         """Return the number of the substitute scan that belongs to one realization alone.
@@ -139,31 +139,35 @@ class Selection:
         return max(scans) + realization - len(scans)
 
     def group(self, surface: str, scan: int) -> int:
-        """Return the number of the group of a substitute scan: 0 of the study's own scans."""
+        """Return the number of the group of a substitute scan; 0 for the study's own scans."""
         scans = self.scans(surface)
         return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
 
     def scans_of_group(self, surface: str, group: int) -> list[int]:
-        """Return the scans of a group: as many as the study has, and conditioned together."""
+        """Return the scans of a group: as many as the study's, and conditioned together."""
         scans = self.scans(surface)
-        first = max(scans) + 1 + (group - 1) * len(scans)
-        return list(range(first, first + len(scans))) if group else scans
+        start = max(scans) + 1 + (group - 1) * len(scans)
+        return list(range(start, start + len(scans))) if group else scans
 
     @property
     def pooled(self) -> list[str]:
-        """Substrates of which sets of scans are drawn: substitutes with a published rms height."""
+        """Substrates with a pool of scans for the sets: substitutes with a published rms height."""
         table1 = pd.read_csv(PUBLISHED["published_table1"])
-        known = set(table1.surface[table1.quantity == "afm_rms_height"])
-        return [one for one in self.substrates if one in known and self.basis[one] == "substitute"]
+        published_surfaces = set(table1.surface[table1.quantity == "afm_rms_height"])
+        return [
+            surface
+            for surface in self.substrates
+            if surface in published_surfaces and self.basis[surface] == "substitute"
+        ]
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""
         return str(self._cells.path[surface, scan])
 
     def dataset(self, surface: str, scan: int) -> str:
-        """Return which dataset of its container a scan is; empty of a plain file."""
-        measured = self.basis[surface] == "measured"
-        return str(self._cells.dataset[surface, scan]) if measured else ""
+        """Return the dataset of a scan in its container; empty for a plain file."""
+        is_measured = self.basis[surface] == "measured"
+        return str(self._cells.dataset[surface, scan]) if is_measured else ""
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""
@@ -176,29 +180,41 @@ class Selection:
         return [(Path(description).parent / name).as_posix() for name in names]
 
     def skewness(self, surface: str) -> float:
-        """Return the skewness of the heights of a substitute, zero where none is known."""
+        """Return the skewness of the heights of a substitute; zero if it is unknown."""
         return float(self._skewness.get(Path(self.description(surface)).stem, 0.0))
 
     def reads_curvature(self, surface: str) -> bool:
-        """Return whether a substitute depends on what the curvature of Table 1 is read as."""
+        """Return True if a substitute depends on the reading of the curvature of Table 1."""
         return is_calibrated(read_bands(self.description(surface)))
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:
-    """Return the table of surfaces, tab-separated, checked for what its rows say of each other.
+    """Read the table of surfaces, which is tab-separated, and check that its rows agree.
 
-    One row a scan, indexed by the line of the file; columns as in `SurfaceRow`, `scan` as int. An
-    optional column that the file lacks is empty, an empty `use` is CONTACT. Raises ValueError with
-    one line a fault, which names the file and the line or the surface.
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row a scan, indexed by the line of the file, with the columns of `SurfaceRow`; `scan` is
+        an int. Missing optional columns are empty, and an empty `use` becomes CONTACT.
+
+    Raises
+    ------
+    ValueError
+        With a line for each fault, which names the file and the line or the surface.
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
     content = "a table of surfaces"
     written = user_table(path, content, form=content, separator="\t")
-    known = SurfaceRow.model_fields
-    columns = [name for name, field in known.items() if field.is_required()]
-    listed = f"the columns {', '.join(columns)}, separated by tabs, and a row a scan"
-    written.require(columns, f"{content}, {listed}", known)
+    fields = SurfaceRow.model_fields
+    columns = [name for name, field in fields.items() if field.is_required()]
+    layout = f"the columns {', '.join(columns)}, separated by tabs, and a row a scan"
+    written.require(columns, f"{content}, {layout}", fields)
     rows = written.convert(lambda row: validate(SurfaceRow, row).model_dump())
     table = pd.DataFrame.from_dict(rows, orient="index", dtype=str)
     table["scan"] = table["scan"].astype(int)
@@ -213,13 +229,13 @@ def surface_table(path: str | Path) -> pd.DataFrame:
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:
-    """Return the rows that a study uses: all, or those of numbers that some surface has."""
+    """Return the rows that a study uses: all rows, or the rows of these numbers of scans."""
     if scans == "all":
         return table
-    known = sorted({int(scan) for scan in table.scan})
-    if unknown := sorted({*scans} - {*known}):
+    existing = sorted({int(scan) for scan in table.scan})
+    if unknown := sorted({*scans} - {*existing}):
         raise ValueError(
-            f"config key scans: expected numbers of scans in the table {reprlib.repr(known)}, "
+            f"config key scans: expected numbers of scans in the table {reprlib.repr(existing)}, "
             f"found {reprlib.repr(unknown)}"
         )
     return table[table.scan.isin(scans)]
@@ -236,17 +252,17 @@ def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) 
 
 
 def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
-    """Refuse rows of one surface that differ in what belongs to the surface as a whole."""
+    """Refuse rows of one surface with different properties of the surface."""
     for surface, rows in table.groupby("surface"):
-        where, substitute = f"{path}: surface {surface}", rows.source.iloc[0] == "substitute"
+        location, substitute = f"{path}: surface {surface}", rows.source.iloc[0] == "substitute"
         if substitute and (rows.use != CONTACT).any():
             raise ValueError(
-                f"{where}: expected the use {CONTACT} of substitutes, "
+                f"{location}: expected the use {CONTACT} of substitutes, "
                 f"found {', '.join(rows.use.unique())}"
             )
         if not (rows.use == CONTACT).any():
-            raise ValueError(f"{where}: expected a scan with the use {CONTACT}, found none")
+            raise ValueError(f"{location}: expected a scan with the use {CONTACT}, found none")
         for column in ("label", "source", *(["path"] if substitute else [])):
             if rows[column].nunique() > 1:
-                found = ", ".join(rows[column].unique()[:5])
-                raise ValueError(f"{where}: expected one {column}, found {found}")
+                values = ", ".join(rows[column].unique()[:5])
+                raise ValueError(f"{location}: expected one {column}, found {values}")

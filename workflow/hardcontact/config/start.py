@@ -1,6 +1,6 @@
-"""What a run does before its first job: refuse in one line what cannot go well.
+"""Checks before the first job of a run, which refuse in one line a run that would fail.
 
-The only place that knows the inside of Snakemake.
+Only this module uses the inside of Snakemake.
 """
 
 import json
@@ -31,7 +31,7 @@ from hardcontact.config.selection import Selection, selected_scans, surface_tabl
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
-#: What the study itself says, which a terminal shows beside the stages of a run.
+#: Logger of the study's own messages, which a terminal shows with the stages of a run.
 logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
@@ -44,7 +44,7 @@ def _refuse(message: object) -> NoReturn:
 
 
 def prepare(workflow: Any) -> None:
-    """Refuse a run that could not go well, whatever its configuration."""
+    """Refuse a run that would fail with any configuration."""
     min_version("9.27")
     # On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
     logging.raiseExceptions = False
@@ -60,34 +60,38 @@ def prepare(workflow: Any) -> None:
 
 def _refuse_elsewhere(workflow: Any) -> None:
     """Refuse another clone's library, use as a module, and another working directory."""
-    parsed = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
-    main, working = Path(workflow.main_snakefile).resolve(), Path.cwd().resolve()
-    if working != ROOT or not (parsed.is_relative_to(ROOT) and main.is_relative_to(ROOT)):
+    rules_file = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
+    snakefile, working_folder = Path(workflow.main_snakefile).resolve(), Path.cwd().resolve()
+    if working_folder != ROOT or not (
+        rules_file.is_relative_to(ROOT) and snakefile.is_relative_to(ROOT)
+    ):
         _refuse(
             f"working directory: expected the study to be run by itself in {ROOT}, whose library "
-            f"this environment has (README.md), found {main} with the rules of {parsed} run in "
-            f"{working}"
+            f"this environment has (README.md), found {snakefile} with the rules of {rules_file} "
+            "run in "
+            f"{working_folder}"
         )
 
 
 def _plans_the_run(workflow: Any) -> bool:
-    """Return whether this process plans the run, and is not one that carries out a job of it."""
+    """Return True if this process plans the run; False if it executes a job of the run."""
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:
-    """Return the path of the configuration of a finished study; refuse a changed one, and none.
+    """Return the path of the configuration of a finished study.
 
-    The command line says which: the key `study`, or nothing for the paper.
+    The key `study` of the command line names the study; without it, the study is the paper's. A
+    missing or changed configuration is refused.
     """
-    kept = f"results/{config.get('study', 'paper')}/configuration.yaml"
-    if not os.path.isfile(kept):
-        _refuse(f"{kept}: expected the configuration of a finished study, found no such file")
+    path = f"results/{config.get('study', 'paper')}/configuration.yaml"
+    if not os.path.isfile(path):
+        _refuse(f"{path}: expected the configuration of a finished study, found no such file")
     try:
-        refuse_changed(digests([kept]))
+        refuse_changed(digests([path]))
     except ValueError as error:
         _refuse(error)
-    return kept
+    return path
 
 
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
@@ -106,18 +110,18 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def read_numbers(workflow: Any, config: dict[str, Any]) -> None:
-    """Take nested values of the command line as YAML has them: Snakemake leaves them as text."""
+    """Convert nested values of the command line as YAML does: Snakemake leaves them as text."""
 
-    def typed(value: Any) -> Any:
+    def convert_texts(value: Any) -> Any:
         if isinstance(value, dict):
-            return {key: typed(item) for key, item in value.items()}
+            return {key: convert_texts(item) for key, item in value.items()}
         if isinstance(value, list):
-            return [typed(item) for item in value]
+            return [convert_texts(item) for item in value]
         return yaml.safe_load(value) if isinstance(value, str) else value
 
-    given = workflow.config_settings.config
-    nested = {key: value for key, value in given.items() if isinstance(value, dict | list)}
-    update_config(config, typed(nested))
+    command_line = workflow.config_settings.config
+    nested = {key: value for key, value in command_line.items() if isinstance(value, dict | list)}
+    update_config(config, convert_texts(nested))
 
 
 def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
@@ -139,7 +143,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
 
 
 def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
-    """Return the surfaces and scans of the study, or refuse what could only fail later."""
+    """Return the surfaces and scans of the study; refuse a study that would fail later."""
     try:
         rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
         if _plans_the_run(workflow):
@@ -155,7 +159,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
 
 
 def log_answer(workflow: Any, *pages: str) -> None:
-    """Say at the end of a run what it answers, and which page of those it was asked for to open."""
+    """Log the answer at the end of a run, and the page to open among the requested pages."""
     asked_for = {str(path) for job in workflow.dag.jobs for path in job.output}
     for page in filter(asked_for.__contains__, pages):
         answer = Path(page).with_name("answer.json")
@@ -168,13 +172,13 @@ def log_answer(workflow: Any, *pages: str) -> None:
 
 
 def log_how_to_resume() -> None:
-    """Say at the end of a run that failed or was stopped that what is made is kept."""
+    """Log, at the end of a run that failed or was stopped, that the same command resumes it."""
     logger.error("Not all is made: the same command goes on from here.")
     _stop_looking()
 
 
 def _stop_looking() -> None:
-    """End without waiting for Snakemake's timers: there is no work left that they could find."""
+    """End without waiting for Snakemake's timers, since no work is left."""
     for thread in threading.enumerate():
         if isinstance(thread, threading.Timer):
             thread.cancel()

@@ -1,7 +1,7 @@
-"""The keys that intermediates depend on: a digest of their values stands in each path.
+"""The keys that intermediates depend on: each path contains a digest of their values.
 
-Left out are the keys whose values stand in the path themselves. A source of a surface, or another
-row of it in the table of surfaces, is no key: it replaces the intermediates of that surface.
+The digest omits keys whose values are in the path themselves. A source of a surface, or another row
+in the table of surfaces, is not a key: it replaces the intermediates of that surface.
 """
 
 import hashlib
@@ -22,7 +22,7 @@ _POOL = (
 )  # fmt: skip
 _TRANSITIONS = ("scales.small.transition", "scales.large.transition")
 
-#: The keys of each kind of intermediate, and of all that it is made from.
+#: The keys of each kind of intermediate and of its inputs.
 STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,

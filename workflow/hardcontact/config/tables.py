@@ -1,7 +1,7 @@
-"""Tables that the user wrote, read and refused with a line for each faulty row.
+"""Read tables that the user wrote, and refuse them with a line for each faulty row.
 
-Own pull-off forces, of single tests or of a mean and a median a surface; descriptions of substitute
-surfaces (`resources/README.md`), checked before a spectrum is made from them.
+The tables are own pull-off forces, as single tests or as a mean and a median a surface, and
+descriptions of substitute surfaces (`resources/README.md`), which are checked before use.
 """
 
 import csv
@@ -43,9 +43,9 @@ POINTS = ("wavelength_nm", "c1d_nm3")
 
 
 class UserTable(NamedTuple):
-    """A table that the user wrote: its header, empty of an empty file, and the cells of other rows.
+    """A table that the user wrote: its header, and the cells of other rows by line of the file.
 
-    Rows that are not empty are by line of the file.
+    Empty rows are omitted. The header of an empty file is empty.
     """
 
     path: str
@@ -53,13 +53,13 @@ class UserTable(NamedTuple):
     cells: dict[int, list[str]]
 
     def require(
-        self, columns: Sequence[str], content: str, known: Collection[str] | None = None
+        self, columns: Sequence[str], content: str, allowed: Collection[str] | None = None
     ) -> None:
-        """Refuse a table without a row, without one of the columns, or with a column twice.
+        """Refuse a table without rows, with a missing column, or with a repeated column.
 
-        If the known columns are given, others are refused, too.
+        If `allowed` columns are given, all other columns are refused, too.
         """
-        complete = set(columns) <= set(self.header) <= set(known or self.header)
+        complete = set(columns) <= set(self.header) <= set(allowed or self.header)
         if not (self.cells and complete and len(set(self.header)) == len(self.header)):
             header = quote_cell(", ".join(self.header))
             raise ValueError(
@@ -67,10 +67,10 @@ class UserTable(NamedTuple):
             )
 
     def convert(self, function: Callable[[Row], Result]) -> dict[int, Result]:
-        """Return what a function makes of each row, by line.
+        """Apply a function to each row, and return its results by line.
 
-        Raises ValueError with a line for each fault that the function, or a number of cells other
-        than that of the header, raises.
+        Raises ValueError with a line for each fault from the function, and for each row whose
+        number of cells differs from the header's.
         """
         results, faults = dict[int, Result](), list[str]()
         for line, cells in self.cells.items():
@@ -93,9 +93,8 @@ def user_table(
 ) -> UserTable:
     """Read a table that the user wrote, in UTF-8, with a header; between tabs nothing is quoted.
 
-    Cells may stand between semicolons, as some spreadsheets write them; then decimals may have a
-    comma. Raises ValueError with one line that says what the table should hold (content) and be
-    (form).
+    Semicolons may separate cells, as in some spreadsheets; decimals may then have a comma. Raises
+    ValueError with one line that names the required content and form of the table.
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
@@ -117,17 +116,17 @@ def user_table(
             rows = [(line, [DECIMAL.sub(r"\1.\2", cell) for cell in row]) for line, row in rows]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
-    filled = [(line, cells) for line, cells in rows if any(cells)]
-    return UserTable(str(path), filled[0][1] if filled else [], dict(filled[1:]))
+    written_rows = [(line, cells) for line, cells in rows if any(cells)]
+    return UserTable(str(path), written_rows[0][1] if written_rows else [], dict(written_rows[1:]))
 
 
 def quote_cell(cell: str) -> str:
-    """Return a cell as a message shows it."""
+    """Return a cell as quoted in a message."""
     return quote_key(cell) if cell else "nothing"
 
 
 def parse_number(cell: str) -> float:
-    """Return a number, which may be infinite; NaN if the cell is none."""
+    """Return the number in a cell, which may be infinite; NaN if the cell is not a number."""
     try:
         return float(cell)
     except ValueError:
@@ -141,8 +140,8 @@ def measured_forces(
 
     The file is a CSV with a header: surface, value, unit, one row a test; or surface, mean, median,
     count, unit, one row a surface. Returns, by line of the file, the columns surface; mean and
-    median in N, positive; count, the tests they are of: a single test is the mean and the median of
-    one. Raises ValueError with a line for each faulty row; it says how the table was given.
+    median in N, positive; and count, the number of tests. A single test is its own mean and median.
+    Raises ValueError with a line for each faulty row, which names the option or key of the table.
     """
     table = user_table(path, f"a table of forces ({given_as})")
     columns = SUMMARIES if "mean" in table.header else TESTS
@@ -183,32 +182,36 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
 
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
-    """Refuse a description of no spectrum, given the rows of Table 1 that the surface has."""
+    """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
     for line, row in _description(path, PARAMETERS, ("model", "table")).items():
         model, hurst = row["model"], row["hurst"]
-        known = [name for name in MODELS if line > 2 or name != "power law"]
-        missing = set() if hurst else set(CALIBRATED.get(model, ())).difference(published)
-        expected = {
-            f"a model, one of {', '.join(known)}; found {quote_cell(model)}": model not in known,
-            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing))} in "
-            "resources/paper/table1.csv; found neither": missing,
+        models = [name for name in MODELS if line > 2 or name != "power law"]
+        missing_rows = set() if hurst else set(CALIBRATED.get(model, ())).difference(published)
+        is_faulty_by_message = {
+            f"a model, one of {', '.join(models)}; found {quote_cell(model)}": model not in models,
+            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing_rows))} in "
+            "resources/paper/table1.csv; found neither": missing_rows,
             "a roll-off wavelength of a varying Hurst exponent, found none": (
                 model == "varying Hurst" and not row["rolloff_nm"]
             ),
             f"a Hurst exponent of {FLATTEST:g} or more, below which a spectrum grows towards "
             f"short wavelengths, found {parse_number(hurst):g}": parse_number(hurst) < FLATTEST,
         }
-        faults = [f"{path}: line {line}: expected {text}" for text, bad in expected.items() if bad]
+        faults = [
+            f"{path}: line {line}: expected {text}"
+            for text, is_faulty in is_faulty_by_message.items()
+            if is_faulty
+        ]
         refuse_lines(faults[:1])
         if model == "profile":
             _description(Path(path).parent / row["table"], POINTS)
 
 
 def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
-    """Refuse a substitute in a study of own surfaces that stands for one of the paper.
+    """Refuse a substitute for a surface of the paper in a study of own surfaces.
 
-    Raises ValueError with one line, given a description that `refuse_description` accepts and the
-    surfaces in the paper's Table 1, which substitutes of these names are conditioned on.
+    `refuse_description` must accept the description. `published` are the surfaces in the paper's
+    Table 1, to which substitutes with these names are conditioned. Raises ValueError with one line.
     """
     bands = read_bands(path)
     if surface in published or is_calibrated(bands):
@@ -224,13 +227,13 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
 
 
 def _description(
-    path: str | Path, numbers: Sequence[str], others: Sequence[str] = ()
+    path: str | Path, numbers: Sequence[str], text_columns: Sequence[str] = ()
 ) -> dict[int, Row]:
-    """Return the rows of a small table by line: columns of numbers, or blanks, and others.
+    """Return the rows of a small table by line: columns of numbers or blanks, and of text.
 
     Only a Hurst exponent and its change may be below zero.
     """
-    columns = (*numbers, *others)
+    columns = (*numbers, *text_columns)
     content = f"a table with the columns {', '.join(columns)} (resources/README.md)"
     table = user_table(path, content)
     table.require(columns, content)

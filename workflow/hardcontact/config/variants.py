@@ -1,4 +1,4 @@
-"""The study's choices and what else they could be, one at a time: the variants of robustness."""
+"""The variants of robustness: the study with one other choice at a time."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
@@ -9,7 +9,7 @@ from hardcontact.config.patterns import STUDY_VARIANT
 from hardcontact.config.selection import Selection
 from hardcontact.contact.contact import Contact
 
-#: What rms slope and curvature of Table 1 are read as; the paper defines neither.
+#: The readings of rms slope and curvature in Table 1; the paper defines neither.
 TABLE1_DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}
 #: The other reading of the curvature.
 OTHER_CURVATURE = "laplacian"
@@ -19,31 +19,31 @@ OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
 
 @dataclass(frozen=True)
 class SurfaceVariant:
-    """One way to make substitutes; None stands for what the study itself takes."""
+    """One way to make substitutes; None means the choice of the study itself."""
 
-    name: str  #: As it stands in paths.
-    label: str  #: As it is printed.
-    group: str  #: The choice that it is of.
-    surface: str | None = None  #: The one surface that is made so.
+    name: str  #: The name in paths.
+    label: str  #: The printed name.
+    group: str  #: The choice that this variant changes.
+    surface: str | None = None  #: The only surface that this variant changes.
     curvature: str | None = None  #: Reading of the curvature of Table 1.
     skewness: float | None = None  #: Skewness of the heights.
 
     @property
     def spectrum(self) -> str:
-        """Name of the way to make substitutes whose spectrum and conditioning this one has."""
+        """Name of the surface variant with the same spectrum and conditioning."""
         return STUDY_VARIANT if self.curvature is None else self.name
 
     @property
     def table1(self) -> dict[str, str]:
-        """What slope and curvature of Table 1 are read as."""
+        """The readings of slope and curvature in Table 1."""
         return TABLE1_DEFINITIONS | ({"curvature": self.curvature} if self.curvature else {})
 
     def heights(self, skewness: float) -> float:
-        """Return the skewness of heights made so, given that of the surface in the study."""
+        """Return the skewness of heights, given the skewness of the surface in the study."""
         return skewness if self.skewness is None else self.skewness
 
     def changes(self, selection: Selection, surface: str) -> bool:
-        """Return whether a surface made so differs from that of the study."""
+        """Return True if the variant of a surface differs from the study's surface."""
         if selection.basis[surface] == "measured" or self.surface not in (None, surface):
             return False
         if self.curvature is not None:
@@ -64,8 +64,8 @@ class Variant:
 
     def parameters(self) -> dict[str, Any]:
         """Return it as parameters of a rule, with the name of the load of its contact."""
-        named = {name: value for name, value in asdict(self).items() if name != "contact"}
-        return named | {"load": self.contact.load}
+        values = {name: value for name, value in asdict(self).items() if name != "contact"}
+        return values | {"load": self.contact.load}
 
 
 def study_contact(configuration: Mapping[str, Any]) -> Contact:
@@ -78,16 +78,18 @@ def study_contact(configuration: Mapping[str, Any]) -> Contact:
 
 
 def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
-    """Return the ways to make substitutes by their names, that of the study first."""
-    other, heights = OTHER_CURVATURE, configuration["robustness"]["heights"]
-    made = [SurfaceVariant(STUDY_VARIANT, "as the study", "baseline")]
-    made.append(
-        SurfaceVariant(other, f"curvature of Table 1: {other}", "curvature", curvature=other)
+    """Return the ways to make substitutes by their names, the study's own way first."""
+    curvature, heights = OTHER_CURVATURE, configuration["robustness"]["heights"]
+    choices = [SurfaceVariant(STUDY_VARIANT, "as the study", "baseline")]
+    choices.append(
+        SurfaceVariant(
+            curvature, f"curvature of Table 1: {curvature}", "curvature", curvature=curvature
+        )
     )
     for value in heights["skewness"]:
         name, label = f"skewness{value:+.12g}", f"skewness {value:+.12g}"
-        made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
-    return {variant.name: variant for variant in made}
+        choices.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
+    return {variant.name: variant for variant in choices}
 
 
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
@@ -96,29 +98,38 @@ def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Var
     probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
     study, group = dict.fromkeys(substrates, STUDY_VARIANT), "baseline"
     baseline = Variant(group, "as the study", group, study, contact, probe)
-    made = [baseline]
-    _, *others = surface_variants(configuration).values()
-    for other in others:
-        surface = f"{selection.labels[other.surface]}: " if other.surface else ""
-        changed = {name: other.name for name in substrates if other.changes(selection, name)}
-        made.append(
-            Variant(other.name, surface + other.label, other.group, study | changed, contact, probe)
+    variants_made = [baseline]
+    _, *surface_choices = surface_variants(configuration).values()
+    for choice in surface_choices:
+        surface = f"{selection.labels[choice.surface]}: " if choice.surface else ""
+        changed_surfaces = {
+            name: choice.name for name in substrates if choice.changes(selection, name)
+        }
+        variants_made.append(
+            Variant(
+                choice.name,
+                surface + choice.label,
+                choice.group,
+                study | changed_surfaces,
+                contact,
+                probe,
+            )
         )
     probe = OTHER_PROBE[probe]
     label = f"{probe} sphere in Fig. 6"
-    made.append(Variant(f"{probe}_sphere", label, "sphere", study, contact, probe))
-    for quantity, values, unit, shown in (
+    variants_made.append(Variant(f"{probe}_sphere", label, "sphere", study, contact, probe))
+    for quantity, values, unit, printed_unit in (
         ("preload", configuration["robustness"]["preloads"], "uN", "N"),
         ("hardness", configuration["robustness"]["hardnesses"], "GPa", "Pa"),
     ):
-        made += [
+        variants_made += [
             replace(
                 baseline,
                 name=f"{quantity}-{token(value, unit)}",
-                label=f"{quantity} {printed(value, shown)}",
+                label=f"{quantity} {printed(value, printed_unit)}",
                 group=quantity,
                 contact=replace(contact, **{quantity: value}),
             )
             for value in values
         ]
-    return made
+    return variants_made
