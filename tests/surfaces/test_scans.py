@@ -250,7 +250,7 @@ def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_p
 def test_a_measurement_is_stored_whole(tmp_path, topography, fields):
     file = written(MAPS["nc"], tmp_path / "a.nc", topography)
     measured = replace(read_measurement(*file), **fields)
-    dataset.write(measured.stored(), tmp_path / "stored.nc")
+    dataset.write(measured.to_dataset(), tmp_path / "stored.nc")
     again = read_stored(tmp_path / "stored.nc")
     np.testing.assert_array_equal(again.heights, measured.heights)
     assert replace(again, heights=None) == replace(measured, heights=None)

@@ -12,7 +12,7 @@ from repository import ROOT
 from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
-from snakemake_logger_plugin_stages import STUDY, LogHandler
+from snakemake_logger_plugin_stages import STUDY_LOGGER, LogHandler
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
 JOBS = ["level_scan", "level_scan", "stitch"]
@@ -78,7 +78,7 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
 
 
 def test_silence_is_broken(capsys, monkeypatch):
-    monkeypatch.setattr("snakemake_logger_plugin_stages.SILENCE", 0)
+    monkeypatch.setattr("snakemake_logger_plugin_stages.MAX_SILENCE_SECONDS", 0)
 
     def slow():
         yield from run(1)
@@ -130,7 +130,7 @@ def test_the_message_of_a_rule_is_shown(capsys):
 
 def test_what_the_study_says_and_warnings_are_shown(capsys):
     records = [
-        (logging.INFO, STUDY, "open answer.html", {}),
+        (logging.INFO, STUDY_LOGGER, "open answer.html", {}),
         (logging.WARNING, "snakemake.logging", "disk is nearly full", {}),
         info("Select jobs to execute..."),
     ]

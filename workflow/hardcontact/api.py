@@ -1,6 +1,6 @@
-"""What programs use of the library: ``import hardcontact as hc`` gives these names.
+"""The functions for programs: ``import hardcontact as hc`` gives these names.
 
-Each is a function that the jobs and commands of the study call, or a few of them in their order.
+Each function calls the functions of the study's jobs and commands.
 Lengths and heights are in nm, wavevectors in rad/nm, forces in N, works of adhesion in J/m²,
 pressures in Pa. All raise ValueError with a line for each fault of their input.
 """
@@ -65,14 +65,15 @@ def read_scan(
     path : str or Path
         Any format that SurfaceTopography reads, or a container of scans.
     dataset : str
-        The member of a container; of any other file the channel, or empty for its own choice.
+        The member of a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels, levelling : str
         ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
-        the scan lines first, or ``"quadratic"``, which subtracts the bow of a scanner, too.
+        the scan lines first, or ``"quadratic"``, which also subtracts the bow of a scanner.
     unit, edge : str, float or str
-        Of files that state none: such as ``"nm"`` or ``"mm,nm"``; the longer edge in nm.
+        For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer edge in
+        nm.
     sphere_radius : float or None
-        Of the sphere that the scan shows and that is subtracted.
+        Radius in nm of a sphere on the scan, which is subtracted; None for a flat surface.
 
     Returns
     -------
@@ -87,7 +88,7 @@ def read_scan(
     _refuse_reading([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
     _refuse_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
     measurement = read_measurement(path, dataset, undefined_pixels, unit, edge)
-    return _prepared(measurement, sphere_radius, levelling)
+    return _prepare(measurement, sphere_radius, levelling)
 
 
 def from_topography(
@@ -97,16 +98,16 @@ def from_topography(
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
-    """Return a height map of SurfaceTopography as `read_scan` reads one.
+    """Return a height map from SurfaceTopography, prepared like the result of `read_scan`.
 
     Parameters
     ----------
     topography : SurfaceTopography.Topography
         A map with physical sizes and a unit of length.
     undefined_pixels, levelling : str
-        As of `read_scan`.
+        As for `read_scan`.
     sphere_radius : float or None
-        As of `read_scan`.
+        As for `read_scan`.
 
     Returns
     -------
@@ -129,19 +130,17 @@ def from_topography(
         values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
         raise ValueError(f"topography: {error}") from None
-    return _prepared(
-        _measurement(values["heights"], values["pixel_size"]), sphere_radius, levelling
-    )
+    return _prepare(_measurement(values["heights"], values["pixel_size"]), sphere_radius, levelling)
 
 
-def _prepared(measurement: Measurement, sphere_radius: float | None, levelling: str) -> HeightMap:
-    """Return a measurement as the study prepares and stores it."""
+def _prepare(measurement: Measurement, sphere_radius: float | None, levelling: str) -> HeightMap:
+    """Return the height map of a measurement, levelled and in float32 like in the study's files."""
     scan = height_map(flatten(measurement, sphere_radius, levelling))
     return replace(scan, heights=scan.heights.astype(np.float32))
 
 
 def _measurement(heights: np.ndarray, pixel_size: float) -> Measurement:
-    """Return heights (y, x) in nm as a measurement that no file holds."""
+    """Return heights (y, x) in nm as a measurement without a file."""
     return Measurement("scan", "", "", "nm", "map", heights, pixel_size, None, (), 0)
 
 
@@ -156,23 +155,23 @@ def read_spectrum(
     sphere_radius: float | None = None,
     continued: bool = False,
 ) -> Spectrum:
-    """Return C_iso of one surface: of a table, or measured on scans, which are joined.
+    """Return C_iso of one surface from a table, or joined from the spectra of scans.
 
     Parameters
     ----------
     *files : str or Path
-        A CSV as `hardcontact predict` takes it; or height maps, line scans and containers.
+        One table in the format of `hardcontact predict`; or height maps, line scans and containers.
     dataset : str
-        The only member of a container that counts; empty: all of them.
+        The only member of a container to read; empty: all members.
     tip_radius : float or None
-        Of scans whose files do not state it.
+        Radius of the tip in nm for scans whose files do not state it.
     undefined_pixels, unit, levelling : str
-        As of `read_scan`.
+        As for `read_scan`.
     edge, sphere_radius : float or str, float or None
-        As of `read_scan`.
+        As for `read_scan`.
     continued : bool
-        Whether the spectrum of scans goes on beyond the wavelengths at which they are reliable, as
-        the study continues it for its masters: artificial, up to a roll-off and self-affine below.
+        Whether the spectrum of scans is extrapolated beyond their reliable wavelengths, like the
+        study's spectrum of masters: artificial, up to a roll-off and self-affine below.
 
     Returns
     -------
@@ -188,7 +187,7 @@ def read_spectrum(
     _refuse_lengths(
         edge=edge if edge != NONE else None, tip_radius=tip_radius, sphere_radius=sphere_radius
     )
-    own = own_spectrum(
+    user_spectrum = own_spectrum(
         files,
         dataset=dataset,
         tip_radius=tip_radius,
@@ -198,7 +197,11 @@ def read_spectrum(
         levelling=levelling,
         sphere_radius=sphere_radius,
     )
-    return spectrum_from(own.joined) if continued and own.joined is not None else own.spectrum
+    return (
+        spectrum_from(user_spectrum.joined)
+        if continued and user_spectrum.joined is not None
+        else user_spectrum.spectrum
+    )
 
 
 def pull_off_forces(
@@ -218,24 +221,24 @@ def pull_off_forces(
     Parameters
     ----------
     scan : HeightMap
-        Levelled; one that is not periodic is stitched to its mirror images.
+        The levelled scan; if it is not periodic, it is stitched to its mirror images.
     radius, preload, hardness : float
-        Of the sphere, on a contact, and of the softer body.
+        Radius of the sphere in nm, load on a contact in N, hardness of the softer body in Pa.
     ranges, work : sequence of float, float
-        Of adhesion.
+        Ranges of adhesion in nm; work of adhesion in J/m².
     window, count : float, int
-        Edge of the square about each contact that is summed over; contacts along an edge of the
-        array.
+        Edge in nm of the square around each contact over which the force is summed; number of
+        contacts along an edge of the array.
     sphere : HeightMap or None
-        Levelled roughness of the sphere where it touches; None for a smooth one.
+        Levelled roughness of the sphere where it touches; None for a smooth sphere.
 
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` in N over contact_model (rigid, plastic), rho and the contacts;
-        ``closest_approach`` in nm; ``touched_places``, how many places of the scan contacts touch;
-        ``window_change``, by how much a window that is wider by a period a side changes the forces
-        at the longest range.
+        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic;
+        ``closest_approach`` in nm; ``touched_places``, the number of places that contacts touch;
+        ``window_change``, the relative change of the forces at the longest range in a window that
+        is wider by a period on each side.
 
     Examples
     --------
@@ -247,16 +250,16 @@ def pull_off_forces(
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
     contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
-    _refuse_not_positive(work=work)
-    _refuse_no_numbers("ranges", ranges)
+    _refuse_non_positive(work=work)
+    _refuse_non_numbers("ranges", ranges)
     surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
     _refuse_unfit(surface, contact, ranges)
     pair = bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
-    found = pull_off_of_pair(pair, contact, ranges).merge(window_change([pair], longest))
-    force = found.pull_off_force * (work / WORK_OF_ADHESION)
+    forces = pull_off_of_pair(pair, contact, ranges).merge(window_change([pair], longest))
+    force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
-    return found.assign(pull_off_force=force.assign_attrs(attributes)).assign_attrs(
+    return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(
         work_of_adhesion=work
     )
 
@@ -274,34 +277,35 @@ def force_ratios(
     count: int = 20,
     sphere: HeightMap | None = None,
 ) -> xr.Dataset:
-    """Return how the force changes if roughness beyond cutoffs is removed from a scan itself.
+    """Compute the relative force if roughness beyond cutoffs is removed from the scan itself.
 
-    The study does so on masters, which continue the roughness of a scan beyond its wavelengths, and
-    takes minutes; the edges found here are those of the roughness that the scan shows.
+    The study takes minutes and filters masters, which have extrapolated roughness beyond the
+    wavelengths of a scan. The edges from this function belong to the roughness on the scan.
 
     Parameters
     ----------
     scan : HeightMap
-        As of `pull_off_forces`.
+        As for `pull_off_forces`.
     cutoffs : mapping of str to sequence of float
-        Each more than two pixels; of ``"small"``, below which wavelengths are removed, of
-        ``"large"``, above which they are, or of both.
+        Wavelengths in nm of more than two pixels. Shorter wavelengths are removed on the side
+        ``"small"``, longer wavelengths on the side ``"large"``. One side suffices.
     rho, tolerance : float
-        Range of adhesion; relative change of the force that counts.
+        Range of adhesion in nm; smallest relative change of the force that counts.
     radius, preload, hardness, window : float
-        As of `pull_off_forces`.
+        As for `pull_off_forces`.
     count : int
-        As of `pull_off_forces`.
+        As for `pull_off_forces`.
     sphere : HeightMap or None
-        As of `pull_off_forces`.
+        As for `pull_off_forces`.
 
     Returns
     -------
     xarray.Dataset
-        Over side ``edge``, the cutoff where the force leaves its tolerance; ``edge_status``,
-        ``"found"`` or why it is open; ``edge_bound``, above which an open edge is where
-        ``edge_at_least`` is 1, else below. Over side and cutoff_wavelength ``ratio`` of the mean
-        plastic force to that on the unfiltered scan, NaN at cutoffs of the other side.
+        ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``,
+        ``"found"`` or the reason for an open edge; ``edge_bound`` in nm, a lower bound of an open
+        edge if ``edge_at_least`` is 1, else an upper bound; ``ratio`` (side, cutoff_wavelength) of
+        the mean plastic force to the force on the unfiltered scan, NaN at cutoffs of the other
+        side.
 
     Examples
     --------
@@ -315,17 +319,17 @@ def force_ratios(
     contact = Contact(
         radius=radius, preload=preload, hardness=hardness, window=window, count=count, range=rho
     )
-    _refuse_not_positive(tolerance=tolerance)
+    _refuse_non_positive(tolerance=tolerance)
     surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
     _refuse_unfit(surface, contact, [rho])
     _refuse_cutoffs(cutoffs, surface)
     forces = {}
-    for side, of_side in cutoffs.items():
-        wavelengths = sorted({float(wavelength) for wavelength in of_side})
-        found = filtered_pull_off(
+    for side, side_cutoffs in cutoffs.items():
+        wavelengths = sorted({float(wavelength) for wavelength in side_cutoffs})
+        side_forces = filtered_pull_off(
             surface, Filters(side, surface.pixels, wavelengths), [contact], rough
         )
-        forces["scan", 0, side] = found.isel(radius=0, load=0, rho=0, drop=True)
+        forces["scan", 0, side] = side_forces.isel(radius=0, load=0, rho=0, drop=True)
     ratio = stacked_forces(forces).ratio.isel(surface=0, realization=0, drop=True)
     logarithm = np.log(ratio)
     curves = xr.Dataset(
@@ -353,23 +357,24 @@ def predict(
     work: float,
     tolerance: float = 0.1,
 ) -> dict[str, Number]:
-    """Return what the closed form predicts of a smooth sphere, as `hardcontact predict` does.
+    """Predict the force on a smooth sphere in closed form, like `hardcontact predict`.
 
     Parameters
     ----------
     spectrum : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
-        spectrum is measured where it is reliable, and whose steep edges leave the force unanswered.
+        spectrum is measured at its reliable wavelengths, and whose steep edges leave the force
+        unanswered.
     radius, preload, hardness, work, rho, tolerance : float
-        As of `pull_off_forces` and `force_ratios`.
+        As for `pull_off_forces` and `force_ratios`.
 
     Returns
     -------
     dict of str to Number
         By name, such as ``pull_off_force``, ``short_edge`` and ``long_edge``: ``value``, ``unit``,
-        ``low`` and ``high`` of its interval, and ``status``; the numbers that ``--json`` writes,
-        but for the Tabor parameter. The status of a force whose error is not known is
-        ``"outside"``; that the end of a continued spectrum is artificial does not count.
+        ``low`` and ``high`` of its interval, and ``status``: the numbers of ``--json`` except the
+        Tabor parameter. The status of a force with unknown error is ``"outside"``. An artificial
+        end of an extrapolated spectrum does not change the status.
 
     Examples
     --------
@@ -379,15 +384,15 @@ def predict(
     ... )
     >>> force = numbers["pull_off_force"].value  # N
     """
-    _refuse_not_positive(
+    _refuse_non_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
-    joined, skewness = None, 0.0
+    joined_scans, skewness = None, 0.0
     if isinstance(spectrum, HeightMap):
         skewness = metrics(spectrum)["skewness"]
         scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
-        joined = joined_spectrum([scan], [None])
-        spectrum = reliable_spectrum(joined)
+        joined_scans = joined_spectrum([scan], [None])
+        spectrum = reliable_spectrum(joined_scans)
     if not isinstance(spectrum, Spectrum):
         raise ValueError(
             "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
@@ -395,11 +400,11 @@ def predict(
         )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [wide_contact_message(contact)]))
-    return prediction(spectrum, contact, tolerance, joined=joined, skewness=skewness)
+    return prediction(spectrum, contact, tolerance, joined=joined_scans, skewness=skewness)
 
 
 def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
-    """Return a periodic map, of one that is not its mirror-stitched one; refuse what is no map."""
+    """Return a periodic map, or the mirror-stitched map of another map; refuse other objects."""
     if not isinstance(surface, HeightMap):
         raise ValueError(
             f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
@@ -413,24 +418,24 @@ def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
 
 
 def _refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
-    """Refuse cutoffs that a periodic surface has no waves at."""
+    """Refuse cutoffs at which a periodic surface has no waves."""
     if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
         raise ValueError(
             f"cutoffs: expected those of small, large or both, found {shorten(cutoffs)}"
         )
-    for of_side in cutoffs.values():
-        _refuse_no_numbers("cutoffs", of_side)
-    least, most = 2 * surface.pixel_size * (1 + 1e-9), surface.size
+    for side_cutoffs in cutoffs.values():
+        _refuse_non_numbers("cutoffs", side_cutoffs)
+    shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
     refuse_lines(
-        f"cutoffs: expected wavelengths of more than two pixels ({least:.4g} nm) and at most the "
-        f"{most:.6g} nm of the stitched scan on the {side} side, found {[*of_side]}"
-        for side, of_side in cutoffs.items()
-        if not len(of_side) or not least < min(of_side) <= max(of_side) <= most
+        f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
+        f"the {longest:.6g} nm of the stitched scan on the {side} side, found {[*side_cutoffs]}"
+        for side, side_cutoffs in cutoffs.items()
+        if not len(side_cutoffs) or not shortest < min(side_cutoffs) <= max(side_cutoffs) <= longest
     )
 
 
 def _refuse_reading(files: Sequence[object], **texts: object) -> None:
-    """Refuse files that are no paths, and what is no text, by its name."""
+    """Refuse files that are not paths, and arguments that are not text, by their names."""
     refuse_lines(
         [
             f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
@@ -446,19 +451,19 @@ def _refuse_reading(files: Sequence[object], **texts: object) -> None:
 
 
 def _refuse_lengths(**lengths: object) -> None:
-    """Refuse lengths that are given and no positive numbers (nm), by their names."""
-    _refuse_not_positive(**{name: value for name, value in lengths.items() if value is not None})
+    """Refuse lengths (nm) that are not None and not positive numbers, by their names."""
+    _refuse_non_positive(**{name: value for name, value in lengths.items() if value is not None})
 
 
-def _refuse_no_numbers(name: str, numbers: object) -> None:
-    """Refuse what is no sequence of positive numbers."""
+def _refuse_non_numbers(name: str, numbers: object) -> None:
+    """Refuse an argument that is not a sequence of positive numbers."""
     if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
         raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
     for number in numbers:
-        _refuse_not_positive(**{name: number})
+        _refuse_non_positive(**{name: number})
 
 
-def _refuse_not_positive(**numbers: object) -> None:
+def _refuse_non_positive(**numbers: object) -> None:
     """Refuse numbers that are not positive and finite, by their names."""
     refuse_lines(
         f"{name}: expected a positive number, found {value!r}"
@@ -471,8 +476,8 @@ def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     """Refuse numbers that a study of this periodic surface would refuse, in its words."""
     keys = ("preload", "hardness", "window", "count")
     section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
-    least = min(ranges, default=math.nan)
-    _refuse_not_positive(radius=contact.radius, **section, ranges=least)
+    shortest_range = min(ranges, default=math.nan)
+    _refuse_non_positive(radius=contact.radius, **section, ranges=shortest_range)
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Of the scan, which mirroring doubled.
@@ -482,9 +487,9 @@ def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         "published": NONE,
         "sphere": {"radius": contact.radius},
         "contact": section,
-        "adhesion": {"ranges": [least]},
+        "adhesion": {"ranges": [shortest_range]},
         "scales": {"range": math.inf},  # the ranges are those above
     }
-    for holds, key, expected, found in scan_limits(config, "the map", grid):
+    for holds, key, accepted, value in scan_limits(config, "the map", grid):
         if not holds:
-            raise ValueError(f"{key.split('.')[-1]}: expected {expected}, found {found}")
+            raise ValueError(f"{key.split('.')[-1]}: expected {accepted}, found {value}")

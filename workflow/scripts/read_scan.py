@@ -5,6 +5,6 @@ from hardcontact.surfaces.scans import read_measurement
 
 with job(snakemake) as job:
     job.write(
-        read_measurement(job.input.scan, **job.parameters).stored(),
+        read_measurement(job.input.scan, **job.parameters).to_dataset(),
         title="heights of a measured scan, as read",
     )

@@ -1,4 +1,4 @@
-"""What a run shows in the terminal: a line a stage, the jobs done and the time left.
+"""The lines of a run in the terminal: one a stage, with the jobs done and the time left.
 
 A plugin that Snakemake finds by the name of this package. A stage is all jobs of one rule. Dry
 runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log` has of every run.
@@ -21,22 +21,22 @@ from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
-#: The logger of what a study itself says.
-STUDY = "snakemake.logging.study"
-#: Seconds after which a line says how far the run is, if nothing else did.
-SILENCE = 30
-#: Exceptions that tell once more of a job that has failed.
-OF_JOBS = ("CalledProcessError", "RuleException")
-#: What Snakemake says at the end of a run in which a job has failed.
-NOT_ALL = "At least one job did not complete successfully."
+#: The logger of a study's own messages.
+STUDY_LOGGER = "snakemake.logging.study"
+#: Seconds without a line after which a line reports the progress.
+MAX_SILENCE_SECONDS = 30
+#: Exceptions that repeat the failure of a job.
+JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
+#: Snakemake's message at the end of a run in which a job has failed.
+INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
 #: Options whose words on the command line are configuration files, or keys with values.
 CONFIGFILE, CONFIG = ("--configfile", "--configfiles"), ("--config", "-C")
-#: Exceptions whose last line tells a user all: of configuration files that cannot be read.
-OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
+#: Exceptions for unreadable configuration files, whose last line is all that a user needs.
+FILE_EXCEPTIONS = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
 
 
 class LogHandler(LogHandlerBase):
-    """Shows stages, what Snakemake warns of, and what the study says."""
+    """Shows stages, Snakemake's warnings and the study's messages."""
 
     writes_to_stream = True
     writes_to_file = False
@@ -60,29 +60,29 @@ class LogHandler(LogHandlerBase):
             self._say("Planning the run ...")
 
     def emit(self, record: LogRecord) -> None:
-        """Show what begins, what ends, and what is to be read."""
-        event, said = getattr(record, "event", None), vars(record)
-        if event == LogEvent.ERROR and not self._planned and (faults := _faults_of_words()):
+        """Show stages that begin or end, and messages."""
+        event, fields = getattr(record, "event", None), vars(record)
+        if event == LogEvent.ERROR and not self._planned and (faults := _command_line_faults()):
             self._say(faults)
-        elif event == LogEvent.ERROR and said["exception"] in OF_FILES:
+        elif event == LogEvent.ERROR and fields["exception"] in FILE_EXCEPTIONS:
             self._say("error: " + record.getMessage().strip().splitlines()[-1])
         elif self._own_log:
             self._say(self.format(record))
         elif event == LogEvent.RUN_INFO:
-            self._plan(said["stats"])
+            self._plan(fields["stats"])
         elif event == LogEvent.JOB_INFO:
-            self._start(said["jobid"], said["rule_name"])
-            if said["rule_msg"]:
-                self._say(said["rule_msg"])
+            self._start(fields["jobid"], fields["rule_name"])
+            if fields["rule_msg"]:
+                self._say(fields["rule_msg"])
         elif event == LogEvent.JOB_FINISHED:
-            self._finish(self._rules[said["job_id"]])
+            self._finish(self._rules[fields["job_id"]])
         elif event == LogEvent.JOB_ERROR:
-            self._say(f"Error in rule {said['rule_name']}: see {', '.join(said['log'])}")
-        elif event == LogEvent.ERROR and self._planned and _tells_again(record):
+            self._say(f"Error in rule {fields['rule_name']}: see {', '.join(fields['log'])}")
+        elif event == LogEvent.ERROR and self._planned and _repeats_failure(record):
             pass
         elif (
             record.levelno >= WARNING
-            or record.name == STUDY
+            or record.name == STUDY_LOGGER
             or record.getMessage() == NOTHING_TO_BE_DONE_MSG
         ):
             self._say(self.format(record))
@@ -92,7 +92,7 @@ class LogHandler(LogHandlerBase):
         print(text, file=self._stream, flush=True)
 
     def _plan(self, jobs: dict[str, int]) -> None:
-        """Show how many jobs there will be, by rule, and about how long they take."""
+        """Show the number of planned jobs and about the time that they take."""
         stages, self._planned = read_stages(), {**jobs}
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
@@ -107,18 +107,18 @@ class LogHandler(LogHandlerBase):
         return sum(self._stages[rule].seconds * count for rule, count in jobs.items())
 
     def _position(self) -> str:
-        """Return how many jobs have ended and how long the others take, by what they cost."""
+        """Return the number of finished jobs, and the remaining time from the costs of jobs."""
         done = f"{self._done.total()} of {self._total} jobs done"
         if not (spent := self._cost(self._done)):
             return done
         elapsed = time.monotonic() - self._run_begin
-        left = elapsed * (self._cost(self._planned) / spent - 1)
-        return f"{done}, about {timedelta(seconds=round(max(left, 0)))} left"
+        remaining = elapsed * (self._cost(self._planned) / spent - 1)
+        return f"{done}, about {timedelta(seconds=round(max(remaining, 0)))} left"
 
     def _break_silence(self) -> None:
-        """Say how far the run is, where nothing else did for a while."""
+        """Show the progress if there was no line for a while."""
         while not self._ended.wait(1):
-            if time.monotonic() - self._last_line > SILENCE:
+            if time.monotonic() - self._last_line > MAX_SILENCE_SECONDS:
                 self._say(self._position())
 
     def _start(self, job: int, rule: str) -> None:
@@ -126,7 +126,7 @@ class LogHandler(LogHandlerBase):
         self._begin.setdefault(rule, time.monotonic())
 
     def _finish(self, rule: str) -> None:
-        """Count a job that has ended; of a rule without further jobs show a line."""
+        """Count a finished job; show a line if its rule has no further jobs."""
         self._done[rule] += 1
         if self._done[rule] == self._planned[rule]:
             took = timedelta(seconds=round(time.monotonic() - self._begin[rule]))
@@ -139,33 +139,35 @@ class LogHandler(LogHandlerBase):
         super().close()
 
 
-def _tells_again(record: LogRecord) -> bool:
-    """Return whether an error is that of a job that has failed, which has a line already."""
-    return vars(record)["exception"] in OF_JOBS or record.getMessage().endswith(NOT_ALL)
+def _repeats_failure(record: LogRecord) -> bool:
+    """Return True if an error repeats the failure of a job, which has a line already."""
+    return vars(record)["exception"] in JOB_EXCEPTIONS or record.getMessage().endswith(
+        INCOMPLETE_MESSAGE
+    )
 
 
-def _words_of(options: tuple[str, ...]) -> list[str]:
+def _option_words(options: tuple[str, ...]) -> list[str]:
     """Return the words of options on the command line."""
     words = list[str]()
-    for place, word in enumerate(sys.argv):
+    for index, word in enumerate(sys.argv):
         option, _, value = word.partition("=")
         if option in options:
-            after = takewhile(lambda word: not word.startswith("-"), sys.argv[place + 1 :])
-            words += [value] if value else after
+            following = takewhile(lambda word: not word.startswith("-"), sys.argv[index + 1 :])
+            words += [value] if value else following
     return words
 
 
-def _faults_of_words() -> str:
-    """Return what is wrong with the configuration on the command line, a line each.
+def _command_line_faults() -> str:
+    """Return a line for each fault of the configuration on the command line.
 
-    Snakemake tells neither the file nor the line of a file, nor the key.
+    Snakemake itself names neither the file, its line nor the key.
     """
     from hardcontact.config.configuration import refuse_unreadable
     from hardcontact.config.faults import refuse_all
 
     checks = [
-        *(partial(refuse_unreadable, path) for path in _words_of(CONFIGFILE)),
-        *(partial(_refuse_pair, word) for word in _words_of(CONFIG)),
+        *(partial(refuse_unreadable, path) for path in _option_words(CONFIGFILE)),
+        *(partial(_refuse_pair, word) for word in _option_words(CONFIG)),
     ]
     try:
         refuse_all(checks)
@@ -175,7 +177,7 @@ def _faults_of_words() -> str:
 
 
 def _refuse_pair(word: str) -> None:
-    """Refuse a word of `--config` that is no KEY=VALUE, or whose key has dots."""
+    """Refuse a word of `--config` that is not KEY=VALUE, or whose key has dots."""
     key, equals, value = word.partition("=")
     if not equals:
         raise ValueError(

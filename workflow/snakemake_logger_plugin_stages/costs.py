@@ -1,4 +1,4 @@
-"""What a job of each rule costs, and what the terminal calls its stage: the table costs.tsv.
+"""The table costs.tsv: the cost of a job of each rule, and the name of its stage in the terminal.
 
 After a quick study, this renews the costs from its benchmarks:
 ``python workflow/snakemake_logger_plugin_stages/costs.py results/quick results/store-quick``
@@ -30,13 +30,13 @@ def read_stages() -> dict[str, Stage]:
 
 
 def _name_in_table(rule: str, stages: dict[str, Stage]) -> str:
-    """Return the longest name in the table that a rule begins with; nothing if there is none."""
+    """Return the longest name in the table with which a rule begins, or an empty text."""
     names = [name for name in stages if f"{rule}_".startswith(f"{name}_")]
     return max(names, key=len, default="")
 
 
 def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
-    """Return the stage of a rule; rules made in a loop share that of the name they begin with.
+    """Return the stage of a rule; rules from a loop share the stage of their common name.
 
     A rule that is not in the table has the median cost and its own name.
     """
@@ -44,11 +44,11 @@ def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
     if not name:
         seconds = median(stage.seconds for stage in stages.values())
         return Stage(seconds, rule.replace("_", " "))
-    part = rule.removeprefix(name).removeprefix("_")  # a figure, or the numbers of scans
-    if re.fullmatch(r"\d+(_\d+)+", part):
-        first, *_, last = part.split("_")
-        part = f"{first} to {last}"
-    return Stage(stages[name].seconds, f"{stages[name].name} {part}".strip())
+    name_end = rule.removeprefix(name).removeprefix("_")  # a figure, or the numbers of scans
+    if re.fullmatch(r"\d+(_\d+)+", name_end):
+        first_scan, *_, last_scan = name_end.split("_")
+        name_end = f"{first_scan} to {last_scan}"
+    return Stage(stages[name].seconds, f"{stages[name].name} {name_end}".strip())
 
 
 def main() -> None:

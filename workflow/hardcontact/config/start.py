@@ -60,14 +60,14 @@ def prepare(workflow: Any) -> None:
 
 def _refuse_elsewhere(workflow: Any) -> None:
     """Refuse another clone's library, use as a module, and another working directory."""
-    rules_file = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
+    rules_folder = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
     snakefile, working_folder = Path(workflow.main_snakefile).resolve(), Path.cwd().resolve()
     if working_folder != ROOT or not (
-        rules_file.is_relative_to(ROOT) and snakefile.is_relative_to(ROOT)
+        rules_folder.is_relative_to(ROOT) and snakefile.is_relative_to(ROOT)
     ):
         _refuse(
             f"working directory: expected the study to be run by itself in {ROOT}, whose library "
-            f"this environment has (README.md), found {snakefile} with the rules of {rules_file} "
+            f"this environment has (README.md), found {snakefile} with the rules of {rules_folder} "
             "run in "
             f"{working_folder}"
         )

@@ -1,6 +1,7 @@
-"""Plain text of scans, rewritten as the readers of SurfaceTopography take it.
+"""Rewrite plain text of scans for the readers of SurfaceTopography.
 
-These read UTF-8, decimal points, matrices between blanks, and points x, y, height on a whole grid.
+These read UTF-8, decimal points, matrices separated by blanks, and points x, y, height on a
+complete grid.
 """
 
 import codecs
@@ -10,7 +11,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.scan_heights import MOST_UNDEFINED, PIXELS, ROUNDING
+from hardcontact.surfaces.scan_heights import MAX_UNDEFINED_SHARE, PIXELS, POSITION_ROUNDING
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
@@ -32,33 +33,33 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     Points (x, y, height) on a grid with gaps gain points of undefined height. Any other content
     stays as it is. The list has a note for the user if decimal commas were read.
     """
-    text = _decoded(content)
+    text = _decode(content)
     if text is None:
         return content, []
     lines = text.splitlines()
-    first = next((number for number, line in enumerate(lines) if ROW.fullmatch(line)), None)
-    if first is None:
+    first_row = next((number for number, line in enumerate(lines) if ROW.fullmatch(line)), None)
+    if first_row is None:
         return content, []
-    width = len(CELL.findall(lines[first]))
-    lines[first:] = [_with_undefined(line, width) for line in lines[first:]]
+    width = len(CELL.findall(lines[first_row]))
+    lines[first_row:] = [_mark_undefined(line, width) for line in lines[first_row:]]
     numbers = [number for number, line in enumerate(lines) if ROW.fullmatch(line)]
     notes = []
     if _has_decimal_commas("\n".join(lines[number] for number in numbers)):
         lines = [DECIMAL_COMMA.sub(".", line) for line in lines]
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
-        rows = _between_blanks([lines[number] for number in numbers])
-        complete = _without_gaps(rows)
+        rows = _separate_with_blanks([lines[number] for number in numbers])
+        complete = _fill_gaps(rows)
         if complete is not None:
-            lines = [*lines[:first], *complete]
+            lines = [*lines[:first_row], *complete]
         else:
             for number, row in zip(numbers, rows, strict=True):
                 lines[number] = row
     return ("\n".join(lines) + "\n").encode(), notes
 
 
-def _decoded(content: bytes) -> str | None:
-    """Return the text of bytes, None if they are none."""
+def _decode(content: bytes) -> str | None:
+    """Return the text of bytes; None if they are not text."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         encodings = ["utf-16"]
     else:
@@ -71,10 +72,10 @@ def _decoded(content: bytes) -> str | None:
     return None
 
 
-def _with_undefined(line: str, width: int) -> str:
-    """Return a row of a matrix in which words, such as ***, are undefined; other lines as is.
+def _mark_undefined(line: str, width: int) -> str:
+    """Return a row of a matrix with words, such as ***, replaced by nan.
 
-    At least half of the numbers of the first row are there.
+    Lines with less than half of the numbers of the first row are unchanged.
     """
     cells = CELL.findall(line)
     if ROW.fullmatch(line) or not POINT_COLUMNS < len(cells) <= width:
@@ -85,9 +86,9 @@ def _with_undefined(line: str, width: int) -> str:
 
 
 def _has_decimal_commas(rows: str) -> bool:
-    """Return whether all commas of rows are decimal: other signs separate the numbers.
+    """Return True if all commas in rows are decimal and other signs separate the numbers.
 
-    Of a comma between two whole numbers alone in their rows this cannot be known.
+    If every row is two whole numbers with a comma between, the comma is ambiguous: False.
     """
     return (
         "," in rows
@@ -97,7 +98,7 @@ def _has_decimal_commas(rows: str) -> bool:
     )
 
 
-def _between_blanks(rows: list[str]) -> list[str]:
+def _separate_with_blanks(rows: list[str]) -> list[str]:
     """Return rows with blanks in place of semicolons or commas; empty cells are undefined."""
     separator = next((sign for sign in ";," if any(sign in row for row in rows)), None)
     if separator is None:
@@ -108,10 +109,10 @@ def _between_blanks(rows: list[str]) -> list[str]:
     return [" ".join(cell.strip() or "nan" for cell in row.split(separator)) for row in rows]
 
 
-def _without_gaps(rows: list[str]) -> list[str] | None:
-    """Return rows of points on a grid of which some are missing, with these, of height NaN.
+def _fill_gaps(rows: list[str]) -> list[str] | None:
+    """Return points on a grid as rows, with the missing points added with the height NaN.
 
-    None if the rows are no such points: they are on no grid, or on a whole one.
+    None if the rows are not points on a grid, or if the grid is complete.
     """
     cells = [row.split() for row in rows]
     if any(len(row) != POINT_COLUMNS for row in cells):
@@ -120,16 +121,16 @@ def _without_gaps(rows: list[str]) -> list[str] | None:
         points = np.array(cells, float)
     except ValueError:  # a mark of an undefined pixel
         return None
-    axes, places = [], []
+    axes, indices = [], []
     for positions in points[:, :2].T:
-        axis, place = _grid_axis(positions)
+        axis, axis_indices = _grid_axis(positions)
         if not len(axis):
             return None
         axes.append(axis)
-        places.append(place)
+        indices.append(axis_indices)
     size = len(axes[0]) * len(axes[1])
-    flat = places[0] * len(axes[1]) + places[1]
-    if not MOST_UNDEFINED * size <= len(np.unique(flat)) == len(flat) < size:
+    flat = indices[0] * len(axes[1]) + indices[1]
+    if not MAX_UNDEFINED_SHARE * size <= len(np.unique(flat)) == len(flat) < size:
         return None
     heights = np.full(size, np.nan)
     heights[flat] = points[:, 2]
@@ -140,19 +141,19 @@ def _without_gaps(rows: list[str]) -> list[str] | None:
 
 
 def _grid_axis(positions: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Return evenly spaced positions (n,) and the place of each position; empty if there is none.
+    """Return evenly spaced positions (n,) and the index of each position among them.
 
-    Positions may be rounded.
+    Positions may be rounded. Both arrays are empty if the positions are not evenly spaced.
     """
-    none = np.empty(0), np.empty(0, np.intp)
+    empty = np.empty(0), np.empty(0, np.intp)
     steps = np.diff(np.unique(positions))
     if not steps.size or not np.isfinite(steps).all():
-        return none
-    spacing = np.median(steps[steps > ROUNDING * steps.max()])
+        return empty
+    spacing = np.median(steps[steps > POSITION_ROUNDING * steps.max()])
     extent = float(np.ptp(positions))
     if extent > spacing * PIXELS[1]:
-        return none
+        return empty
     axis = np.linspace(positions.min(), positions.max(), round(extent / spacing) + 1)
-    place = np.rint((positions - axis[0]) / extent * (len(axis) - 1)).astype(np.intp)
-    is_near = np.abs(axis[place] - positions) <= ROUNDING * spacing
-    return (axis, place) if is_near.all() else none
+    axis_indices = np.rint((positions - axis[0]) / extent * (len(axis) - 1)).astype(np.intp)
+    is_near = np.abs(axis[axis_indices] - positions) <= POSITION_ROUNDING * spacing
+    return (axis, axis_indices) if is_near.all() else empty

@@ -1,6 +1,6 @@
-"""The bytes of a scan: any format SurfaceTopography reads, contact.engineering containers.
+"""Read the bytes of a scan: any format of SurfaceTopography, or a contact.engineering container.
 
-`scans` calls this in a child process that opens no file, so that late imports of readers are made
+`scans` calls this in a child process that opens no file. Late imports of readers are therefore made
 here. `SurfaceTopography.Container.IO.Schema` describes containers.
 """
 
@@ -23,7 +23,7 @@ from SurfaceTopography.Support.UnitConversion import is_length_unit
 from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.plain_text import POINT_COLUMNS, ROW, readable_text
 from hardcontact.surfaces.scan_heights import (
-    OBLONG,
+    MAX_OBLONGNESS,
     check_points,
     map_values,
     profile_values,
@@ -31,7 +31,7 @@ from hardcontact.surfaces.scan_heights import (
     unit_in_nm,
 )
 
-#: What readers import while they read.
+#: Modules that readers import while they read.
 IMPORTED_LATE = (
     "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
     "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
@@ -44,19 +44,19 @@ for module in IMPORTED_LATE:
 LISTS = ("index.json", "meta.yml")
 #: Scans in a container: each is read in a process of its own.
 MAX_SCANS = 1000
-#: Keys of the data file of a scan: as it was measured, else as it was kept after processing, with
-#: its channel chosen and its heights scaled.
+#: Keys of the data file of a scan: the measured file, or else the processed file, whose channel is
+#: already selected and whose heights are already scaled.
 DATA_FILES = ("original", "squeezed-netcdf")
-OF_ORIGINAL = ("data_source", "height_scale")
+ORIGINAL_KEYS = ("data_source", "height_scale")
 #: Stands for a unit or an edge that is not given, for files that state none.
 NONE = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
-STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
+METADATA_KEYS = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
 #: Spacings, in the unit of a text, below which its reader takes any line scan for uniform: it takes
 #: spacings that differ by less than 1e-6 of the unit for equal, 1 µm in a file in metres.
 COARSE_SPACING = 1e-4
-#: What SurfaceTopography says of a file that no reader takes: a reader and its reason, in turn.
-TRIED = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
+#: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
+READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 #: The unit of values that a header of a text states.
 VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
 #: Kinds of files that no reader knows, by how they begin, with the remedy.
@@ -67,7 +67,7 @@ UNKNOWN_KINDS = {
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return as `datasets` the data files in a container, in its order; one empty name else."""
+    """Return under `datasets` the data files in a container, or one empty name for other files."""
     entries = _container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -75,7 +75,7 @@ def list_datasets(content: bytes) -> dict[str, Any]:
 def read_measurement_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, edge: float | str
 ) -> dict[str, Any]:
-    """Return the fields of a `Measurement` but its path, as `scans.read_measurement` does."""
+    """Return all fields of a `Measurement` except its path, for `scans.read_measurement`."""
     entries = _container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
@@ -88,11 +88,13 @@ def read_measurement_fields(
     except CannotDetectFileFormat as error:
         raise RefusedFile(
             "expected a whole file in a format that SurfaceTopography reads, "
-            f"found {_unread(content, str(error))}"
+            f"found {_describe_unread(content, str(error))}"
         ) from None
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     notes = text_notes + notes
-    topography, used = _topography(channel, entry or _given(channel, unit, edge))
+    topography, metadata_in_words = _topography(
+        channel, entry or _user_metadata(channel, unit, edge)
+    )
     if topography.unit is None:
         raise RefusedFile(
             "expected a unit of length, found none in the file: --unit, or the key scan.unit, "
@@ -104,17 +106,17 @@ def read_measurement_fields(
             "expected a physical size and one unit, "
             f"found size {topography.physical_sizes}, unit {topography.unit}"
         )
-    if used:
+    if metadata_in_words:
         origin = "the container states" if entry else "given"
-        notes.append(f"{', '.join(used)} as {origin}".replace("_", " "))
+        notes.append(f"{', '.join(metadata_in_words)} as {origin}".replace("_", " "))
     is_map = topography.dim == 2
     if is_map and isinstance(reader, AscReader):
         # A text has no count of lines: it may have been cut short.
-        along_x, along_y = np.divide(topography.physical_sizes, topography.nb_grid_pts)
-        if abs(along_x / along_y - 1) > OBLONG:
+        pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
+        if abs(pixel_width / pixel_height - 1) > MAX_OBLONGNESS:
             raise RefusedFile(
                 "expected square pixels of a text, which has lost lines else, "
-                f"found {along_x:.6g} {topography.unit} x {along_y:.6g} {topography.unit}"
+                f"found {pixel_width:.6g} {topography.unit} x {pixel_height:.6g} {topography.unit}"
             )
     try:
         values = (map_values if is_map else profile_values)(
@@ -135,30 +137,39 @@ def read_measurement_fields(
     }
 
 
-def _unread(content: bytes, tried: str) -> str:
-    """Return what a file is that no reader takes, with the reasons of those that know its kind."""
-    reasons = {name: " ".join(reason.split())[:200] for name, reason in TRIED.findall(tried)}
+def _describe_unread(content: bytes, reader_messages: str) -> str:
+    """Describe a file that no reader takes, with the reasons of the readers of its kind."""
+    reasons = {
+        name: " ".join(reason.split())[:200]
+        for name, reason in READER_MESSAGE.findall(reader_messages)
+    }
     lines = content[: 2**16].decode("utf-8", "replace").splitlines()
     start = content[:512]
-    known = [reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES]
-    kind = next((kind for begin, kind in UNKNOWN_KINDS.items() if content.startswith(begin)), "")
+    reader_names = [
+        reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES
+    ]
+    kind_in_words = next(
+        (words for begin, words in UNKNOWN_KINDS.items() if content.startswith(begin)), ""
+    )
     if zipfile.is_zipfile(io.BytesIO(content)):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             if any(name.endswith("/main.xml") for name in archive.namelist()):
-                known = ["X3PReader"]
-                kind = "an X3P whose files are in a folder: zip them without it"
+                reader_names = ["X3PReader"]
+                kind_in_words = "an X3P whose files are in a folder: zip them without it"
     elif sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
-        known = ["AscReader"]
+        reader_names = ["AscReader"]
         unit = VALUE_UNIT.search("\n".join(lines))
-        kind = "a text that is neither a matrix of equal rows nor columns of points"
+        kind_in_words = "a text that is neither a matrix of equal rows nor columns of points"
         if unit and not is_length_unit(unit[1]):
-            kind = f"a text of values in {unit[1]}, which is no unit of length"
-    told = [f"{name}: {reasons[name]}" for name in known if name in reasons]
-    return "; ".join([*([kind] if kind else []), *told]) or "one that none of its readers takes"
+            kind_in_words = f"a text of values in {unit[1]}, which is no unit of length"
+    descriptions = [f"{name}: {reasons[name]}" for name in reader_names if name in reasons]
+    if kind_in_words:
+        descriptions.insert(0, kind_in_words)
+    return "; ".join(descriptions) or "one that none of its readers takes"
 
 
 def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
-    """Return the ``TopographyMeta`` of each scan in a container and its data file, None else."""
+    """Return the ``TopographyMeta`` and data file of each scan; None if there is no container."""
     if not zipfile.is_zipfile(io.BytesIO(content)):
         return None
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
@@ -167,8 +178,8 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
             return None
         text = archive.read(name)
     try:
-        listed = json.loads(text) if name == LISTS[0] else yaml.load(text, yaml.CFullLoader)
-        surfaces = listed["surfaces"]
+        contents = json.loads(text) if name == LISTS[0] else yaml.load(text, yaml.CFullLoader)
+        surfaces = contents["surfaces"]
         entries = [_entry(scan) for surface in surfaces for scan in surface["topographies"]]
     except Exception as error:  # a list that is none may raise anything
         raise RefusedFile(
@@ -183,18 +194,18 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
 
 
 def _entry(scan: dict[str, Any]) -> dict[str, Any]:
-    """Return the metadata of a scan in a container with its data file, the name if it has none."""
+    """Return the metadata of a scan in a container with its data file, and a name."""
     key = next(key for key in DATA_FILES if scan["datafile"].get(key))
     file = scan["datafile"][key]
     if not isinstance(file, str):
         raise TypeError("the name of a data file is no text")
-    ignored = () if key == "original" else OF_ORIGINAL
-    kept = {key: value for key, value in scan.items() if key not in ignored}
-    return kept | {"name": scan.get("name") or file, "file": file}
+    ignored = () if key == "original" else ORIGINAL_KEYS
+    kept_metadata = {key: value for key, value in scan.items() if key not in ignored}
+    return kept_metadata | {"name": scan.get("name") or file, "file": file}
 
 
 def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
-    """Return the metadata of the only scan of this name or data file."""
+    """Return the metadata of the only scan with this name or data file."""
     named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
     if len(named_entries) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
@@ -206,7 +217,10 @@ def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
 
 
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return the channel named, or that of the container or reader, else the first of heights."""
+    """Return the channel of a name, of the container or of the reader, and notes.
+
+    If this channel has no heights, the first channel of heights is returned.
+    """
     channels = reader.channels
     if not channels:
         raise RefusedFile("expected a file with heights, found no channel of them")
@@ -215,64 +229,75 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
         raise RefusedFile(
             f"expected a data_source from 0 to {len(channels) - 1} in the container, found {number}"
         )
-    wanted = reader.default_channel if number is None else channels[number]
+    preferred = reader.default_channel if number is None else channels[number]
     # Phases and voltages of Nanoscope files are channels of heights, with two units.
-    of_heights = [
+    height_channels = [
         channel
         for channel in channels
         if channel.is_height_channel and not isinstance(channel.unit, tuple)
     ]
-    names = ", ".join(channel.name for channel in of_heights) or "none"
+    names = ", ".join(channel.name for channel in height_channels) or "none"
     if name:
-        named = [channel for channel in channels if name in (channel.name, str(channel.index + 1))]
-        if not named:
+        matching = [
+            channel for channel in channels if name in (channel.name, str(channel.index + 1))
+        ]
+        if not matching:
             raise RefusedFile(
                 f"expected one of the channels of heights ({names}), or its number among all "
                 f"channels from 1; found {name!r}"
             )
-        if named[0].index not in [channel.index for channel in of_heights]:
+        if matching[0].index not in [channel.index for channel in height_channels]:
             raise RefusedFile(
-                f"expected a channel of heights, found only {named[0].name} "
-                f"({_unit_in_words(named[0])}); of heights: {names}"
+                f"expected a channel of heights, found only {matching[0].name} "
+                f"({_unit_in_words(matching[0])}); of heights: {names}"
             )
-        return named[0], []
-    if not of_heights:
-        listed = ", ".join(f"{channel.name} ({_unit_in_words(channel)})" for channel in channels)
-        raise RefusedFile(f"expected a channel of heights, found only {listed}")
-    chosen = next((heights for heights in of_heights if heights.index == wanted.index), None)
-    if chosen is None:
-        return of_heights[0], [f"channel {of_heights[0].name} read: {wanted.name} holds no heights"]
-    others = [channel.name for channel in of_heights if channel.name != chosen.name]
-    is_listed = bool(others) and number is None
-    return chosen, [f"other channels of heights: {', '.join(others)}"] if is_listed else []
+        return matching[0], []
+    if not height_channels:
+        channels_in_words = ", ".join(
+            f"{channel.name} ({_unit_in_words(channel)})" for channel in channels
+        )
+        raise RefusedFile(f"expected a channel of heights, found only {channels_in_words}")
+    height_channel = next(
+        (channel for channel in height_channels if channel.index == preferred.index), None
+    )
+    if height_channel is None:
+        height_channel = height_channels[0]
+        return height_channel, [
+            f"channel {height_channel.name} read: {preferred.name} holds no heights"
+        ]
+    other_names = [
+        channel.name for channel in height_channels if channel.name != height_channel.name
+    ]
+    notes = [f"other channels of heights: {', '.join(other_names)}"]
+    return height_channel, notes if other_names and number is None else []
 
 
 def _unit_in_words(channel: Any) -> str:
-    """Return the unit of the values of a channel; of two units the second is that of values."""
+    """Return the unit of the values of a channel, which is the second if there are two units."""
     unit = channel.unit[1] if isinstance(channel.unit, tuple) else channel.unit
     return str(unit or "of no stated unit")
 
 
-def _given(channel: Any, unit: str, edge: float | str) -> dict[str, Any]:
-    """Return what the user gives for what a file lacks, as a container states it.
+def _user_metadata(channel: Any, unit: str, edge: float | str) -> dict[str, Any]:
+    """Return the user's metadata for a file that lacks them, in the form of a container.
 
-    The unit may be two, of positions and of heights; the edge is the longer one, in nm.
+    `unit` may have two units, for positions and for heights; `edge` is the longer edge in nm.
     """
-    given: dict[str, Any] = {}
+    metadata: dict[str, Any] = {}
     lateral, _, vertical = unit.partition(",")
     if channel.unit is None and unit != NONE:
-        given["unit"] = lateral
+        metadata["unit"] = lateral
         if vertical:
-            given["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
-    known_unit = given.get("unit", channel.unit)
+            metadata["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
+    known_unit = metadata.get("unit", channel.unit)
     if edge != NONE and channel.physical_sizes is None and known_unit:
         pixel = float(edge) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
-        given["size"] = [pixel * count for count in channel.nb_grid_pts]
-    return given
+        metadata["size"] = [pixel * count for count in channel.nb_grid_pts]
+    return metadata
 
 
-def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and the stated metadata that its file lacks, in words."""
+def _topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
+    """Return the topography of a channel, and the used metadata that its file lacks, in words."""
     is_text = isinstance(channel.reader, AscReader)
     if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
         raise RefusedFile(
@@ -281,28 +306,29 @@ def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
         )
     check_points(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
-    size = None if has_positions else tuple(stated.get("size") or ()) or None
-    scale = stated.get("height_scale")
+    size = None if has_positions else tuple(metadata.get("size") or ()) or None
+    scale = metadata.get("height_scale")
     if size is not None and not (len(size) == channel.dim and all(0 < x < math.inf for x in size)):
         raise RefusedFile(f"expected a size of {channel.dim} positive numbers, found {size}")
     if scale is not None and not 0 < scale < math.inf:
         raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
-        both = channel.unit is None and "unit" not in stated
+        lacks_unit = channel.unit is None and "unit" not in metadata
         raise RefusedFile(
-            f"expected a file that states the physical size{' and unit' * both} of the scan, found "
-            "none: the file is damaged, or its format has none; --size 5um, or the key scan.edge, "
-            f"gives the longer edge{', and --unit nm the unit of the heights' * both}"
+            f"expected a file that states the physical size{' and unit' * lacks_unit} of the scan, "
+            "found none: the file is damaged, or its format has none; --size 5um, or the key "
+            "scan.edge, gives the longer edge"
+            f"{', and --unit nm the unit of the heights' * lacks_unit}"
         )
     # A height scale that the file has already would calibrate it twice.
     arguments: dict[str, Any] = {}
-    for argument, key in STATED.items():
-        value = size if argument == "physical_sizes" else stated.get(key)
+    for argument, key in METADATA_KEYS.items():
+        value = size if argument == "physical_sizes" else metadata.get(key)
         if value is not None:
             with suppress(MetadataAlreadyFixedByFile):
                 channel.topography(**arguments | {argument: value})
                 arguments[argument] = value
-    words = [f"{STATED[argument]} {value}" for argument, value in arguments.items()]
+    words = [f"{METADATA_KEYS[argument]} {value}" for argument, value in arguments.items()]
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
     if is_text_line and (

@@ -1,4 +1,4 @@
-"""Heights, spacing and tip of a scan, from what a reader of SurfaceTopography returns.
+"""Heights, spacing and tip of a scan, from the result of a reader of SurfaceTopography.
 
 Maps are cropped to squares, gaps filled, line scans resampled.
 """
@@ -22,26 +22,28 @@ POINTS = (16, 2**20)
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTHS = (1e-3, 1e7)
-#: By what share edges of a square pixel may differ.
-OBLONG = 1e-3
+#: Largest relative difference between the edges of a square pixel.
+MAX_OBLONGNESS = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
-MOST_UNDEFINED = 0.5
+MAX_UNDEFINED_SHARE = 0.5
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
 SLOPE_LIMIT = 10
 #: Begins a note that is a caution.
 TAKE_CARE = "take care: "
 #: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
-ROUNDING = 0.05
+POSITION_ROUNDING = 0.05
 #: "Tip radius: 8 nm", "Initial tip radii - 17 nm" and the like in the words of a container.
-IN_WORDS = re.compile(r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I)
+TIP_RADIUS_IN_WORDS = re.compile(
+    r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I
+)
 
 
 def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return the notes that are no cautions, and those that are, without TAKE_CARE."""
-    others = [note for note in notes if not note.startswith(TAKE_CARE)]
-    cautions = [note.removeprefix(TAKE_CARE) for note in notes if note not in others]
-    return others, cautions
+    """Return plain notes, and cautions without their prefix TAKE_CARE."""
+    plain_notes = [note for note in notes if not note.startswith(TAKE_CARE)]
+    cautions = [note.removeprefix(TAKE_CARE) for note in notes if note not in plain_notes]
+    return plain_notes, cautions
 
 
 def check_points(counts: tuple[int, ...]) -> None:
@@ -49,9 +51,10 @@ def check_points(counts: tuple[int, ...]) -> None:
     is_map = len(counts) == 2
     minimum, maximum = PIXELS if is_map else POINTS
     if not minimum <= min(counts) <= max(counts) <= maximum:
-        where = "pixels along an edge" if is_map else "points along a line scan"
+        points_in_words = "pixels along an edge" if is_map else "points along a line scan"
         raise RefusedFile(
-            f"expected {minimum} to {maximum} {where}, found {' x '.join(map(str, counts))}"
+            f"expected {minimum} to {maximum} {points_in_words}, "
+            f"found {' x '.join(map(str, counts))}"
         )
 
 
@@ -66,7 +69,7 @@ def unit_in_nm(unit: str) -> float:
 
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
-    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has."""
+    """Return these fields of a `Measurement`; refuse impossible heights and pixel sizes."""
     minimum, maximum = LENGTHS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))
@@ -119,7 +122,7 @@ def _square_pixels(
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
         raise RefusedFile(f"expected pixels of positive edges, found edges of {edges} nm")
-    if longer <= (1 + OBLONG) * edges.min():
+    if longer <= (1 + MAX_OBLONGNESS) * edges.min():
         return heights, float(edges.mean()), []
     values = heights.filled(np.nan)
     for axis, edge in enumerate(edges):
@@ -130,7 +133,7 @@ def _square_pixels(
     check_points(values.shape)
     notes = [f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"]
     width, height = edges * heights.shape
-    if abs(width / height - 1) <= OBLONG:
+    if abs(width / height - 1) <= MAX_OBLONGNESS:
         # Files of Bruker state the size of the full scan, also of one with fewer lines.
         square = " x ".join(print_length(count * edges.min()) for count in heights.shape)
         notes.append(
@@ -151,9 +154,9 @@ def _masked(heights: Floats) -> np.ma.MaskedArray:
 def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
     """Return the number of undefined pixels and a note on them; refuse too many or unfillable."""
     count = int(heights.mask.sum())
-    if count > MOST_UNDEFINED * heights.size:
+    if count > MAX_UNDEFINED_SHARE * heights.size:
         raise RefusedFile(
-            f"expected at most {MOST_UNDEFINED:.0%} of the pixels undefined, "
+            f"expected at most {MAX_UNDEFINED_SHARE:.0%} of the pixels undefined, "
             f"found {count} of {heights.size}"
         )
     if count and undefined_pixels == "refuse":
@@ -187,7 +190,7 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
             f"found a reentrant one at point {int(np.argmin(spacings > 0)) + 2}"
         )
     uniform = np.linspace(positions[0], positions[-1], len(positions))
-    if np.abs(positions - uniform).max() < ROUNDING * spacings.mean():
+    if np.abs(positions - uniform).max() < POSITION_ROUNDING * spacings.mean():
         return positions, []
     spacing = float(np.median(spacings))
     count = int((positions[-1] - positions[0]) / spacing + 1 + 1e-9)
@@ -202,27 +205,27 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
 def stated_tip_radius(
     file: dict[str, Any], container: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip in nm, None if none is stated, and a note on its source.
+    """Return the radius of the tip in nm, and a note on its source; None if it is not stated.
 
-    The file counts before its container, a number before words. The largest radius in words counts:
-    tips wear, and a scan shows no more than a worn one.
+    The file has precedence over its container, and a number over words. The largest radius in words
+    counts, since tips wear and a worn tip limits the scan.
     """
     for source, metadata in (("file", file), ("container", container)):
         radius = _radius_in_numbers(metadata)
         if radius is not None:
             return radius, [f"tip radius of {radius:.4g} nm stated by the {source}"]
-    stated = IN_WORDS.findall(str(container.get("description") or ""))
-    if not stated:
+    matches = TIP_RADIUS_IN_WORDS.findall(str(container.get("description") or ""))
+    if not matches:
         return None, []
-    radius = max(float(value) * unit_in_nm(unit) for value, unit in stated)
+    radius = max(float(value) * unit_in_nm(unit) for value, unit in matches)
     return radius, [f"largest tip radius in the container's description, {radius:.4g} nm"]
 
 
 def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
-    """Return the radius (nm) of the instrument's tip in metadata, None if no tip has such."""
+    """Return the radius (nm) of the instrument's tip in metadata; None if it is not plausible."""
     try:
-        stated = metadata["instrument"]["parameters"]["tip_radius"]
-        radius = float(stated["value"]) * unit_in_nm(stated["unit"])
+        tip_radius = metadata["instrument"]["parameters"]["tip_radius"]
+        radius = float(tip_radius["value"]) * unit_in_nm(tip_radius["unit"])
     except (LookupError, TypeError, ValueError, RefusedFile):
         return None
     return radius if LENGTHS[0] <= radius <= LENGTHS[1] else None

@@ -27,11 +27,11 @@ class Measurement:
     tip_radius: float | None  #: In nm, if the file or its container states one.
     notes: tuple[str, ...]  #: What was changed or chosen in reading, in words for the user.
     undefined: int  #: Undefined pixels among those kept, before they were filled.
-    #: Of `scan_defects`, once the measurement is `examined`.
+    #: The result of `scan_defects`, after `examine`.
     defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
-    def stored(self) -> xr.Dataset:
-        """Return the dataset that `read_stored` reads: heights in float64, else attributes."""
+    def to_dataset(self) -> xr.Dataset:
+        """Return the dataset for `read_stored`: heights in float64, other fields as attributes."""
         attributes = asdict(self) | {
             "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
             "notes": "; ".join(self.notes),
@@ -44,17 +44,20 @@ class Measurement:
 
 
 def read_stored(path: str) -> Measurement:
-    """Read a measurement from a netCDF file of the study; raises ValueError if that fails."""
-    stored = labelled.read(path)
+    """Read a measurement from a netCDF file of the study.
+
+    Raises ValueError if the file cannot be read.
+    """
+    dataset = labelled.read(path)
     words = ("path", "dataset", "channel", "file_unit", "kind")
-    tip_radius, notes = float(stored.attrs["tip_radius"]), stored.attrs["notes"]
+    tip_radius, notes = float(dataset.attrs["tip_radius"]), dataset.attrs["notes"]
     return Measurement(
-        **{name: stored.attrs[name] for name in words},
-        heights=stored["heights"].values,
-        pixel_size=float(stored.attrs["pixel_size"]),
+        **{name: dataset.attrs[name] for name in words},
+        heights=dataset["heights"].values,
+        pixel_size=float(dataset.attrs["pixel_size"]),
         tip_radius=None if np.isnan(tip_radius) else tip_radius,
         notes=tuple(notes.split("; ")) if notes else (),
-        undefined=int(stored.attrs["undefined"]),
+        undefined=int(dataset.attrs["undefined"]),
     )
 
 
@@ -111,15 +114,18 @@ def read_scan(
     unit: str = "none",
     edge: float | str = "none",
 ) -> HeightMap:
-    """Read a height map as `read_measurement` does; raises ValueError for a line scan."""
+    """Read a height map with `read_measurement`.
+
+    Raises ValueError if the file has a line scan.
+    """
     return height_map(read_measurement(path, dataset, undefined_pixels, unit, edge), basis)
 
 
 def list_measurements(path: str | Path) -> list[str]:
-    """Return the names by which `read_measurement` finds the topographies of a file.
+    """Return the names of the topographies in a file, for `read_measurement`.
 
-    They are the data files in a container, in its order, and one empty name for any other file.
-    Raises ValueError, in one line, if the file is missing or the container cannot be used.
+    A container has one name for each data file, in its order; any other file has one empty name.
+    Raises ValueError, with one line, if the file is missing or the container cannot be used.
     """
     from hardcontact.surfaces.scan_formats import list_datasets
 
@@ -127,7 +133,10 @@ def list_measurements(path: str | Path) -> list[str]:
 
 
 def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
-    """Return the height map that was measured, in float64; raises ValueError for a line scan."""
+    """Return the height map of a measurement, in float64.
+
+    Raises ValueError if the measurement is a line scan.
+    """
     if measurement.kind != "map":
         raise ValueError(f"{measurement.path}: expected a height map, found a line scan")
     return HeightMap(measurement.heights, measurement.pixel_size, False, basis)
@@ -136,9 +145,9 @@ def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
 def flatten(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measurement, a map without its sphere and levelled.
+    """Return a measurement whose map is levelled and has its sphere subtracted.
 
-    The radius of the sphere is in nm, None for a flat surface. A line scan keeps its heights.
+    The radius of the sphere is in nm; None for a flat surface. A line scan keeps its heights.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
@@ -151,7 +160,22 @@ def flatten(
 def examine(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measurement as `flattened` makes it, with its defects."""
+    """Return a measurement from `flatten`, with its defects.
+
+    Parameters
+    ----------
+    measurement : Measurement
+        The measurement as read.
+    sphere_radius : float or None
+        Radius of the sphere in nm; None for a flat surface.
+    levelling : str
+        One of LEVELLING.
+
+    Returns
+    -------
+    Measurement
+        The levelled measurement with `defects`.
+    """
     from scipy.signal import detrend  # A slow import.
 
     flat = flatten(measurement, sphere_radius, levelling)
@@ -160,7 +184,7 @@ def examine(
     return replace(flat, defects=defects)
 
 
-#: Titles of the files that hold what `prepared` returns.
+#: Titles of the files with the results of `level_and_stitch`.
 LEVELLED = "levelled scan, the sphere subtracted if it shows one"
 STITCHED = "scan and its mirror images, periodic"
 
@@ -171,10 +195,25 @@ def level_and_stitch(
     sphere_radius: float | None = None,
     levelling: str = "plane",
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a measured map levelled, and then mirror-stitched, both as datasets.
+    """Return a levelled map and its mirror-stitched map, both as datasets.
 
-    The levelled scan of a sphere, of a radius in nm, also keeps the heights as they were read, in
-    the variable `as_scanned`. Attributes hold channel, unit and notes of the file.
+    Parameters
+    ----------
+    measurement : Measurement
+        A map as read.
+    basis : str
+        ``"measured"`` or ``"substitute"``.
+    sphere_radius : float or None
+        Radius of the sphere in nm; None for a flat surface.
+    levelling : str
+        One of LEVELLING.
+
+    Returns
+    -------
+    tuple of xarray.Dataset
+        The levelled and the stitched heights (y, x) in nm. The levelled scan of a sphere also has
+        ``as_scanned``, the heights as read. The attributes have channel, unit and notes of the
+        file.
     """
     scan = height_map(measurement, basis)
     flat = flat_map(scan, sphere_radius, levelling)
@@ -182,9 +221,9 @@ def level_and_stitch(
     if sphere_radius is not None:
         labels = {"units": "nm", "long_name": "height of the sphere as scanned"}
         levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
-    described = {
+    file_attributes = {
         "channel": measurement.channel,
         "file_unit": measurement.file_unit,
         "notes": "; ".join(measurement.notes),
     }
-    return levelled.assign_attrs(described), stitched.assign_attrs(described)
+    return levelled.assign_attrs(file_attributes), stitched.assign_attrs(file_attributes)
