@@ -24,7 +24,7 @@ with job(snakemake) as job:
         ),
     )
     masters = zip(params["masters"], job.input.scales, strict=True)
-    varied = robustness(
+    results = robustness(
         dataset.read_all(params["surfaces"], job.input.adhesion),
         [(key, dataset.read(path)) for key, path in masters],
         params["variants"],
@@ -32,6 +32,6 @@ with job(snakemake) as job:
         choices,
     )
     job.write(
-        varied.assign_attrs({name: params[name] for name in SETTINGS}),
+        results.assign_attrs({name: params[name] for name in SETTINGS}),
         title="range and work of adhesion and critical band under other choices",
     )

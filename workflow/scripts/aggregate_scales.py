@@ -1,4 +1,4 @@
-"""Pull-off forces of every filtered master, and their ratio to the unfiltered one."""
+"""Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
@@ -13,17 +13,17 @@ from hardcontact.contact.all_surfaces import (
 with job(snakemake) as job:
     params = job.parameters
 
-    stacked = []
+    master_forces = []
     for surfaces, paths in (
         (params["masters"], job.input.masters),
         (params["drawn"], job.input.drawn),
     ):
         files = zip([[surface] for surface in surfaces], map(read, paths), strict=True)
         masters = single_masters(files, params["realizations"], params["load"])
-        stacked += [stacked_forces(masters)] if masters else []
-    forces, *drawn = stacked
-    if drawn:
-        forces = with_spectrum_shifts(forces, *drawn)
+        master_forces += [stacked_forces(masters)] if masters else []
+    forces, *drawn_spectrum_forces = master_forces
+    if drawn_spectrum_forces:
+        forces = with_spectrum_shifts(forces, *drawn_spectrum_forces)
     job.write(
         with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(
             {name: params[name] for name in ("rho", "sphere_radius")}

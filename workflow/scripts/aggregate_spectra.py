@@ -1,4 +1,4 @@
-"""Spectra of all surfaces: joined of the scans of measured ones, of substitutes as described."""
+"""Spectra of all surfaces: joined from measured scans, or described for substitutes."""
 
 from hardcontact.base import dataset
 from hardcontact.base.job import job

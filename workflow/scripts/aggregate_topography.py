@@ -8,7 +8,7 @@ from hardcontact.surfaces.roughness_table import measured_roughness, roughness_t
 with job(snakemake) as job:
     keys = [tuple(key) for key in job.parameters.pop("scans")]
     paths = dict(zip(keys, job.input.scans, strict=True))
-    first = {surface: path for (surface, _), path in reversed(paths.items())}
+    first_scans = {surface: path for (surface, _), path in reversed(paths.items())}
     surfaces = dict.fromkeys(surface for surface, _ in keys)
     substitutes = job.parameters.pop("conditioned")
     job.write(
@@ -16,7 +16,7 @@ with job(snakemake) as job:
             {key: measured_roughness(read_height_map(path)) for key, path in paths.items()},
             dict(zip(surfaces, map(dataset.read, job.input.spectra), strict=True)),
             dict(zip(substitutes, map(dataset.read, job.input.conditionings), strict=True)),
-            {surface: dataset.read(path) for surface, path in first.items()},
+            {surface: dataset.read(path) for surface, path in first_scans.items()},
             **job.parameters,
         ),
         title="topography of all surfaces: rms metrics and power spectral densities",

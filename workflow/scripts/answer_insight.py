@@ -1,4 +1,4 @@
-"""The page on what decides the band, part by part."""
+"""The page on the causes of the critical band, part by part."""
 
 from pathlib import Path
 

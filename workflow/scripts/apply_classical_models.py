@@ -1,4 +1,4 @@
-"""Effective work of adhesion and classical models of rough adhesion, beside the pull-off forces."""
+"""Effective work of adhesion, and classical models of rough adhesion for the pull-off forces."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read

@@ -1,4 +1,4 @@
-"""The closed form of the pull-off force beside forces computed on random surfaces."""
+"""The closed form of the pull-off force, compared with forces computed on random surfaces."""
 
 from hardcontact.base import published
 from hardcontact.base.job import job

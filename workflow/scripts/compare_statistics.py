@@ -1,4 +1,4 @@
-"""The scatter of pull-off forces by the law, beside the published and computed one."""
+"""The scatter of pull-off forces by their law, compared with published and computed scatter."""
 
 import pandas as pd
 

@@ -1,4 +1,4 @@
-"""Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
+"""Forces of a scan and of its filtered masters at the ranges that are mixed for every law."""
 
 from hardcontact.band.filtered_masters import Filters
 from hardcontact.base.job import job

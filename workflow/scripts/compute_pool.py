@@ -5,8 +5,8 @@ from hardcontact.paper.pool import compute_pool, read_pool_sources
 
 with job(snakemake) as job:
     params = job.parameters
-    first, last = params["first"], params["last"]
+    numbers = range(params["first"], params["last"] + 1)
     job.write(
-        compute_pool(range(first, last + 1), read_pool_sources(job.input, params)),
-        title=f"pull-off forces of scans {first} to {last} of the pool of {params['surface']}",
+        compute_pool(numbers, read_pool_sources(job.input, params)),
+        title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} of the pool of {params['surface']}",
     )

@@ -1,4 +1,4 @@
-"""Rigid and plastic pull-off of one scan on all scans of the sphere, and how the window matters."""
+"""Rigid and plastic pull-off of a scan on all scans of the sphere, and the effect of the window."""
 
 from dataclasses import replace
 
@@ -21,10 +21,10 @@ with job(snakemake) as job:
             for number, pair in pairs.items()
         }
     )
-    first, shortest = next(iter(pairs.values())), replace(contact, range=min(params["ranges"]))
+    first_pair, shortest = next(iter(pairs.values())), replace(contact, range=min(params["ranges"]))
     job.write(
         forces.assign(window_change(pairs.values(), contact)).assign(
-            finer_pixel_change(first, shortest)
+            finer_pixel_change(first_pair, shortest)
         ),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

@@ -1,4 +1,4 @@
-"""What the scans of a substitute share: a gain of its spectrum, and a factor for each."""
+"""The gain of a substitute's spectrum, and the factor of each of its scans."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""Pages of the report that are no figures."""
+"""Pages of the report that are not figures."""
 
 from pathlib import Path
 
@@ -11,11 +11,11 @@ from hardcontact.report.report_pages import pages
 with job(snakemake) as job:
     chapters = [Path(path) for path in job.input if path.endswith(".md")]
     bands = [read(job.input.band), read(job.input.sets)]
-    made = pages(
+    page_texts = pages(
         add_open_ends(read_verdicts(job.input.claims), bands),
         {path.stem: path.read_text("utf-8") for path in chapters},
         job.parameters,
         pinned_versions(job.input.environment),
     )
-    for name, page in made.items():
+    for name, page in page_texts.items():
         job.write_text(page, name)

@@ -1,4 +1,4 @@
-"""One figure as PDF, PNG and SVG, and the table it is drawn from."""
+"""One figure as PDF, PNG and SVG, and the table of its data."""
 
 from hardcontact.base.job import job
 from hardcontact.report.figures.drawing import draw_figure

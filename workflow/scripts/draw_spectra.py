@@ -1,4 +1,4 @@
-"""Spectra drawn within what the measurements of a surface leave open, one a realization."""
+"""Spectra drawn within the uncertainty of the measurements of a surface, one a realization."""
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
@@ -8,8 +8,8 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as job:
     params = job.parameters
-    surface, places = params["surface"], params["contact_places"]
-    drawn = drawn_spectra(
+    surface, contact_indices = params["surface"], params["contact_places"]
+    spectra = drawn_spectra(
         (
             generator(params["seed"], surface, realization, "drawn spectrum")
             for realization in range(1, len(job.output) + 1)
@@ -20,9 +20,9 @@ with job(snakemake) as job:
         ],
         params["tip_radii"],
     )
-    for output, (spectrum, factors) in enumerate(drawn):
-        # Realizations build on the scans in turn, as do the masters that theirs are set beside.
-        factor = factors[places[output % len(places)]]
+    for output, (spectrum, factors) in enumerate(spectra):
+        # Realizations use the scans in turn, like the masters with which they are compared.
+        factor = factors[contact_indices[output % len(contact_indices)]]
         job.write(
             spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor),
             title=f"a spectrum that the measurements of {surface} allow",

@@ -1,4 +1,4 @@
-"""Statements of the paper, each beside what was computed, with its verdict."""
+"""Statements of the paper, each with its computed number and its verdict."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
@@ -7,7 +7,7 @@ from hardcontact.paper.evaluation import evaluate, read_statements
 
 with job(snakemake) as job:
     params = job.parameters
-    evaluated = evaluate(
+    claims = evaluate(
         read_statements(job.input.claims),
         {name: read(job.input[name]) for name in params["datasets"]},
         published.constants(job.input.published_constants),
@@ -15,4 +15,4 @@ with job(snakemake) as job:
         read(job.input.sets),
         params["seed"],
     )
-    job.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
+    job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")

@@ -18,14 +18,14 @@ with job(snakemake) as job:
     sphere = read_height_map(sources.sphere) if sources.sphere else None
     sides = [side for side in SIDES if side in params["sides"]]
     forces = {}
-    for (place, realization), side in product(enumerate(params["realizations"]), sides):
+    for (index, realization), side in product(enumerate(params["realizations"]), sides):
         scales = params["sides"][side]
         if params["masters"]:
-            master = read_height_map(sources[f"{side}_masters"][place])
+            master = read_height_map(sources[f"{side}_masters"][index])
         else:
             purpose = f"{side}-scale {params['purpose']}"
             key = params["seed"], params["surface"], realization, purpose
-            master = varied_master(side, key, sources.scans[place], sources.spectra[place], scales)
+            master = varied_master(side, key, sources.scans[index], sources.spectra[index], scales)
         forces[realization, side] = filtered_pull_off(
             master,
             Filters(side, scales["pixels"], scales["cutoffs"]),

@@ -1,4 +1,4 @@
-"""What decides range and work of adhesion: single surfaces, rare protrusions, heights of apices."""
+"""Influences on range and work of adhesion: single surfaces, rare protrusions, apex heights."""
 
 import numpy as np
 import xarray as xr
@@ -30,7 +30,7 @@ with job(snakemake) as job:
     coating = job.parameters["surface"]
     for output, bearer in (("protruded", "one coating"), ("protruded_sphere", "the sphere")):
         chunks = [read(path) for path in job.input[output]]
-        # There are none without substitutes.
+        # Without substitutes there are no chunks.
         chunks = chunks or [empty_protruded(coating, plastic_sets["rho"].values)]
         protruded_fits = judge_protruded(chunks, coating, plastic_sets, Published(pull_off, pair))
         job.write(

@@ -21,7 +21,7 @@ with job(snakemake) as job:
         dict(zip(params["pooled"], map(read, job.input.smooth_spheres), strict=True)),
         stacked_forces(single_masters(masters, params["realizations"], params["load"])),
     )
-    judged = judge_sets(
+    set_numbers = judge_sets(
         sources,
         pd.DataFrame(params["statements"]),
         constants,
@@ -29,6 +29,6 @@ with job(snakemake) as job:
         SetSettings(**params["settings"]),
     )
     job.write(
-        judged.assign_attrs(confidence=params["settings"]["confidence"]),
+        set_numbers.assign_attrs(confidence=params["settings"]["confidence"]),
         title="numbers of many sets of substitute scans",
     )

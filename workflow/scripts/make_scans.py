@@ -1,4 +1,4 @@
-"""Substitute scans that are conditioned together: as files that scan readers know, and prepared."""
+"""Substitute scans that are conditioned together, as files for scan readers and levelled."""
 
 from hardcontact.base import dataset
 from hardcontact.base.job import job
@@ -12,9 +12,10 @@ with job(snakemake) as job:
     params, surface, scans = job.parameters, job.parameters["surface"], job.parameters["scans"]
     conditioning = dataset.read(job.input.conditioning)
     density = amplified(read_spectrum(job.input.spectrum), conditioning["gain"].values)
-    for place, number in enumerate(scans):
-        # Substitutes of all scans come first among the outputs, then levelled and stitched ones.
-        substitute, levelled, stitched = (place + kind * len(scans) for kind in range(3))
+    for index, number in enumerate(scans):
+        # Substitutes of all scans come first among the outputs, then levelled and stitched scans.
+        levelled_output = index + len(scans)
+        stitched_output = index + 2 * len(scans)
         scan = synthesized_scan(
             generator(params["seed"], surface, number, "scan"),
             density,
@@ -26,10 +27,12 @@ with job(snakemake) as job:
         job.write(
             scan,
             title=f"substitute scan {number} of {surface}",
-            output=substitute,
+            output=index,
             file_format="NETCDF3_64BIT",
         )
-        measurement = as_measurement(scan, job.output[substitute])
-        flat, periodic = level_and_stitch(measurement, "substitute", params["sphere_radius"])
-        job.write(flat, LEVELLED, levelled)
-        job.write(periodic, STITCHED, stitched)
+        measurement = as_measurement(scan, job.output[index])
+        levelled_scan, stitched_scan = level_and_stitch(
+            measurement, "substitute", params["sphere_radius"]
+        )
+        job.write(levelled_scan, LEVELLED, levelled_output)
+        job.write(stitched_scan, STITCHED, stitched_output)

@@ -1,4 +1,4 @@
-"""Indents that plastic contact leaves in the sphere: the size of all, and one drawn."""
+"""Indents that plastic contact leaves in the sphere: the sizes of all, and a map of one."""
 
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
@@ -6,8 +6,8 @@ from hardcontact.contact.indents import indents_of_scans
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
 
-def by_scan(scans: tuple[int, ...], paths: list[str]) -> dict[int, HeightMap]:
-    """Return the height maps of files by the number of the scan, each read once."""
+def read_scans(scans: tuple[int, ...], paths: list[str]) -> dict[int, HeightMap]:
+    """Return the height maps of files by the number of the scan; each file is read once."""
     files = dict(zip(scans, paths, strict=True))
     return {scan: read_height_map(path) for scan, path in files.items()}
 
@@ -16,8 +16,8 @@ with job(snakemake) as job:
     params = job.parameters
     scans, sphere_scans = zip(*params["pairs"], strict=True)
     indents = indents_of_scans(
-        by_scan(scans, job.input.substrates),
-        by_scan(sphere_scans, job.input.spheres),
+        read_scans(scans, job.input.substrates),
+        read_scans(sphere_scans, job.input.spheres),
         Contact(radius=params["radius"], preload=max(params["preloads"]), **params["contact"]),
         params["preloads"],
     )

@@ -6,7 +6,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.traced_contact import traced_contact
 
-NAMED = "surface", "scan", "sphere_scan", "contact", "label", "basis"
+ATTRIBUTES = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 
 with job(snakemake) as job:
     params, constants = job.parameters, published.constants(job.input.published_constants).value
@@ -18,8 +18,8 @@ with job(snakemake) as job:
     )
     pair = read_bodies(job.input.substrate, job.input.sphere, contact)
     traced = traced_contact(pair, params["contact"], contact)
-    named = {name: params[name] for name in NAMED}
+    names = {name: params[name] for name in ATTRIBUTES}
     job.write(
-        traced.assign_attrs(named),
+        traced.assign_attrs(names),
         title=f"contact {params['contact']} on {params['label']}",
     )

@@ -1,4 +1,4 @@
-"""Which files of a study do not match what they were made from."""
+"""Print the files of a study that do not match their inputs."""
 
 import sys
 
