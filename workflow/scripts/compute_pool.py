@@ -4,9 +4,9 @@ from hardcontact.base.job import job
 from hardcontact.paper.pool import compute_pool, read_pool_sources
 
 with job(snakemake) as job:
-    params = job.parameters
+    params, surface = job.parameters, job.parameters["surface"]
     numbers = range(params["first"], params["last"] + 1)
     job.write(
         compute_pool(numbers, read_pool_sources(job.input, params)),
-        title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} of the pool of {params['surface']}",
+        title=f"pull-off forces of scans {numbers[0]} to {numbers[-1]} of the pool of {surface}",
     )
