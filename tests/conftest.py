@@ -45,7 +45,7 @@ def pytest_collection_modifyitems(items):
 
 
 @pytest.fixture
-def at_root(monkeypatch):
+def project_folder(monkeypatch):
     """Work in the top folder of the repository."""
     monkeypatch.chdir(ROOT)
 

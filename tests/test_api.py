@@ -59,9 +59,11 @@ def test_names_are_there_and_nothing_is_loaded_before_one_is_used():
         "import sys, hardcontact; print(*sys.modules); hardcontact.metrics; print(*sys.modules)"
     )
     run = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
-    before, after = (set(line.split()) for line in run.stdout.splitlines())
-    assert {name for name in before if name.startswith(("hardcontact", "numpy"))} == {"hardcontact"}
-    assert "hardcontact.api" in after
+    names_before, names_after = (set(line.split()) for line in run.stdout.splitlines())
+    assert {name for name in names_before if name.startswith(("hardcontact", "numpy"))} == {
+        "hardcontact"
+    }
+    assert "hardcontact.api" in names_after
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -80,8 +82,8 @@ def test_the_example_scan_is_that_of_the_code_beside_it(tmp_path, monkeypatch):
     )
     monkeypatch.chdir(tmp_path)
     exec(code[1], {})
-    made, shipped = (np.loadtxt(path / "demo.txt") for path in (tmp_path, folder))
-    np.testing.assert_allclose(made, shipped, atol=0.011)
+    written, shipped = (np.loadtxt(path / "demo.txt") for path in (tmp_path, folder))
+    np.testing.assert_allclose(written, shipped, atol=0.011)
     scan = hc.read_scan(folder / "demo.txt")
     assert (scan.pixels, scan.size) == (256, pytest.approx(5000)) and 9 < scan.heights.std() < 11
 
@@ -109,19 +111,19 @@ def test_the_notebook_shows_what_its_cells_return(monkeypatch, capsys):
     names = {}
     for cell in (cell for cell in cells if cell["cell_type"] == "code"):
         source = "".join(cell["source"])
-        *statements, last = ast.parse(source).body
+        *statements, last_statement = ast.parse(source).body
         exec(compile(ast.Module(statements, []), "cell", "exec"), names)
-        value = eval(ast.unparse(last), names)
-        told = capsys.readouterr().out
+        value = eval(ast.unparse(last_statement), names)
+        printed = capsys.readouterr().out
         if value is not None and not source.endswith(";"):
-            told += repr(value)
-        kept, figures = "", 0
+            printed += repr(value)
+        documented, figures = "", 0
         for output in cell["outputs"]:
             content = output.get("data", {"text/plain": output.get("text")})
             figures += "image/png" in content
             if "image/png" not in content:
-                kept += "".join(content["text/plain"])
-        assert "".join(kept.split()) == "".join(told.split()), source
+                documented += "".join(content["text/plain"])
+        assert "".join(documented.split()) == "".join(printed.split()), source
         assert figures == source.endswith(";")
     matplotlib.pyplot.close("all")
 
@@ -136,12 +138,12 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     places = np.floor((np.arange(3) + 0.25) * pixels / 3).astype(int)
     for i, j in np.ndindex(3, 3):
         y, x = places[i], places[j]
-        seen = mirrored[np.ix_((y + offset) % pixels, (x + offset) % pixels)]
-        gap = sphere[:, None] + sphere - seen
+        heights_in_window = mirrored[np.ix_((y + offset) % pixels, (x + offset) % pixels)]
+        gap = sphere[:, None] + sphere - heights_in_window
         for model, count in (("rigid", 1), ("plastic", Contact(radius=1.0, **LOAD).pixels(PIXEL))):
-            expected = work / (rho * 1e-9) * (PIXEL * 1e-9) ** 2 * direct_total(gap, count, rho)
-            found = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
-            assert found == pytest.approx(expected, rel=1e-6)
+            direct_sum = work / (rho * 1e-9) * (PIXEL * 1e-9) ** 2 * direct_total(gap, count, rho)
+            force = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
+            assert force == pytest.approx(direct_sum, rel=1e-6)
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
 
 
@@ -157,35 +159,40 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 def test_ratios_are_those_of_the_waves_that_are_left():
     """Of two waves a cutoff between them leaves either one."""
-    place = 2 * np.pi * np.arange(128) / 128
-    long, short = np.tile(4 * np.cos(2 * place), (128, 1)), np.tile(np.cos(16 * place), (128, 1))
+    phase = 2 * np.pi * np.arange(128) / 128
+    long, short = np.tile(4 * np.cos(2 * phase), (128, 1)), np.tile(np.cos(16 * phase), (128, 1))
     sphere = SPHERE | LOAD | ARRAY
 
     def force(heights):
         forces = hc.pull_off_forces(height_map(heights, PIXEL), ranges=[5.6], work=1.0, **sphere)
         return forces.pull_off_force.sel(contact_model="plastic").mean().item()
 
-    both = height_map(long + short, PIXEL)
-    found = hc.force_ratios(both, {"small": [30, 200], "large": [1000, 200]}, rho=5.6, **sphere)
-    ratio = found.ratio.sel(cutoff_wavelength=200)
-    whole = force(long + short)
-    assert ratio.sel(side="small").item() == pytest.approx(force(long) / whole, rel=1e-5)
-    assert ratio.sel(side="large").item() == pytest.approx(force(short) / whole, rel=1e-5)
-    assert np.isnan(found.ratio.sel(side="small", cutoff_wavelength=1000))
-    edge = found.sel(side="small")
+    two_waves = height_map(long + short, PIXEL)
+    ratios = hc.force_ratios(
+        two_waves, {"small": [30, 200], "large": [1000, 200]}, rho=5.6, **sphere
+    )
+    ratio = ratios.ratio.sel(cutoff_wavelength=200)
+    whole_force = force(long + short)
+    assert ratio.sel(side="small").item() == pytest.approx(force(long) / whole_force, rel=1e-5)
+    assert ratio.sel(side="large").item() == pytest.approx(force(short) / whole_force, rel=1e-5)
+    assert np.isnan(ratios.ratio.sel(side="small", cutoff_wavelength=1000))
+    edge = ratios.sel(side="small")
     assert 30 < edge.edge < 200 and edge.edge_status == "found"
     # At least as much of the force as the tolerance asks for: the edge is open.
-    open_edge = hc.force_ratios(both, {"small": [30, 60]}, rho=5.6, **sphere).sel(side="small")
+    open_edge = hc.force_ratios(two_waves, {"small": [30, 60]}, rho=5.6, **sphere).sel(side="small")
     assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60 and open_edge.edge_at_least
 
 
 def test_the_prediction_is_that_of_the_command(files):
     numbers = hc.predict(hc.read_spectrum("my-psd.csv"), radius=250e3, rho=5.6, work=0.0463, **LOAD)
-    told = json.loads(predict(predict_arguments(["my-psd.csv", "--json", "-"])))
+    numbers_written = json.loads(predict(predict_arguments(["my-psd.csv", "--json", "-"])))
     assert numbers["pull_off_force"].status == "inside"
-    for name, one in numbers.items():
-        assert told[name]["value"] == plain(one.value)
-        assert told[name]["unit"] == one.unit and told[name].get("status", "") == one.status
+    for name, number in numbers.items():
+        assert numbers_written[name]["value"] == plain(number.value)
+        assert (
+            numbers_written[name]["unit"] == number.unit
+            and numbers_written[name].get("status", "") == number.status
+        )
 
 
 #: Arguments that are refused, and how the line begins or what it finds.
@@ -238,25 +245,27 @@ def test_a_topography_is_prepared_as_its_file(files):
     from SurfaceTopography import Topography, UniformLineScan, open_topography
 
     topography = open_topography("scan.nc").topography()
-    from_file, from_object = hc.read_scan("scan.nc"), hc.from_topography(topography)
-    np.testing.assert_array_equal(from_object.heights, from_file.heights)
-    assert from_object.pixel_size == from_file.pixel_size
+    file_scan, object_scan = hc.read_scan("scan.nc"), hc.from_topography(topography)
+    np.testing.assert_array_equal(object_scan.heights, file_scan.heights)
+    assert object_scan.pixel_size == file_scan.pixel_size
     metres = Topography(1e-9 * topography.heights(), (1.28e-6, 1.28e-6), unit="m")
-    np.testing.assert_allclose(hc.from_topography(metres).heights, from_file.heights, atol=1e-4)
-    for wrong, parts in {
+    np.testing.assert_allclose(hc.from_topography(metres).heights, file_scan.heights, atol=1e-4)
+    for faulty_values, message_parts in {
         Topography(topography.heights(), (1.0, 1.0)): ["a map of SurfaceTopography with a unit"],
         UniformLineScan(np.arange(64.0), 1.0, unit="nm"): ["found UniformLineScan"],
         Topography(np.zeros((4, 4)), (1.0, 1.0), unit="V"): ["a unit of length, found 'V'"],
     }.items():
-        assert_says(refusal(hc.from_topography, wrong), "topography: expected", *parts)
+        assert_says(
+            refusal(hc.from_topography, faulty_values), "topography: expected", *message_parts
+        )
 
 
 def test_a_scan_is_predicted_as_its_file(files):
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
     numbers = hc.predict(hc.read_scan("scan.nc"), **contact)
-    told = json.loads(predict(predict_arguments(["scan.nc", "--json", "-"])))
+    numbers_written = json.loads(predict(predict_arguments(["scan.nc", "--json", "-"])))
     for name in ("pull_off_force", "continued_force", "short_edge"):
-        assert numbers[name].value == pytest.approx(told[name]["value"], rel=1e-4)
+        assert numbers[name].value == pytest.approx(numbers_written[name]["value"], rel=1e-4)
     y, x = np.indices((128, 128)) % 32 - 15.5
     heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
     withheld = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["pull_off_force"]
@@ -266,7 +275,10 @@ def test_a_scan_is_predicted_as_its_file(files):
 def test_what_cannot_be_computed_is_refused_in_a_line(files):
     scan = hc.read_scan("scan.nc")
     valid = {"scan": scan, "ranges": [5.6], "work": 0.05} | SPHERE | LOAD | ARRAY
-    cases = [(hc.pull_off_forces, valid | wrong, parts) for wrong, parts in WRONG]
+    cases = [
+        (hc.pull_off_forces, valid | faulty_values, message_parts)
+        for faulty_values, message_parts in WRONG
+    ]
     valid = {"scan": scan, "rho": 5.6} | SPHERE | LOAD | ARRAY
     cases += [
         (hc.force_ratios, valid | {"cutoffs": {"small": [20.0]}}, ["found [20.0]"]),
@@ -275,8 +287,8 @@ def test_what_cannot_be_computed_is_refused_in_a_line(files):
         (hc.force_ratios, valid | {"cutoffs": {"small": 20.0}}, ["several numbers, found 20.0"]),
     ]
     wavevector, _, density = hc.measured_psds(scan)
-    known, gaps = hc.read_spectrum("my-psd.csv"), hc.Spectrum(wavevector, density)
-    valid = {"spectrum": known, "rho": 5.6, "work": 0.05} | SPHERE | LOAD
+    table_spectrum, gaps = hc.read_spectrum("my-psd.csv"), hc.Spectrum(wavevector, density)
+    valid = {"spectrum": table_spectrum, "rho": 5.6, "work": 0.05} | SPHERE | LOAD
     cases += [
         (hc.predict, valid | {"spectrum": gaps}, ["spectrum: expected growing wavevectors"]),
         (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
@@ -287,7 +299,7 @@ def test_what_cannot_be_computed_is_refused_in_a_line(files):
         (hc.read_scan, {"path": "scan.nc", "edge": "5 um"}, ["edge: expected a positive number"]),
         (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
     ]
-    for function, arguments, parts in cases:
+    for function, arguments, message_parts in cases:
         message = refusal(lambda: function(**arguments))  # noqa: B023
-        assert_says(message, *parts)
+        assert_says(message, *message_parts)
         assert len(message.splitlines()) == 1

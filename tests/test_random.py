@@ -7,15 +7,15 @@ import numpy as np
 from hardcontact.base.random import generator
 
 
-def drawn(*arguments):
+def draw_numbers(*arguments):
     return generator(*arguments).random(4).tolist()
 
 
 def test_same_names_same_numbers_whatever_was_drawn_before():
-    first = drawn(1, "uncd", 3, "scan")
-    drawn(1, "ncd", 3, "scan")
+    numbers = draw_numbers(1, "uncd", 3, "scan")
+    draw_numbers(1, "ncd", 3, "scan")
     np.random.default_rng().random(100)
-    assert drawn(1, "uncd", 3, "scan") == first
+    assert draw_numbers(1, "uncd", 3, "scan") == numbers
 
 
 def test_other_seed_or_names_other_numbers():
@@ -27,13 +27,13 @@ def test_other_seed_or_names_other_numbers():
         (1, 3, "uncd"),
         (1,),
     ]
-    assert len({tuple(drawn(*arguments)) for arguments in different}) == len(different)
+    assert len({tuple(draw_numbers(*arguments)) for arguments in different}) == len(different)
 
 
 def test_names_count_as_their_text():
-    assert drawn(1, "uncd", 3) == drawn(1, "uncd", "3")
+    assert draw_numbers(1, "uncd", 3) == draw_numbers(1, "uncd", "3")
 
 
 def test_the_sequence_is_that_of_the_digest_of_the_names():
     words = np.frombuffer(hashlib.sha256(b"uncd/3").digest(), dtype="<u4").tolist()
-    assert drawn(7, "uncd", 3) == np.random.default_rng([7, *words]).random(4).tolist()
+    assert draw_numbers(7, "uncd", 3) == np.random.default_rng([7, *words]).random(4).tolist()

@@ -23,17 +23,17 @@ def imported(path):
 
 
 def test_the_docstring_names_every_room():
-    there = {path.stem for path in LIBRARY.glob("[a-z]*") if not path.name.startswith("py.")}
-    assert there == set(ROOMS) and len(ROOMS) == len(there)
+    rooms = {path.stem for path in LIBRARY.glob("[a-z]*") if not path.name.startswith("py.")}
+    assert rooms == set(ROOMS) and len(ROOMS) == len(rooms)
 
 
 @pytest.mark.parametrize("room", ROOMS)
 def test_a_room_imports_from_those_before_it(room):
     modules = list((LIBRARY / room).rglob("*.py")) or [LIBRARY / f"{room}.py"]
-    before = set(ROOMS[: ROOMS.index(room) + 1])
+    allowed_rooms = set(ROOMS[: ROOMS.index(room) + 1])
     for path in modules:
         names = [name for name in imported(path) if name.startswith("hardcontact.")]
-        assert {name.split(".")[1] for name in names} <= before, path
+        assert {name.split(".")[1] for name in names} <= allowed_rooms, path
 
 
 def test_one_module_alone_knows_snakemake():

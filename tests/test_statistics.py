@@ -31,8 +31,8 @@ def test_a_variable_and_its_interval():
 
 
 def test_a_number_without_dimensions_has_an_interval_of_two():
-    computed = xr.Dataset(statistics.with_interval("work", (), 1.0, [0.5, 2.0], {}, 0.95))
-    assert computed.work_interval.dims == ("bound",) and ends(computed, "work") == [0.5, 2.0]
+    interval = xr.Dataset(statistics.with_interval("work", (), 1.0, [0.5, 2.0], {}, 0.95))
+    assert interval.work_interval.dims == ("bound",) and ends(interval, "work") == [0.5, 2.0]
 
 
 @pytest.mark.parametrize("confidence", [0.5, 0.95])
@@ -54,26 +54,28 @@ def test_percentile_interval_leaves_out_what_is_missing():
 def test_student_interval_is_that_of_a_t_test(confidence):
     values = np.random.default_rng(0).normal(3.0, 1.0, (2, 5))
     values[1, 3:] = np.nan
-    computed = statistics.student_interval(
+    interval = statistics.student_interval(
         xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), confidence, "scan"
     )
-    assert computed.dims == ("surface", "bound") and computed.attrs == {"confidence": confidence}
-    for row, given in zip(computed.values, values, strict=True):
-        expected = stats.ttest_1samp(given[np.isfinite(given)], 0).confidence_interval(confidence)
+    assert interval.dims == ("surface", "bound") and interval.attrs == {"confidence": confidence}
+    for row, row_values in zip(interval.values, values, strict=True):
+        expected = stats.ttest_1samp(row_values[np.isfinite(row_values)], 0).confidence_interval(
+            confidence
+        )
         np.testing.assert_allclose(row, expected, rtol=1e-12)
 
 
 def test_student_log_interval_is_that_of_a_t_test_on_logarithms_about_the_mean():
     values = np.random.default_rng(0).lognormal(0, 0.5, (2, 5))
     values[1, 3:] = np.nan
-    computed = statistics.student_log_interval(
+    interval = statistics.student_log_interval(
         xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), 0.9, "scan"
     )
-    assert computed.dims == ("surface", "bound") and computed.attrs == {"confidence": 0.9}
-    for row, given in zip(computed.values, values, strict=True):
-        logarithms = np.log(given[np.isfinite(given)])
+    assert interval.dims == ("surface", "bound") and interval.attrs == {"confidence": 0.9}
+    for row, row_values in zip(interval.values, values, strict=True):
+        logarithms = np.log(row_values[np.isfinite(row_values)])
         expected = stats.ttest_1samp(logarithms, 0).confidence_interval(0.9)
-        shift = np.log(np.nanmean(given)) - logarithms.mean()
+        shift = np.log(np.nanmean(row_values)) - logarithms.mean()
         np.testing.assert_allclose(np.log(row), np.array(expected) + shift, rtol=1e-12)
 
 
@@ -108,10 +110,12 @@ def test_samples_keep_the_correlation_of_places():
 
 
 def test_one_scan_has_no_interval_and_no_samples():
-    one = np.array([[2.0, 3.0]])
-    samples = statistics.student_log_samples(np.random.default_rng(0), one, 4)
+    two_values = np.array([[2.0, 3.0]])
+    samples = statistics.student_log_samples(np.random.default_rng(0), two_values, 4)
     assert samples.shape == (4, 2) and np.isnan(samples).all()
-    interval = statistics.student_log_interval(xr.DataArray(one[0], dims="scan")[:1], 0.9, "scan")
+    interval = statistics.student_log_interval(
+        xr.DataArray(two_values[0], dims="scan")[:1], 0.9, "scan"
+    )
     assert interval.isnull().all()
     assert np.isnan(statistics.jackknife_interval(2.0, [np.nan], 0.9)).all()
     assert np.isnan(statistics.percentile_interval(np.empty((0, 3)), 0.9)).all()
@@ -121,8 +125,8 @@ def test_jackknife_of_a_geometric_mean_is_the_t_test_on_logarithms():
     values = np.random.default_rng(0).lognormal(0, 0.5, 6)
     left_out = [stats.gmean(np.delete(values, scan)) for scan in range(6)]
     expected = stats.ttest_1samp(np.log(values), 0).confidence_interval(0.9)
-    computed = statistics.jackknife_interval(stats.gmean(values), left_out, 0.9)
-    np.testing.assert_allclose(np.log(computed), expected, rtol=1e-12)
+    interval = statistics.jackknife_interval(stats.gmean(values), left_out, 0.9)
+    np.testing.assert_allclose(np.log(interval), expected, rtol=1e-12)
 
 
 def test_published_lognormal_shapes():
@@ -133,8 +137,10 @@ def test_published_lognormal_shapes():
 
 
 def test_lognormal_shape_of_a_lognormal():
-    known = stats.lognorm(0.7, scale=3.0)
-    assert statistics.lognormal_shape(known.mean(), known.median()) == pytest.approx(0.7)
+    distribution = stats.lognorm(0.7, scale=3.0)
+    assert statistics.lognormal_shape(distribution.mean(), distribution.median()) == pytest.approx(
+        0.7
+    )
 
 
 def test_forces_that_are_alike_have_a_shape_of_zero_and_no_interval_of_it():
@@ -145,26 +151,28 @@ def test_forces_that_are_alike_have_a_shape_of_zero_and_no_interval_of_it():
 @pytest.mark.parametrize("floor", [1e-9, 3e-8, 2e-7])
 def test_censored_fit_has_the_greatest_likelihood(floor):
     forces = stats.lognorm(0.9, scale=6e-8).rvs(size=300, random_state=np.random.default_rng(1))
-    below = forces < floor
+    is_below = forces < floor
     shape, median, share = statistics.lognormal_fit(forces, floor)
-    data = stats.CensoredData(uncensored=forces[~below], left=np.full(below.sum(), floor))
+    data = stats.CensoredData(uncensored=forces[~is_below], left=np.full(is_below.sum(), floor))
     expected, _, scale = stats.lognorm.fit(data, floc=0)
-    assert share == below.mean()
+    assert share == is_below.mean()
     assert (shape, median) == pytest.approx((expected, scale), rel=1e-3)
 
     def negative_log_likelihood(shape, median):
-        known = stats.lognorm(shape, scale=median)
-        return -known.logpdf(forces[~below]).sum() - below.sum() * known.logcdf(floor)
+        distribution = stats.lognorm(shape, scale=median)
+        return -distribution.logpdf(forces[~is_below]).sum() - is_below.sum() * distribution.logcdf(
+            floor
+        )
 
     assert negative_log_likelihood(shape, median) <= negative_log_likelihood(expected, scale) + 1e-7
 
 
 def test_censored_fit_recovers_the_distribution_that_was_cut():
-    known = stats.lognorm(0.9, scale=6e-8)
-    forces = known.rvs(size=20000, random_state=np.random.default_rng(0))
-    shape, median, below = statistics.lognormal_fit(forces, 3e-8)
+    distribution = stats.lognorm(0.9, scale=6e-8)
+    forces = distribution.rvs(size=20000, random_state=np.random.default_rng(0))
+    shape, median, share_below = statistics.lognormal_fit(forces, 3e-8)
     assert shape == pytest.approx(0.9, rel=0.03)
     assert median == pytest.approx(6e-8, rel=0.03)
-    assert below == pytest.approx(known.cdf(3e-8), abs=0.01)
-    shape, median, below = statistics.lognormal_fit(forces * 1e-3, 3e-8)
-    assert np.isnan(shape) and np.isnan(median) and below == 1
+    assert share_below == pytest.approx(distribution.cdf(3e-8), abs=0.01)
+    shape, median, share_below = statistics.lognormal_fit(forces * 1e-3, 3e-8)
+    assert np.isnan(shape) and np.isnan(median) and share_below == 1

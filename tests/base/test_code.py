@@ -108,7 +108,7 @@ def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("script", ["compute_pull_off.py", "infer.py", "prepare_scan.py"])
-def test_all_that_python_loads_for_a_script_is_traced(script, at_root):
+def test_all_that_python_loads_for_a_script_is_traced(script, project_folder):
     tree = ast.parse((ROOT / "workflow/scripts" / script).read_text())
     imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
     program = ast.unparse(ast.Module(imports, [])) + (

@@ -29,10 +29,10 @@ from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
 from hardcontact.surfaces.synthesis import synthesized_master
 
 
-def lengths(least, most, count):
+def lengths(low, high, count):
     """Give up to `count` quantities in nm, ascending, often at the ends of what is accepted."""
-    inside = st.floats(least, most) | st.sampled_from([least * 1.0001, most])
-    return st.lists(inside, min_size=1, max_size=count).map(
+    within_bounds = st.floats(low, high) | st.sampled_from([low * 1.0001, high])
+    return st.lists(within_bounds, min_size=1, max_size=count).map(
         lambda values: [f"{length:.9g} nm" for length in sorted(set(values))]
     )
 
@@ -53,7 +53,7 @@ def tiny(draw):
         "small": draw(lengths(2 * period / small, period, 3)),
         "large": draw(lengths(2 * pixel, domain, 3)),
     }
-    of_insight = {
+    insight_keys = {
         "small": {"pixels": small, "cutoffs": cutoffs["small"]},
         "large": {"pixels": large, "tiles": tiles, "cutoffs": cutoffs["large"]},
     }
@@ -91,12 +91,12 @@ def tiny(draw):
             "large": {"pixels": large, "cutoffs": cutoffs["large"]},
         },
         "insight": {
-            **of_insight,
+            **insight_keys,
             "count": pick(1, 3),
             "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
             "scaling": {
                 "small": {"cutoffs": cutoffs["small"]},
-                "large": of_insight["large"],
+                "large": insight_keys["large"],
                 "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
                 "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
                 "preloads": [load, f"{pick(2, 8) * contact_pixels * hardness * pixel**2:.6g} nN"],
@@ -129,10 +129,10 @@ def stitched_scan(config, rng, density, radius=None):
     scan = config["scan"]
     pixel_size = scan["size"] / scan["pixels"]
     surface = synthesis.random_surface(rng, realization_pixels(scan["pixels"]), pixel_size, density)
-    made = substitute_scan(surface, scan["pixels"])
+    substitute = substitute_scan(surface, scan["pixels"])
     if radius is None:
-        return mirror_stitch(level(made))
-    return mirror_stitch(flat_map(sphere_scan(rng, made, radius), radius))
+        return mirror_stitch(level(substitute))
+    return mirror_stitch(flat_map(sphere_scan(rng, substitute, radius), radius))
 
 
 def assert_forces(arrays):
@@ -162,14 +162,14 @@ def check_pair(config, rng, substrate, sphere):
 def check_masters(config, rng, stitched, sphere, section, side):
     """Compute forces of one master, filtered at every cutoff, at all that its section asks for."""
     keys = master_keys(config, section, side)
-    wanted = {name: get_key(config, key) for name, key in keys.items()}
-    master = synthesized_master(side, rng, stitched, wanted, ROUGH)
-    filters = Filters(side, wanted["pixels"], wanted["cutoffs"])
-    scaling, counted = config["insight"]["scaling"], {"sets": "sets", "scales": "contact"}
+    expected_values = {name: get_key(config, key) for name, key in keys.items()}
+    master = synthesized_master(side, rng, stitched, expected_values, ROUGH)
+    filters = Filters(side, expected_values["pixels"], expected_values["cutoffs"])
+    scaling, count_sections = config["insight"]["scaling"], {"sets": "sets", "scales": "contact"}
     contact = Contact(
         radius=config["sphere"]["radius"],
         range=config["scales"]["range"],
-        **config["contact"] | {"count": config[counted.get(section, "insight")]["count"]},
+        **config["contact"] | {"count": config[count_sections.get(section, "insight")]["count"]},
     )
     if section != "insight.scaling":
         for probe in [None, sphere] if section == "sets" else [None]:
@@ -181,8 +181,8 @@ def check_masters(config, rng, stitched, sphere, section, side):
 
 
 @pytest.mark.parametrize("examples", [5, pytest.param(40, marks=pytest.mark.study)])
-def test_what_is_accepted_can_be_computed(at_root, examples):
-    seen = []
+def test_what_is_accepted_can_be_computed(project_folder, examples):
+    refusals = []
 
     @given(tiny())
     @settings(
@@ -194,7 +194,7 @@ def test_what_is_accepted_can_be_computed(at_root, examples):
     )
     def compute(overlay):
         config = accepted(overlay)
-        seen.append(config is not None)
+        refusals.append(config is not None)
         assume(config is not None)
         rng = np.random.default_rng(1)
         stitched = stitched_scan(config, rng, ROUGH)
@@ -204,4 +204,4 @@ def test_what_is_accepted_can_be_computed(at_root, examples):
             check_masters(config, rng, stitched, sphere, section, side)
 
     compute()
-    assert sum(seen) >= examples and not all(seen)
+    assert sum(refusals) >= examples and not all(refusals)

@@ -16,7 +16,7 @@ from hardcontact.config import checks
 from hardcontact.config.model import configuration
 from hardcontact.config.selection import selected_scans, surface_table
 
-pytestmark = pytest.mark.usefixtures("at_root")
+pytestmark = pytest.mark.usefixtures("project_folder")
 LEAVES = sorted(leaves(PAPER))
 BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
@@ -25,7 +25,7 @@ MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+
 bulk = pytest.mark.parametrize("examples", [30, pytest.param(300, marks=pytest.mark.study)])
 
 
-def many(examples):
+def example_settings(examples):
     """Make settings for so many examples, the same in every run."""
     checks = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.function_scoped_fixture]
     return settings(
@@ -65,8 +65,8 @@ values = st.recursive(
 def near(value):
     """Values like one of the paper's: about as large, repeated, in another order, one more."""
     if isinstance(value, list):
-        parts = [near(item) for item in value] or [st.just(0)]
-        return st.lists(st.one_of(parts), max_size=5) | st.permutations(value)
+        items = [near(item) for item in value] or [st.just(0)]
+        return st.lists(st.one_of(items), max_size=5) | st.permutations(value)
     if isinstance(value, dict):
         return st.just(value)
     if isinstance(value, bool):
@@ -103,7 +103,7 @@ def test_the_study_of_the_paper_and_the_quick_one_are_valid(overlay):
 
 @bulk
 def test_any_value_at_any_key(examples):
-    @many(examples)
+    @example_settings(examples)
     @given(st.sampled_from(LEAVES + BRANCHES), values)
     def check(path, value):
         message = outcome(changed(PAPER, path.split("."), value))
@@ -133,12 +133,12 @@ def test_no_configuration(config):
 def test_values_near_valid_ones(examples):
     """Several keys at once have other values: where it is accepted, all quantities are numbers."""
 
-    @many(examples)
+    @example_settings(examples)
     @given(st.data())
     def check(data):
         config = PAPER
-        some = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
-        for path in data.draw(some):
+        several_keys = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
+        for path in data.draw(several_keys):
             path = path.split(".")
             config = changed(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
         if outcome(config) is None:

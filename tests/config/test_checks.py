@@ -51,19 +51,19 @@ CONTRADICTIONS = [
 ]
 
 
-def assert_refused(folder, values, *parts):
+def assert_refused(folder, values, *message_parts):
     message = refusal(lambda: check(numbers(*values), folder))
-    assert_says(message, "config key", "expected", "found", *parts)
+    assert_says(message, "config key", "expected", "found", *message_parts)
 
 
 @pytest.mark.parametrize("contradiction", CONTRADICTIONS)
-def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, contradiction):
-    key, value, *parts = contradiction
-    assert_refused(tmp_path, (key, value), key, *parts)
+def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, project_folder, contradiction):
+    key, value, *message_parts = contradiction
+    assert_refused(tmp_path, (key, value), key, *message_parts)
 
 
 @pytest.mark.parametrize(
-    ("values", "parts"),
+    ("values", "message_parts"),
     [
         (("scan.pixels", 64, "contact.count", 129), ["contact.count", "128", "found 129"]),
         (
@@ -90,11 +90,11 @@ def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, co
         ),
     ],
 )
-def test_limits_that_follow_from_other_keys(tmp_path, at_root, values, parts):
-    assert_refused(tmp_path, values, *parts)
+def test_limits_that_follow_from_other_keys(tmp_path, project_folder, values, message_parts):
+    assert_refused(tmp_path, values, *message_parts)
 
 
-def test_limits_may_be_reached(tmp_path, at_root):
+def test_limits_may_be_reached(tmp_path, project_folder):
     config = numbers(
         *("elastic.contacts", 400, "asperities.contacts", 400, "insight.ranges", ["0.05 nm"]),
         *("insight.scaling.preloads", ["50 mN"], "insight.scaling.ranges", ["1 nm"]),
@@ -103,7 +103,7 @@ def test_limits_may_be_reached(tmp_path, at_root):
     check(config, tmp_path)
 
 
-def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(at_root):
+def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
     for key, value in (("insight.ranges", "0.04 nm"), ("insight.scaling.preloads", "1 N")):
         config = numbers(key, [value])
@@ -115,25 +115,25 @@ def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(at_root):
 
 
 @pytest.mark.parametrize(
-    ("pixels", "size", "found"),
+    ("pixels", "size", "message_part"),
     [(256, 2500.0, "found 256 of 9.766 nm"), (512, 5000.0, "found 512 of 9.766 nm")],
 )
-def test_scans_of_one_surface_that_differ(tmp_path, at_root, pixels, size, found):
-    first = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
-    second = scan(tmp_path / "b.nc", heights(pixels, pixels), (size, size))
-    message = refusal(check, numbers(), tmp_path, own_scans(first, second))
-    assert_says(message, "b.nc", "512 pixels of 4.883 nm", found)
+def test_scans_of_one_surface_that_differ(tmp_path, project_folder, pixels, size, message_part):
+    first_scan = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
+    second_scan = scan(tmp_path / "b.nc", heights(pixels, pixels), (size, size))
+    message = refusal(check, numbers(), tmp_path, own_scans(first_scan, second_scan))
+    assert_says(message, "b.nc", "512 pixels of 4.883 nm", message_part)
 
 
-def test_scans_that_cannot_be_used(tmp_path, at_root):
+def test_scans_that_cannot_be_used(tmp_path, project_folder):
     undefined = np.ma.masked_array(heights(), False)
     undefined[:7, 0] = np.ma.masked
-    for values, *parts in (
+    for values, *message_parts in (
         (np.ones((32, 32)), "rough", "constant height"),
         (undefined, "found 7", "scan.undefined_pixels"),
     ):
         text = own_scans(scan(tmp_path / "a.nc", values))
-        assert_says(refusal(check, numbers(), tmp_path, text), "a.nc", *parts)
+        assert_says(refusal(check, numbers(), tmp_path, text), "a.nc", *message_parts)
 
 
 # How far contacts on substitutes can lie apart in height
@@ -155,8 +155,8 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
         lowest = all_lowest_gaps(bodies(surface, None, contact), 1).values()
-        apart = float(surface.heights.max() + max(gaps.gaps[0] for gaps in lowest))
-        assert 0.2 * relief < apart < relief
+        height_difference = float(surface.heights.max() + max(gaps.gaps[0] for gaps in lowest))
+        assert 0.2 * relief < height_difference < relief
 
 
 def test_a_substitute_of_the_paper_keeps_its_bound():

@@ -14,7 +14,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 
 
 @pytest.mark.parametrize(
-    ("key", "value", "parts"),
+    ("key", "value", "message_parts"),
     [
         ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
@@ -36,8 +36,8 @@ from hardcontact.config.faults import refuse_all, refuse_lines
         ("store", "results/../a", ["store:", "letters", "'results/../a'"]),
     ],
 )
-def test_key_refused(key, value, parts):
-    assert_says(refusal(numbers, key, value), "config key ", "expected", *parts)
+def test_key_refused(key, value, message_parts):
+    assert_says(refusal(numbers, key, value), "config key ", "expected", *message_parts)
 
 
 def test_no_key_is_guessed_that_is_not_near():
@@ -54,7 +54,7 @@ def test_quantities_become_numbers():
 
 
 @pytest.mark.parametrize(
-    ("content", "part"),
+    ("content", "message_part"),
     [
         (b"", "found: nothing"),
         (b"- 1", "found: [1]"),
@@ -71,12 +71,12 @@ def test_quantities_become_numbers():
         (None, "Is a directory"),
     ],
 )
-def test_what_is_no_configuration_is_refused(tmp_path, content, part):
+def test_what_is_no_configuration_is_refused(tmp_path, content, message_part):
     path = tmp_path / "a.yaml"
     path.mkdir() if content is None else path.write_bytes(content)
     message = refusal(configuration.refuse_unreadable, path)
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
-    assert_says(message, part)
+    assert_says(message, message_part)
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
 
 
@@ -120,27 +120,30 @@ def test_of_very_many_faults_the_first_are_told():
 
 @pytest.mark.parametrize("forces", ["none", "my.csv"])
 def test_every_target_is_made_or_left_out_with_a_reason(forces):
-    own = PAPER | {"published": "none", "forces": forces}
-    made, left_out = set(configuration.available_targets(own)), configuration.omitted_targets(own)
-    assert not made & left_out.keys() and all(left_out.values())
-    assert set(configuration.available_targets(PAPER)) <= made | left_out.keys()
-    assert ("fit" in made) == (forces != "none")
+    own_configuration = PAPER | {"published": "none", "forces": forces}
+    targets, left_out = (
+        set(configuration.available_targets(own_configuration)),
+        configuration.omitted_targets(own_configuration),
+    )
+    assert not targets & left_out.keys() and all(left_out.values())
+    assert set(configuration.available_targets(PAPER)) <= targets | left_out.keys()
+    assert ("fit" in targets) == (forces != "none")
     assert configuration.omitted_targets(PAPER) == {}
 
 
 def test_contacts_in_words_and_what_of_them_is_the_paper_s():
-    own = model.configuration(
+    own_configuration = model.configuration(
         {
             "sphere": {"surface": "smooth", "radius": "0.25mm"},
             "contact": {"hardness": "5GPa", "preload": "10 uN"},
             "adhesion": {"work": "46mJ/m2"},
         }
     )
-    assert configuration.contact_words(own) == {
+    assert configuration.contact_words(own_configuration) == {
         "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "5 GPa",
         "preload": "10 µN", "range of adhesion": "5.6 nm", "work of adhesion": "46 mJ/m²",
     }  # fmt: skip
-    assert configuration.quantities_of_paper(own) == [
+    assert configuration.quantities_of_paper(own_configuration) == [
         "radius of the sphere",
         "preload",
         "range of adhesion",

@@ -11,7 +11,7 @@ from small_study import PATTERNS, configuration, files, selection
 from hardcontact.config.variants import study_contact, variants
 from hardcontact.surfaces.scans import flatten, read_measurement
 
-pytestmark = pytest.mark.usefixtures("at_root")
+pytestmark = pytest.mark.usefixtures("project_folder")
 
 # Scans and spectra
 
@@ -34,30 +34,30 @@ def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
     levelling = files(scans=[1], measured=["ruby"]).levelling("ruby")
-    measured = flatten(read_measurement(path), **levelling)
-    assert measured.heights.std() == pytest.approx(rough.std(), rel=0.01)
+    levelled = flatten(read_measurement(path), **levelling)
+    assert levelled.heights.std() == pytest.approx(rough.std(), rel=0.01)
     assert files(measured=["uncd"]).levelling("uncd")["sphere_radius"] is None
 
 
 @pytest.mark.parametrize(
-    ("surface", "own", "scans"),
+    ("surface", "has_own_scan", "scans"),
     [
         ("uncd", False, [2, 5, 2]),  # in turn
         ("uncd", True, [2, 5, 6, 7, 8]),  # a substitute has a scan for each
         ("mcd", True, [2, 5, 2]),
     ],
 )
-def test_the_scan_that_a_realization_builds_on(surface, own, scans):
+def test_the_scan_that_a_realization_builds_on(surface, has_own_scan, scans):
     study = files(scans=[2, 5], measured=["mcd"])
     for realization, scan in enumerate(scans, start=1):
-        stitched = study.stitched_of_realization(surface, realization, "study", own)
+        stitched = study.stitched_of_realization(surface, realization, "study", has_own_scan)
         assert stitched == study.stitched(surface, scan)
 
 
 def test_scans_are_made_in_the_groups_that_are_conditioned_together():
     study = files(measured=["mcd"], scans=[1, 3], sets__realizations=5)
-    others = [surface for surface in SURFACES if surface != "mcd"]
-    assert study.scan_groups == {(1, 3): others, (4, 5): others, (6, 7): others}
+    substitutes = [surface for surface in SURFACES if surface != "mcd"]
+    assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
     for number, group in enumerate(study.scan_groups):
         for scan in group:
             assert study.conditioning("uncd", scan).endswith(f"uncd/study/group-{number}.nc")
@@ -65,9 +65,9 @@ def test_scans_are_made_in_the_groups_that_are_conditioned_together():
 
 def test_what_changes_no_spectrum_has_that_of_the_study():
     study = files()
-    for variant, same in (("skewness+0.5", True), ("laplacian", False)):
-        assert (study.spectrum("uncd", variant) == study.spectrum("uncd")) == same
-        assert (study.conditioning("uncd", 1, variant) == study.conditioning("uncd", 1)) == same
+    for variant, is_same in (("skewness+0.5", True), ("laplacian", False)):
+        assert (study.spectrum("uncd", variant) == study.spectrum("uncd")) == is_same
+        assert (study.conditioning("uncd", 1, variant) == study.conditioning("uncd", 1)) == is_same
         assert study.stitched("uncd", 1, variant) != study.stitched("uncd", 1)
 
 
@@ -102,12 +102,12 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
         robustness__heights={"surface": "mcd", "skewness": [-0.5]},
         robustness__realizations=3,
     )
-    made = [*product(SUBSTRATES, ["study"]), *product(SUBSTRATES, ["laplacian"])]
-    made += [("mcd", "skewness-0.5")]
-    assert study.varied_surfaces == made
+    surface_variants = [*product(SUBSTRATES, ["study"]), *product(SUBSTRATES, ["laplacian"])]
+    surface_variants += [("mcd", "skewness-0.5")]
+    assert study.varied_surfaces == surface_variants
     rows = study.varied_masters("robustness")
     assert {(row.surface, row.variant, row.probe) for row in rows} == {
-        *((*variant, "smooth") for variant in made),
+        *((*variant, "smooth") for variant in surface_variants),
         *((surface, "study", "rough") for surface in SUBSTRATES),
     }
     assert len(set(study.paths(PATTERNS.filtered, rows))) == len(rows) == len(set(rows))
@@ -130,7 +130,7 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
 
 
 @pytest.mark.parametrize(
-    ("bearer", "measured", "surfaces"),
+    ("bearer", "measured_surfaces", "surfaces"),
     [
         ("polished_uncd", [], ["polished_uncd"]),
         ("polished_uncd", ["mcd", "ruby"], ["polished_uncd"]),
@@ -141,8 +141,8 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
         ("ruby", ["ruby"], []),
     ],
 )
-def test_the_surfaces_that_protrusions_change(bearer, measured, surfaces):
-    rows = files(measured=measured, sets__protruded=10).protruded_chunks(bearer)
+def test_the_surfaces_that_protrusions_change(bearer, measured_surfaces, surfaces):
+    rows = files(measured=measured_surfaces, sets__protruded=10).protruded_chunks(bearer)
     assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))]
 
 
@@ -168,31 +168,31 @@ def lists_of_files(study):
         *study.varied_masters("sets"),
         *study.varied_masters("robustness"),
     ]
-    at_study = (study.contact.radius, study.contact.load, study.contact.range)
+    study_values = (study.contact.radius, study.contact.load, study.contact.range)
     computed_at = {
         path: study.contact_grid(row.purpose, row.probe)
         for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
     }
     means = [*study.varied_forces, *study.smooth_forces]
     for row, path in zip(means, study.paths(PATTERNS.mean_forces, means), strict=True):
-        computed_at[path] = study.mean_loads(row.probe), at_study[0], at_study[2]
+        computed_at[path] = study.mean_loads(row.probe), study_values[0], study_values[2]
     for pattern, rows in (
         (PATTERNS.pull_off, study.substrate_scans),
         (PATTERNS.pool, study.chunks),
         (PATTERNS.law_scan, study.realized_scans),
     ):
-        computed_at |= dict.fromkeys(study.paths(pattern, rows), at_study)
+        computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
     for pattern in (PATTERNS.elastic, PATTERNS.asperities):
-        computed_at |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), at_study[:2])
+        computed_at |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), study_values[:2])
     return computed_at
 
 
 @pytest.mark.parametrize("key", SWEPT)
 def test_files_of_two_values_of_a_swept_key_lie_side_by_side(key):
-    first, second = lists_of_files(files()), lists_of_files(files(**{key: SWEPT[key]}))
-    assert first != second
-    for path in first.keys() & second.keys():
-        assert first[path] == second[path], path
+    study_files, swept_files = lists_of_files(files()), lists_of_files(files(**{key: SWEPT[key]}))
+    assert study_files != swept_files
+    for path in study_files.keys() & swept_files.keys():
+        assert study_files[path] == swept_files[path], path
 
 
 def test_paths_do_not_depend_on_the_units_of_a_value():
@@ -209,39 +209,52 @@ def test_paths_do_not_depend_on_the_units_of_a_value():
 # Variants
 
 
-def by_name(made):
-    return {variant.name: variant for variant in made}
+def variants_by_name(robustness_variants):
+    return {variant.name: variant for variant in robustness_variants}
 
 
 def test_each_variant_differs_from_the_study_in_one_choice():
-    baseline, *others = variants(configuration(), selection())
-    assert [variant.name for variant in others] == [
+    baseline, *changed_variants = variants(configuration(), selection())
+    assert [variant.name for variant in changed_variants] == [
         "laplacian", "skewness-1", "skewness-0.5", "skewness+0.5", "skewness+1",
         "rough_sphere", "preload-5uN", "preload-20uN", "hardness-16GPa", "hardness-47GPa",
     ]  # fmt: skip
-    for other in others:
+    for variant in changed_variants:
         choices = ("variant", "contact", "probe")
-        assert sum(getattr(other, name) != getattr(baseline, name) for name in choices) == 1, other
+        assert sum(getattr(variant, name) != getattr(baseline, name) for name in choices) == 1, (
+            variant
+        )
 
 
 def test_variants_concern_the_surfaces_and_loads_that_they_name():
-    made = by_name(variants(configuration(), selection()))
+    robustness_variants = variants_by_name(variants(configuration(), selection()))
     study = dict.fromkeys(SUBSTRATES, "study")
-    assert made["baseline"].variant == made["preload-20uN"].variant == study
-    assert made["skewness-1"].variant == study | {"polished_uncd": "skewness-1"}
-    assert made["skewness-1"].label == "polished UNCD: skewness -1"
-    assert made["preload-20uN"].contact.preload == 2e-5
+    assert (
+        robustness_variants["baseline"].variant
+        == robustness_variants["preload-20uN"].variant
+        == study
+    )
+    assert robustness_variants["skewness-1"].variant == study | {"polished_uncd": "skewness-1"}
+    assert robustness_variants["skewness-1"].label == "polished UNCD: skewness -1"
+    assert robustness_variants["preload-20uN"].contact.preload == 2e-5
 
 
 def test_a_variant_that_changes_nothing_is_the_study():
     heights = {"surface": "mcd", "skewness": [0, 0.3]}
-    made = by_name(variants(configuration(robustness__heights=heights), selection()))
-    assert set(made["skewness+0"].variant.values()) == {"study"}
-    assert made["skewness+0.3"].variant["mcd"] == "skewness+0.3"
+    robustness_variants = variants_by_name(
+        variants(configuration(robustness__heights=heights), selection())
+    )
+    assert set(robustness_variants["skewness+0"].variant.values()) == {"study"}
+    assert robustness_variants["skewness+0.3"].variant["mcd"] == "skewness+0.3"
     for variant in variants(configuration(), selection(measured=["uncd", "mcd"])):
         assert variant.variant["uncd"] == variant.variant["mcd"] == "study"
 
 
 def test_the_other_sphere_follows_from_the_study():
-    made = by_name(variants(configuration(scales__sphere_roughness=True), selection()))
-    assert (made["baseline"].probe, made["smooth_sphere"].probe) == ("rough", "smooth")
+    robustness_variants = variants_by_name(
+        variants(configuration(scales__sphere_roughness=True), selection())
+    )
+    assert (robustness_variants["baseline"].probe, robustness_variants["smooth_sphere"].probe) == (
+        "rough",
+        "smooth",
+    )

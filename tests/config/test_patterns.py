@@ -48,10 +48,10 @@ def wildcards(pattern):
 
 def expression(pattern):
     """Return the regular expression of the paths that a pattern and its constraints allow."""
-    parts = []
+    expressions = []
     for text, name, _, _ in Formatter().parse(pattern):
-        parts += [re.escape(text), f"(?P<{name}>{CONSTRAINTS[name]})" if name else ""]
-    return re.compile("".join(parts))
+        expressions += [re.escape(text), f"(?P<{name}>{CONSTRAINTS[name]})" if name else ""]
+    return re.compile("".join(expressions))
 
 
 def paths(pattern):
@@ -66,16 +66,16 @@ def paths(pattern):
 def test_a_path_belongs_to_one_pattern_and_gives_its_wildcards_back(name):
     for values, path in paths(INTERMEDIATES[name]):
         matches = {
-            other: match.groupdict()
-            for other, pattern in INTERMEDIATES.items()
+            kind: match.groupdict()
+            for kind, pattern in INTERMEDIATES.items()
             if (match := expression(pattern).fullmatch(path))
         }
         assert matches == {name: values}
 
 
 def test_every_wildcard_has_a_constraint():
-    used = set().union(*map(wildcards, vars(PATTERNS).values()))
-    assert used == CONSTRAINTS.keys() == VALUES.keys()
+    names_used = set().union(*map(wildcards, vars(PATTERNS).values()))
+    assert names_used == CONSTRAINTS.keys() == VALUES.keys()
 
 
 def test_other_values_are_refused():
@@ -88,5 +88,5 @@ def test_other_values_are_refused():
 
 def test_log_and_benchmark_have_the_wildcards_of_the_output():
     for pattern in INTERMEDIATES.values():
-        for made in (PATTERNS.log("rule", pattern), PATTERNS.benchmark("rule", pattern)):
-            assert wildcards(made) == wildcards(pattern)
+        for path in (PATTERNS.log("rule", pattern), PATTERNS.benchmark("rule", pattern)):
+            assert wildcards(path) == wildcards(pattern)

@@ -28,7 +28,7 @@ from studies import own_scans
 from hardcontact.config import start
 
 
-def refused(call, *arguments):
+def refusal_line(call, *arguments):
     """Return the one line with which a run is refused."""
     with pytest.raises(SystemExit) as caught:
         call(*arguments)
@@ -43,33 +43,33 @@ def planned_workflow(*configfiles):
 
 
 @pytest.mark.parametrize(
-    ("parsed", "main", "working"),
+    ("rules_folder", "main", "working"),
     [
         ("other", "other/Snakefile", ROOT),
         (ROOT, "Snakefile", ROOT),
         (ROOT, ROOT / "Snakefile", "."),
     ],
 )
-def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, parsed, main, working):
+def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, rules_folder, main, working):
     monkeypatch.chdir(tmp_path / working)
     monkeypatch.setattr(logging, "raiseExceptions", True)
-    folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / parsed)
+    folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / rules_folder)
     workflow = SimpleNamespace(current_basedir=folder, main_snakefile=tmp_path / main)
-    assert_says(refused(start.prepare, workflow), str(tmp_path), str(ROOT))
+    assert_says(refusal_line(start.prepare, workflow), str(tmp_path), str(ROOT))
 
 
 def test_keys_of_the_quick_study_are_checked_even_where_they_are_not_used():
     overlay = {"quick": {"contact": {"count": 0}}}
-    line = refused(start.checked_configuration, planned_workflow(), PAPER | overlay)
+    line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
     assert_says(line, "effort quick", "contact.count", "found 0")
 
 
 def test_a_quick_study_never_takes_the_folders_of_another():
-    own = PAPER | {"study": "own", "store": "results/own-store", "effort": "quick"}
-    other = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
+    own_configuration = PAPER | {"study": "own", "store": "results/own-store", "effort": "quick"}
+    harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
     quick = {"quick": {"contact": {"count": 6}}}
-    for overlays, study in (({}, "own-quick"), (other, "harder-quick")):
-        configured = start.apply_effort(own | quick | overlays)
+    for overlays, study in (({}, "own-quick"), (harder, "harder-quick")):
+        configured = start.apply_effort(own_configuration | quick | overlays)
         assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
         assert start.apply_effort(configured) == configured
         assert configured["contact"]["count"] == 6
@@ -79,7 +79,9 @@ def test_a_full_study_cannot_take_the_name_of_a_quick_one():
     """Its own quick study would replace its results."""
     quick = {"quick": {"contact": {"count": 6}}}
     for key, name in (("study", "my-quick"), ("store", "results/store-my-quick")):
-        line = refused(start.checked_configuration, planned_workflow(), PAPER | quick | {key: name})
+        line = refusal_line(
+            start.checked_configuration, planned_workflow(), PAPER | quick | {key: name}
+        )
         assert_says(line, f"config key {key}", "another end than -quick", name)
 
 
@@ -88,9 +90,9 @@ def test_nested_numbers_of_the_command_line_are_numbers(repository):
     arguments = ["study=typed", "asperities={contacts: 4}", "contact={hardness: 30 GPa}"]
     run = snakemake(repository, "results/typed/surfaces.tsv", "--config", *arguments)
     assert run.returncode == 0, run.stdout
-    kept = yaml.safe_load((repository / "results/typed/configuration.yaml").read_text())
-    assert kept["asperities"] == PAPER["asperities"] | {"contacts": 4}
-    assert kept["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
+    stored = yaml.safe_load((repository / "results/typed/configuration.yaml").read_text())
+    assert stored["asperities"] == PAPER["asperities"] | {"contacts": 4}
+    assert stored["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
     shutil.rmtree(repository / "results")  # Other tests look whether a refused run makes any.
 
 
@@ -102,18 +104,18 @@ def test_a_run_that_is_stopped_says_that_the_next_goes_on(tmp_path):
         cwd=study, env=environment(study), text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
     ) as run:  # fmt: skip
-        said = []
+        messages = []
         for line in run.stdout:
-            said.append(line.rstrip())
+            messages.append(line.rstrip())
             if "jobs, about" in line:  # Ctrl-C reaches all processes of a terminal.
                 os.killpg(run.pid, signal.SIGINT)
     assert run.returncode != 0
-    assert said[-1] == "Not all is made: the same command goes on from here."
+    assert messages[-1] == "Not all is made: the same command goes on from here."
 
 
 def test_the_names_of_a_quick_study_cannot_be_given():
     overlay = {"quick": {"study": "mine"}}
-    line = refused(start.checked_configuration, planned_workflow(), PAPER | overlay)
+    line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
     assert_says(line, "quick", "no study or store there", "found study")
 
 
@@ -122,17 +124,17 @@ def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):
     path.write_text("seed: 1\n'seed': 2")
     workflow = planned_workflow(path)
     assert_says(
-        refused(start.checked_configuration, workflow, PAPER), "a.yaml", "line 2", "seed again"
+        refusal_line(start.checked_configuration, workflow, PAPER), "a.yaml", "line 2", "seed again"
     )
     workflow.exec_mode = ExecMode.SUBPROCESS
     assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
 
 
-def test_a_table_of_a_scan_that_is_missing_is_refused(tmp_path, monkeypatch, at_root):
+def test_a_table_of_a_scan_that_is_missing_is_refused(tmp_path, monkeypatch, project_folder):
     path = tmp_path / "own.tsv"
     path.write_text(own_scans("none.nc"))
     config = start.checked_configuration(planned_workflow(), PAPER | {"surfaces": str(path)})
-    line = refused(start.checked_selection, planned_workflow(), config)
+    line = refusal_line(start.checked_selection, planned_workflow(), config)
     assert_says(line, "own.tsv", "none.nc", "no such file")
 
 

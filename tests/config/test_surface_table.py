@@ -13,7 +13,7 @@ HEADER = ROWS.partition("\n")[0]
 
 
 @pytest.mark.parametrize(
-    ("text", "parts"),
+    ("text", "message_parts"),
     [
         (ROWS + FIRST + "\n", ["line 27", "once", "polished_uncd 1"]),
         (ROWS.replace("spectra/uncd", "spectra/no"), ["line 7", "spectra/no.csv", "no such file"]),
@@ -30,17 +30,17 @@ HEADER = ROWS.partition("\n")[0]
         (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
     ],
 )
-def test_table_refused(tmp_path, at_root, text, parts):
-    assert_says(refusal(surfaces, text, tmp_path), "surfaces.tsv", "expected", *parts)
+def test_table_refused(tmp_path, project_folder, text, message_parts):
+    assert_says(refusal(surfaces, text, tmp_path), "surfaces.tsv", "expected", *message_parts)
 
 
 @pytest.mark.parametrize("path", ["none.tsv", "config", "/dev/zero"])
-def test_no_table(at_root, path):
+def test_no_table(project_folder, path):
     message = refusal(surface_table, path)
     assert_says(message, path, "config key surfaces: expected a table of surfaces", "found")
 
 
-def test_one_file_twice(tmp_path, at_root):
+def test_one_file_twice(tmp_path, project_folder):
     path = scan(tmp_path / "a.nc")
     message = refusal(surfaces, own_scans(path, path), tmp_path)
     assert_says(message, "surfaces.tsv", "path and dataset once", "a.nc")

@@ -62,27 +62,27 @@ def test_every_fault_of_a_table_has_a_line(table):
     ]
     path = table("surface,value,unit", *(row for row, _ in faults))
     message = refusal(measured_forces, path, SURFACES)
-    for number, (line, (_, parts)) in enumerate(
+    for number, (line, (_, message_parts)) in enumerate(
         zip(message.splitlines(), faults, strict=True), start=2
     ):
-        assert_says(line, f"{path}: line {number}", *parts)
+        assert_says(line, f"{path}: line {number}", *message_parts)
 
 
 @pytest.mark.parametrize(
-    ("row", "parts"),
+    ("row", "message_parts"),
     [
         ("coating,0.4,0.3,40,uN", ["each surface once", "coating"]),
         ("bare,0.3,0.2,2.5,uN", ["count", "2.5"]),
         ("bare,0.3,0.4,9,uN", ["at most the mean", "0.4 beside 0.3"]),
     ],
 )
-def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table, row, parts):
+def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table, row, message_parts):
     path = table("surface,mean,median,count,unit", "coating,0.4,0.3,40,uN", row)
-    assert_says(refusal(measured_forces, path, SURFACES), "line 3", *parts)
+    assert_says(refusal(measured_forces, path, SURFACES), "line 3", *message_parts)
 
 
 @pytest.mark.parametrize(
-    ("content", "part"),
+    ("content", "message_part"),
     [
         (b"", "surface, value, unit"),
         (b"surface,value,unit", "surface, value, unit"),
@@ -91,12 +91,12 @@ def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table, row,
         (None, "forces"),
     ],
 )
-def test_another_file_is_refused_in_one_line(tmp_path, content, part):
+def test_another_file_is_refused_in_one_line(tmp_path, content, message_part):
     path = tmp_path / "my.csv"
     if content is not None:
         path.write_bytes(content)
     message = refusal(measured_forces, path, SURFACES)
-    assert_says(message, "my.csv", part)
+    assert_says(message, "my.csv", message_part)
     assert len(message.splitlines()) == 1
 
 
@@ -104,14 +104,14 @@ def test_another_file_is_refused_in_one_line(tmp_path, content, part):
 
 
 def test_descriptions_of_the_repository_are_accepted():
-    described = [path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(BANDS)]
-    assert len(described) > 10
-    for path in described:
+    descriptions = [path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(BANDS)]
+    assert len(descriptions) > 10
+    for path in descriptions:
         refuse_description(path, TABLE_1)
 
 
 @pytest.mark.parametrize(
-    ("band", "parts"),
+    ("band", "message_parts"),
     [
         ("inf,20,varying Hurst,,,,,,assumed,none", ["roll-off wavelength", "none"]),
         ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
@@ -122,10 +122,12 @@ def test_descriptions_of_the_repository_are_accepted():
         ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["Hurst", "-1.1"]),
     ],
 )
-def test_other_descriptions_are_refused(tmp_path, band, parts):
+def test_other_descriptions_are_refused(tmp_path, band, message_parts):
     path = tmp_path / "surface.csv"
     path.write_text(f"{BANDS}{band}\n")
-    assert_says(refusal(refuse_description, path, TABLE_1), "surface.csv", "expected", *parts)
+    assert_says(
+        refusal(refuse_description, path, TABLE_1), "surface.csv", "expected", *message_parts
+    )
 
 
 def test_a_blank_exponent_needs_the_rows_of_table_1(tmp_path):
@@ -138,10 +140,10 @@ def test_a_blank_exponent_needs_the_rows_of_table_1(tmp_path):
 def test_own_studies_refuse_substitutes_for_the_paper():
     for path in SPECTRA.glob("crn_*.csv"):
         refuse_paper_surface(path, path.stem, {"uncd", "ncd"})
-    for name, surface, parts in (
+    for name, surface, message_parts in (
         ("uncd", "my_uncd", ["config key published", "my_uncd", "none"]),
         ("crn_smoother", "uncd", ["config key published", "uncd", "none"]),
         ("ruby", "other", ["ruby.csv", "measured", "assumed"]),
     ):
         message = refusal(refuse_paper_surface, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
-        assert_says(message, "expected", *parts)
+        assert_says(message, "expected", *message_parts)

@@ -34,7 +34,7 @@ def predicted(path, heights, pixel=40.0, *options):
     return report, json.loads(numbers.read_text())
 
 
-def with_spikes(heights):
+def add_spikes(heights):
     rng = generator(1, "spikes")
     spiky = heights.copy()
     places = rng.choice(spiky.size, 16, replace=False)
@@ -42,8 +42,8 @@ def with_spikes(heights):
     return spiky
 
 
-def stopped(heights, rest):
-    return np.where(Y < 77 - PIXELS / 2, heights, rest)
+def stopped(heights, remaining_lines):
+    return np.where(Y < 77 - PIXELS / 2, heights, remaining_lines)
 
 
 WHOLE = rough(1, 8.0) + 35
@@ -64,15 +64,17 @@ NAMED = {
 
 @pytest.mark.parametrize("kind", NAMED)
 def test_what_is_wrong_with_a_scan_is_named_with_numbers(kind, tmp_path):
-    heights, parts = NAMED[kind]
+    heights, message_parts = NAMED[kind]
     report, _ = predicted(tmp_path / "a.txt", heights)
     cautions = [line for line in report.splitlines() if "take care" in line and "a.txt" in line]
-    assert any(all(part in line for part in parts) for line in cautions), report
+    assert any(all(message_part in line for message_part in message_parts) for line in cautions), (
+        report
+    )
 
 
 def test_spikes_are_named_also_where_they_leave_no_spectrum(tmp_path):
     """Their white spectrum looks like a noise floor."""
-    spiky = with_spikes(rough(2, 20.0))
+    spiky = add_spikes(rough(2, 20.0))
     message = refusal(predicted, tmp_path / "a.txt", spiky)
     assert_says(message, "a noise floor", "0.098 % of its pixels are spikes", "is 19.8 nm")
 
@@ -93,10 +95,10 @@ def test_the_rms_height_of_a_grating_is_kept(tmp_path):
 def test_the_roughness_beside_a_bow_is_what_quadratic_levelling_leaves(tmp_path):
     flat = rough(4, 1.5)
     bowed = flat - (X**2 + Y**2 / 2) * 0.004
-    _, of_flat = predicted(tmp_path / "flat.txt", flat)
-    report, of_bowed = predicted(tmp_path / "a.txt", bowed, 40.0, "--levelling", "quadratic")
-    force = of_flat["pull_off_force"]["value"]
-    assert of_bowed["pull_off_force"]["value"] == pytest.approx(force, rel=0.05)
+    _, flat_numbers = predicted(tmp_path / "flat.txt", flat)
+    report, bowed_numbers = predicted(tmp_path / "a.txt", bowed, 40.0, "--levelling", "quadratic")
+    force = flat_numbers["pull_off_force"]["value"]
+    assert bowed_numbers["pull_off_force"]["value"] == pytest.approx(force, rel=0.05)
     assert "curvature" not in report
 
 
@@ -107,8 +109,17 @@ def test_a_flat_cleavage_face_sticks_as_a_smooth_one(tmp_path):
 
 
 def test_a_soft_contact_is_warned_of(tmp_path):
-    given = ["--radius", "5um", "--hardness", "1MPa", "--preload", "100nN", "--work", "30mJ/m2"]
-    report, numbers = predicted(tmp_path / "a.txt", WHOLE, 40.0, *given)
+    soft_contact = [
+        "--radius",
+        "5um",
+        "--hardness",
+        "1MPa",
+        "--preload",
+        "100nN",
+        "--work",
+        "30mJ/m2",
+    ]
+    report, numbers = predicted(tmp_path / "a.txt", WHOLE, 40.0, *soft_contact)
     assert_says(report, "Tabor parameter: not known", "may be too soft for a hard contact")
     assert numbers["tabor_parameter"]["value"] is None
 

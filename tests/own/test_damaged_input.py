@@ -35,24 +35,26 @@ def mutated(content, rng):
     """The content with some bits, pieces or numbers changed."""
     content = bytearray(content)
     for _ in range(rng.choice([1, 1, 2, 5])):
-        place = rng.randrange(len(content) + 1)
+        position = rng.randrange(len(content) + 1)
         length = rng.choice([0, 1, 8, 100])
         match rng.choice(["flip", "cut", "number", "nasty", "repeat", "zero", "end"]):
-            case "flip" if place < len(content):
-                content[place] ^= 1 << rng.randrange(8)
+            case "flip" if position < len(content):
+                content[position] ^= 1 << rng.randrange(8)
             case "cut":
-                content[place : place + length] = b""
+                content[position : position + length] = b""
             case "number" if numbers := [*NUMBER.finditer(content)]:
                 number = rng.choice(numbers)
                 content[number.start() : number.end()] = rng.choice(NASTY)
             case "nasty":
-                content[place:place] = rng.choice(NASTY)
+                content[position:position] = rng.choice(NASTY)
             case "repeat":
-                content[place:place] = content[place : place + length] * rng.choice([1, 100])
+                content[position:position] = content[position : position + length] * rng.choice(
+                    [1, 100]
+                )
             case "zero":
-                content[place : place + length] = bytes(length)
+                content[position : position + length] = bytes(length)
             case "end":
-                content[place:] = b""
+                content[position:] = b""
     return bytes(content)
 
 
@@ -135,22 +137,22 @@ KINDS = {
 @pytest.mark.parametrize("times", [1, pytest.param(10, marks=pytest.mark.study)])
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_is_read_or_refused_in_clear_lines(tmp_path, kind, times):
-    files_of, read = KINDS[kind]
+    files_of, read_files = KINDS[kind]
     (tmp_path / "whole").mkdir()
     files = files_of(tmp_path / "whole")
-    rng, refused = random.Random(2026), 0
+    rng, refusals = random.Random(2026), 0
     for number in range(60 * times):
         name = rng.choice(sorted(files))
         path = tmp_path / f"{number}-{name}"
         path.write_bytes(mutated(files[name], rng))
         start = time.monotonic()
         try:
-            read(path)
+            read_files(path)
         except ValueError as error:
-            refused += 1
+            refusals += 1
             lines = str(error).splitlines()
             assert lines and all("expected" in line for line in lines), path
             assert all(line.isprintable() and len(line) < 3000 for line in lines), path
         assert time.monotonic() - start < 20, path
         path.unlink()
-    assert refused > 0
+    assert refusals > 0

@@ -32,8 +32,8 @@ def forces(masters, contact):
         for number, filters, master in masters
     }
     scales = stacked_forces(filtered)
-    named = scales.assign(label=("surface", ["A"]), basis=("surface", ["measured"]))
-    return named.assign_attrs(rho=contact.range, sphere_radius=contact.radius)
+    named_scales = scales.assign(label=("surface", ["A"]), basis=("surface", ["measured"]))
+    return named_scales.assign_attrs(rho=contact.range, sphere_radius=contact.radius)
 
 
 def assert_held(low, high, edge, finite):
@@ -80,8 +80,8 @@ def test_the_interval_of_one_scan_holds_the_edge_of_the_mean(filters):
     assert np.nanmedian(high) < 3 * truth and np.nanmedian(low) > truth / 3
     # No end lies outside the cutoffs, and none is the edge itself.
     ends = np.array([[edge.edge.item(), *edge.edge_interval.values] for edge in edges])
-    known = ends[np.isfinite(ends)]
-    assert (known >= filters.cutoffs[0]).all() and (known <= filters.cutoffs[-1]).all()
+    finite_ends = ends[np.isfinite(ends)]
+    assert (finite_ends >= filters.cutoffs[0]).all() and (finite_ends <= filters.cutoffs[-1]).all()
     assert not (ends[:, 1:] == ends[:, :1]).any()
 
 
@@ -113,10 +113,10 @@ def interval_of_one_scan(density, number):
     surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, density)
     heights = surface.heights[:PIXELS, :PIXELS].astype(float)
     scan = level(HeightMap(heights, PIXEL_SIZE, False, "measured"))
-    measured = [
+    measurements = [
         Measurement("a", "", "", "nm", "map", scan.heights, PIXEL_SIZE, 1.0, notes=(), undefined=0)
     ]
-    spectrum = spectrum_from(joined_spectrum(measured, [None]))
+    spectrum = spectrum_from(joined_spectrum(measurements, [None]))
     rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
 
     def scales(spectra):
@@ -131,9 +131,9 @@ def interval_of_one_scan(density, number):
         )  # fmt: skip
         return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
 
-    as_measured = scales([(spectrum, np.ones(1))] * REALIZATIONS)
-    drawn = scales(drawn_spectra(rngs, measured, [None]))
-    edges = long_edges(with_spectrum_shifts(as_measured, drawn), 1)
+    measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
+    drawn_scales = scales(drawn_spectra(rngs, measurements, [None]))
+    edges = long_edges(with_spectrum_shifts(measured_scales, drawn_scales), 1)
     return edges.edge_interval.values.ravel()
 
 

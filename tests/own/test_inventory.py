@@ -42,19 +42,19 @@ def test_roughness_is_without_the_tilt_and_the_shape_of_the_sphere(tmp_path):
 
 
 def test_a_member_of_a_container_that_cannot_be_read_stops_nothing(tmp_path):
-    good = scan(tmp_path / "good.nc")
+    sound_scan = scan(tmp_path / "good.nc")
     (tmp_path / "bad.txt").write_text("nothing")
     members = [
         {"name": name, "datafile": {"original": name}, "unit": "nm", "size": [320.0, 320.0]}
         for name in ("good.nc", "bad.txt")
     ]
-    files = {"good.nc": good, "bad.txt": tmp_path / "bad.txt"}
+    files = {"good.nc": sound_scan, "bad.txt": tmp_path / "bad.txt"}
     twin = container(tmp_path / "twin.zip", members, files)
     ((entry,), (line,), problems) = inventory([source(twin)], None)
     assert entry.dataset == "good.nc" and not problems
     assert_says(line, "twin.zip: bad.txt: expected")
-    alone = container(tmp_path / "bad.zip", members[1:], files)
-    entries, unreadable, problems = inventory([source(alone)], None)
+    unusable_container = container(tmp_path / "bad.zip", members[1:], files)
+    entries, unreadable, problems = inventory([source(unusable_container)], None)
     assert not entries and not unreadable and len(problems) == 1
 
 
@@ -70,21 +70,28 @@ def test_all_problems_are_told_at_once_and_twins_among_them(tmp_path):
         scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0)),
     ]
     _, _, problems = inventory([source(path) for path in paths], None)
-    missing, flat, text, twin = problems
-    assert_says(missing, "none.di", "no such file")
+    missing_fault, flat, text, twin = problems
+    assert_says(missing_fault, "none.di", "no such file")
     assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
     assert_says(text, "text.txt", "expected")
     assert_says(twin, "again.nc", "expected each scan once", "first.nc")
 
 
-@pytest.mark.parametrize(("stated", "used", "in_table"), [(None, 12.0, "12 nm"), (30.0, 30.0, "")])
+@pytest.mark.parametrize(
+    ("stated_radius", "used_radius", "table_radius"), [(None, 12.0, "12 nm"), (30.0, 30.0, "")]
+)
 def test_what_a_file_states_of_its_tip_counts_before_what_is_given(
-    tmp_path, monkeypatch, stated, used, in_table
+    tmp_path, monkeypatch, stated_radius, used_radius, table_radius
 ):
-    path, read = scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)), module.read_measurement
+    path, read_original = (
+        scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)),
+        module.read_measurement,
+    )
     monkeypatch.setattr(
-        module, "read_measurement", lambda *choices: replace(read(*choices), tip_radius=stated)
+        module,
+        "read_measurement",
+        lambda *choices: replace(read_original(*choices), tip_radius=stated_radius),
     )
     entry = only_entry(path, 12.0)
-    assert entry.tip_radius == used
-    assert table_rows([entry], [entry], "12 nm")[0]["tip_radius"] == in_table
+    assert entry.tip_radius == used_radius
+    assert table_rows([entry], [entry], "12 nm")[0]["tip_radius"] == table_radius

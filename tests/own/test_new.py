@@ -26,12 +26,12 @@ NAME = "a-test.of_new"
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     """A top folder whose configuration is the project's, and where studies are written."""
-    for part in ("config", "workflow"):
-        (tmp_path / part).mkdir()
+    for folder in ("config", "workflow"):
+        (tmp_path / folder).mkdir()
     for file in ("config/config.yaml", "config/quick.yaml", "config/surfaces.tsv"):
         (tmp_path / file).write_bytes((ROOT / file).read_bytes())
-    for part in ("resources", "workflow/schemas"):
-        (tmp_path / part).symlink_to(ROOT / part)
+    for folder in ("resources", "workflow/schemas"):
+        (tmp_path / folder).symlink_to(ROOT / folder)
     for module in (new, request):
         monkeypatch.setattr(module, "ROOT", tmp_path)
     monkeypatch.chdir(tmp_path)
@@ -45,8 +45,8 @@ def run(monkeypatch, capsys):
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["hardcontact", "new", *map(str, arguments)])
         code = new.main()
-        said = capsys.readouterr()
-        return SimpleNamespace(code=code, out=said.out, errors=said.err.splitlines())
+        output = capsys.readouterr()
+        return SimpleNamespace(code=code, out=output.out, errors=output.err.splitlines())
 
     return run
 
@@ -106,11 +106,11 @@ def test_what_files_do_not_state_is_given_and_kept(folder, run):
 def test_a_scan_of_fewer_lines_in_a_square_frame_is_read_both_ways_in_words(folder, run):
     """Nanoscope files may state the full frame of a scan that was stopped: pixels look oblong."""
     lines = rough()
-    kept = lines[: round(0.7 * len(lines))]
-    nanoscope(folder / "a.001", 10 * kept, (2500.0, 2500.0))
+    kept_lines = lines[: round(0.7 * len(lines))]
+    nanoscope(folder / "a.001", 10 * kept_lines, (2500.0, 2500.0))
     done = run(NAME, "a.001")
     (caution,) = [line for line in done.out.splitlines() if "the file states" in line]
-    width, height = kept.shape[::-1]
+    width, height = kept_lines.shape[::-1]
     assert_says(
         caution, "- a.001: the file states", f"{width} x {height} pixels", "2.5 µm x 1.7", "along y"
     )
@@ -196,20 +196,22 @@ def test_all_problems_are_told_at_once_and_nothing_is_left(folder, run):
     own_scan(folder / "good.nc")
     own_scan(folder / "odd{1}.nc")
     (folder / "my.csv").write_text("surface,value,unit\na_test_of_new,1,\nb,2,uN\n")
-    before = sorted(folder.rglob("*"))
+    files_before = sorted(folder.rglob("*"))
     quantities = ["--radius", "5 N", "--preload", "10", "--tip", "3 s", "--work", "1e9 J/m2"]
     files = ["good.nc", "odd{1}.nc", "none.di"]
     done = run("a/b", *files, *quantities, "--forces", "my.csv")
     assert done.code == 1 and not done.out
-    expected = [
+    messages = [
         ["NAME", "letters", "'a/b'"], ["--radius", "nm", "5 N"], ["--preload", "N", "10"],
         ["--tip", "nm", "3 s"], ["--work", "100 J/m2", "1e9 J/m2"], ["none.di", "no such file"],
         ["odd{1}.nc", "without {, }"], ["my.csv: line 2", "unit"], ["my.csv: line 3", "b"],
     ]  # fmt: skip
-    for parts in expected:
-        assert any(all(part in line for part in parts) for line in done.errors), parts
+    for message_parts in messages:
+        assert any(
+            all(message_part in line for message_part in message_parts) for line in done.errors
+        ), message_parts
     assert all(line.startswith("error: ") for line in done.errors)
-    assert sorted(folder.rglob("*")) == before
+    assert sorted(folder.rglob("*")) == files_before
 
 
 #: Arguments that are refused, and what the line says.
@@ -246,12 +248,14 @@ def test_what_makes_no_study_is_refused_in_a_line_and_nothing_is_written(folder,
     own_scan(folder / "two.nc", seed=2)
     scan(folder / "bare.nc", rough(), (2.5, 2.5), unit=None)
     (folder / "results/kept-quick").mkdir(parents=True)
-    before = sorted(folder.rglob("*"))
-    for arguments, parts in REFUSED:
+    files_before = sorted(folder.rglob("*"))
+    for arguments, message_parts in REFUSED:
         done = run(*arguments)
         assert done.code == 1
-        assert any(all(part in line for part in parts) for line in done.errors), done.errors
-        assert sorted(folder.rglob("*")) == before
+        assert any(
+            all(message_part in line for message_part in message_parts) for line in done.errors
+        ), done.errors
+        assert sorted(folder.rglob("*")) == files_before
 
 
 def test_an_interruption_ends_in_one_line(run, monkeypatch):

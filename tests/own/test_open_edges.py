@@ -19,53 +19,55 @@ def edges(curves, scans, **options):
 
 
 def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
-    found = edges([[SMALL, LARGE]], [3]).sel(surface="a")
-    between = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
-    np.testing.assert_allclose(found.edge, [10 ** (1 + between), 4000 * 0.5**between])
-    np.testing.assert_allclose(found.scale_ratio.sel(side="small"), SMALL)
+    band = edges([[SMALL, LARGE]], [3]).sel(surface="a")
+    interpolation = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
+    np.testing.assert_allclose(band.edge, [10 ** (1 + interpolation), 4000 * 0.5**interpolation])
+    np.testing.assert_allclose(band.scale_ratio.sel(side="small"), SMALL)
     # All scans have the same ratio: an interval would have no width.
-    assert found.edge_interval.isnull().all() and found.scale_ratio_interval.isnull().all()
+    assert band.edge_interval.isnull().all() and band.scale_ratio_interval.isnull().all()
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3])
 def test_intervals_lie_about_the_edge_and_within_the_cutoffs_of_their_side(scans):
-    found = edges([[SMALL, LARGE]], [scans], spread=0.2).sel(surface="a")
-    low, high = found.edge_interval.sel(bound="low"), found.edge_interval.sel(bound="high")
-    assert not (low >= found.edge).any() and not (high <= found.edge).any()
-    assert found.edge_interval.notnull().any()
+    band = edges([[SMALL, LARGE]], [scans], spread=0.2).sel(surface="a")
+    low, high = band.edge_interval.sel(bound="low"), band.edge_interval.sel(bound="high")
+    assert not (low >= band.edge).any() and not (high <= band.edge).any()
+    assert band.edge_interval.notnull().any()
     for side, ends in (("small", [10, 1000]), ("large", [1000, 4000])):
-        known = found.edge_interval.sel(side=side).dropna("bound")
-        assert ((known >= ends[0]) & (known <= ends[1])).all()
-    assert int(found.conditional) == (scans < 3)
+        bounds = band.edge_interval.sel(side=side).dropna("bound")
+        assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
+    assert int(band.conditional) == (scans < 3)
 
 
 def test_the_interval_of_three_scans_is_that_of_the_jackknife():
-    given = scales([[SMALL, LARGE]], spread=0.2)
-    ratio = given.ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
+    master_forces = scales([[SMALL, LARGE]], spread=0.2)
+    ratio = master_forces.ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
-    found = band_edges(given, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
-    interval = found.scale_ratio_interval.isel(surface=0).sel(side="small", cutoff_wavelength=100.0)
+    band = band_edges(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+    interval = band.scale_ratio_interval.isel(surface=0).sel(side="small", cutoff_wavelength=100.0)
     np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
 
 
 def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
     flat_small = [1.0, 1.01, 1.02, np.nan, np.nan]
     steep_large = [np.nan, np.nan, 5.0, 3.0, 2.0]
-    found = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
-    assert found.edge.isnull().all()
-    np.testing.assert_array_equal(found.edge_bound, [1000, 4000])
-    np.testing.assert_array_equal(found.edge_at_least, [1, 1])
+    band = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
+    assert band.edge.isnull().all()
+    np.testing.assert_array_equal(band.edge_bound, [1000, 4000])
+    np.testing.assert_array_equal(band.edge_at_least, [1, 1])
     # The cell of the large side is 10 µm; that of the small side, a single mirrored scan, 5 µm.
-    found = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
-    assert found.edge_status.values.tolist() == ["beyond the cell", "beyond the cutoffs"]
+    band = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
+    assert band.edge_status.values.tolist() == ["beyond the cell", "beyond the cutoffs"]
 
 
 def test_a_ratio_without_scatter_is_known():
-    given = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
-    known = (
-        band_edges(given, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+    master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
+    small_side = (
+        band_edges(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
         .isel(surface=0)
         .sel(side="small")
     )
-    assert known.scale_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
-    assert known.edge_interval.notnull().all() and known.edge_interval.sel(bound="low") >= 10
+    assert small_side.scale_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
+    assert (
+        small_side.edge_interval.notnull().all() and small_side.edge_interval.sel(bound="low") >= 10
+    )

@@ -26,11 +26,11 @@ def mean_force(surface, rho):
     return 2e-5 * (rho / RHO) ** SLOPES[surface]
 
 
-def adhesion(rng, scans=5, spread=0.2, of_contacts=0.3):
+def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     """Forces of contacts whose mean over many scans is `mean_force`."""
     shape = (2, scans, 1, 1, 1, 4, 4)
     factor = np.exp(spread * rng.standard_normal(shape[:5] + (1, 1)) - spread**2 / 2)
-    factor = factor * np.exp(of_contacts * rng.standard_normal(shape) - of_contacts**2 / 2)
+    factor = factor * np.exp(contact_spread * rng.standard_normal(shape) - contact_spread**2 / 2)
     curves = np.array([mean_force(surface, RHOS) for surface in SLOPES])
     return xr.Dataset(
         {
@@ -54,9 +54,9 @@ def drawn_tests(rng, number=40, shape=0.6, surfaces="ab"):
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def fitted(computed, tests):
+def fitted(computed_forces, tests):
     sizes = {"a": 2500.0, "b": 2500.0}
-    fit = fit_measured(computed, tests, sizes, Sampling(1, 1000, 0.95))
+    fit = fit_measured(computed_forces, tests, sizes, Sampling(1, 1000, 0.95))
     return fit.sel(contact_model="plastic")
 
 
@@ -72,13 +72,16 @@ def holds(fit, rho=RHO, work=WORK):
 
 def test_without_scatter_range_and_work_are_recovered():
     rng = np.random.default_rng(0)
-    exact = adhesion(rng, spread=1e-4, of_contacts=1e-4)
+    exact = adhesion(rng, spread=1e-4, contact_spread=1e-4)
     fit = fitted(exact, drawn_tests(rng, number=400, shape=0.01))
     assert float(fit.best_range) == pytest.approx(RHO, rel=0.02)
     assert float(fit.best_work) == pytest.approx(WORK, rel=0.02)
     assert fit.region_status.values.tolist() == ["found", "found"]
-    for known, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
-        assert 0.97 * known < low < 1.01 * known and 0.99 * known < high < 1.03 * known
+    for true_value, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
+        assert (
+            0.97 * true_value < low < 1.01 * true_value
+            and 0.99 * true_value < high < 1.03 * true_value
+        )
 
 
 def test_the_region_holds_the_truth_in_nineteen_of_twenty_draws_and_not_whatever_one_likes():
@@ -98,17 +101,17 @@ def test_two_forces_fit_two_unknowns_by_construction():
     rng = np.random.default_rng(0)
     tests, fit = drawn_tests(rng), drawn_fit(0)
     assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.best_range.notnull()
-    beyond = tests.assign(mean=tests["mean"] * np.where(tests.surface == "a", 1e4, 1))
-    fit = fitted(adhesion(rng), beyond)
+    weak_tests = tests.assign(mean=tests["mean"] * np.where(tests.surface == "a", 1e4, 1))
+    fit = fitted(adhesion(rng), weak_tests)
     assert fit.exact_pairs == 0 and fit.best_error > 0.1  # no range has this ratio of forces
 
 
 def test_one_surface_gives_a_curve_that_holds_the_truth_and_no_range():
     rng = np.random.default_rng(5)
     fit = fitted(adhesion(rng), drawn_tests(rng, surfaces="a"))
-    known = WORK * mean_force("a", RHO) / mean_force("a", fit.rho)
+    true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho)
     low, high = fit.work_of_adhesion_interval.sel(surface="a").transpose("bound", "rho")
-    assert ((low < known) & (known < high)).all()
+    assert ((low < true_work) & (true_work < high)).all()
     assert fit.best_range.isnull() and fit.region_range.isnull().all()
 
 
@@ -122,10 +125,10 @@ def test_one_surface_gives_a_curve_that_holds_the_truth_and_no_range():
 )
 def test_a_region_that_is_not_known_is_not_told(ranges, number, factor, status):
     rng = np.random.default_rng(8)
-    computed = adhesion(rng).sel(rho=RHOS[:ranges])
+    computed_forces = adhesion(rng).sel(rho=RHOS[:ranges])
     tests = drawn_tests(rng, number)
     tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
-    fit = fitted(computed, tests)
+    fit = fitted(computed_forces, tests)
     assert fit.region_status.values.tolist() == status and fit.region_work.isnull().all()
     assert fit.work_of_adhesion.notnull().all()
     assert fit.work_of_adhesion_interval.notnull().all() == (number > 1)
@@ -145,37 +148,42 @@ def test_single_tests_and_a_summary_describe_the_same():
 
 @pytest.mark.parametrize("shape, number", [(0.7, 40), (1.5, 40), (0.7, 4)])
 def test_samples_hold_the_mean_as_often_as_they_say(shape, number):
-    rng, held = np.random.default_rng(3), []
+    rng, contained = np.random.default_rng(3), []
     for _ in range(300):
         forces = np.exp(shape * rng.standard_normal(number))
         tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), number)
         low, high = np.percentile(sampled_means(rng, tests, 400), [5, 95])
-        held.append(low < np.exp(shape**2 / 2) < high)
-    assert np.mean(held) > 0.85
+        contained.append(low < np.exp(shape**2 / 2) < high)
+    assert np.mean(contained) > 0.85
 
 
 def test_work_with_continued_roughness_is_inversely_proportional_to_the_force():
-    measured, continued = 0.32, 0.08  # N, the latter at 0.05 J/m²
-    ends = ("surface", "bound"), [[measured / 1.1, measured * 1.1]]
+    measured_force, continued_force = 0.32, 0.08  # N, the latter at 0.05 J/m²
+    ends = ("surface", "bound"), [[measured_force / 1.1, measured_force * 1.1]]
     fit = xr.Dataset(
-        {"measured_force": ("surface", [measured]), "measured_force_interval": ends},
+        {"measured_force": ("surface", [measured_force]), "measured_force_interval": ends},
         {"surface": ["a"], "bound": ["low", "high"]},
         {"confidence": 0.95},
     )
     sides = ("surface", "side")
     force = xr.Dataset(
         {
-            "continued_force": (sides, [[continued]]),
-            "continued_force_interval": ((*sides, "bound"), [[[continued / 1.2, continued * 1.3]]]),
+            "continued_force": (sides, [[continued_force]]),
+            "continued_force_interval": (
+                (*sides, "bound"),
+                [[[continued_force / 1.2, continued_force * 1.3]]],
+            ),
             "continued_differs": (sides, [[1]]),
             "transition": ("side", [20.0]),
         },
         {"surface": ["a"], "side": ["small"], "bound": ["low", "high"]},
         {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
     )
-    found = add_continued_work(fit, force).sel(surface="a", side="small")
-    assert float(found.continued_work) == pytest.approx(0.05 * measured / continued)
+    fit_with_work = add_continued_work(fit, force).sel(surface="a", side="small")
+    assert float(fit_with_work.continued_work) == pytest.approx(
+        0.05 * measured_force / continued_force
+    )
     np.testing.assert_allclose(
-        np.log(found.continued_work_interval / found.continued_work),
+        np.log(fit_with_work.continued_work_interval / fit_with_work.continued_work),
         [-np.hypot(np.log(1.1), np.log(1.3)), np.hypot(np.log(1.1), np.log(1.2))],
     )

@@ -51,8 +51,11 @@ def table(tmp_path):
 
 def rows_of(spectrum):
     """Return a spectrum as a header and rows of a table in other units."""
-    known = spectrum.density > 0
-    columns = (spectrum.wavevector[known].tolist(), spectrum.density[known].tolist())
+    has_roughness = spectrum.density > 0
+    columns = (
+        spectrum.wavevector[has_roughness].tolist(),
+        spectrum.density[has_roughness].tolist(),
+    )
     rows = zip(*columns, strict=True)
     return [BY_WAVEVECTOR, *(f"{q * 1000!r},rad/um,{c * 1e-36!r},m^4" for q, c in rows)]
 
@@ -79,16 +82,16 @@ def test_units_order_and_zeros_of_a_table(table):
         "1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4",
         "5,nm,0,nm4",
     ]  # fmt: skip
-    found = table_spectrum(table(HEADER, *rows))
-    assert 2 * np.pi / found.wavevector == pytest.approx([1000, 500, 100, 50, 10, 5])
-    assert found.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3, 0])
-    assert found(2 * np.pi / np.array([5, 3])) == pytest.approx(0, abs=1e-90)
+    spectrum = table_spectrum(table(HEADER, *rows))
+    assert 2 * np.pi / spectrum.wavevector == pytest.approx([1000, 500, 100, 50, 10, 5])
+    assert spectrum.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3, 0])
+    assert spectrum(2 * np.pi / np.array([5, 3])) == pytest.approx(0, abs=1e-90)
     wavevector = np.geomspace(0.01, 1, 9)
     profile = 1e-2 * wavevector**-2.6
     rows = [f"{q:.17g},rad/nm,{c:.17g},nm3" for q, c in zip(wavevector, profile, strict=True)]
-    found = table_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
+    spectrum = table_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
     expected = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
-    assert found.density == pytest.approx(expected)
+    assert spectrum.density == pytest.approx(expected)
 
 
 #: Lines of a table, and what the refusals say.
@@ -115,22 +118,22 @@ FAULTY = [
 
 
 def test_every_fault_of_a_table_is_told_in_a_line(table):
-    for lines, parts in FAULTY:
-        assert_says(refusal(printed, table(*lines)), *parts)
+    for lines, message_parts in FAULTY:
+        assert_says(refusal(printed, table(*lines)), *message_parts)
 
 
 def test_faults_of_options_are_told_with_those_of_the_table(tmp_path):
-    missing = str(tmp_path / "none.csv")
-    for options, parts in (
+    missing_file = str(tmp_path / "none.csv")
+    for options, message_parts in (
         (["--range", "5", "--work", "1 nm"], ["--range", "--work"]),
         # A contact wider than the attraction of a smooth sphere.
         (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
         (["--json", "-", "--csv", "-"], ["--csv: expected a file"]),
         (["--json", str(tmp_path / "new/x.json")], ["--json: expected a file in a folder"]),
     ):
-        message = refusal(printed, missing, *options)
-        assert_says(message, "none.csv", "found no file", *parts)
-        assert len(message.splitlines()) == 1 + len(parts)
+        message = refusal(printed, missing_file, *options)
+        assert_says(message, "none.csv", "found no file", *message_parts)
+        assert len(message.splitlines()) == 1 + len(message_parts)
     assert not any(tmp_path.iterdir())
 
 
@@ -147,8 +150,8 @@ def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_pat
     force = numbers["pull_off_force"]
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
     assert force["unit"] == "N" and force["status"] == "inside"
-    place = table_coordinates(trim_spectrum(spectrum), contact, prediction)
-    expected = prediction.force * np.array(nearest_errors(place, "force"))
+    coordinates = table_coordinates(trim_spectrum(spectrum), contact, prediction)
+    expected = prediction.force * np.array(nearest_errors(coordinates, "force"))
     assert force["interval"] == pytest.approx(expected, rel=1e-5)
     for name, edge in zip(("short_edge", "long_edge"), edges(spectrum, contact, 0.1), strict=True):
         assert numbers[name]["value"] == pytest.approx(edge)
@@ -198,9 +201,9 @@ def test_short_waves_that_the_table_lacks_are_continued(table):
         assert numbers["continued_change"]["status"] == "negligible"
 
 
-def without(spectrum, kept):
+def remove_bins(spectrum, kept_bins):
     """Return a spectrum without some of its wavelengths."""
-    return Spectrum(spectrum.wavevector[kept], spectrum.density[kept])
+    return Spectrum(spectrum.wavevector[kept_bins], spectrum.density[kept_bins])
 
 
 KNOWN, SMOOTHER = rough(17, 1000, 0.8, 20), rough(17, 300, 0.8, 20)
@@ -215,9 +218,9 @@ SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
         (SMOOTHER, ["--range", "0.3nm"], "not at 0.3 nm"),
         (SMOOTHER, ["--radius", "1um", "--preload", "100nN"], "not at 1 µm"),
         (SMOOTHER, ["--preload", "500uN"], "contact area over the roll-off"),
-        (without(LONG, LONG.wavevector > 2 * np.pi / 3000), [], "take care: waves longer than"),
+        (remove_bins(LONG, LONG.wavevector > 2 * np.pi / 3000), [], "take care: waves longer than"),
         (Spectrum(SHORT, 1e-4 * (2 * np.pi / SHORT) ** 4), [], "waves longer than 100 nm"),
-        (without(KNOWN, GAP), [], "a factor of 6.3 apart"),
+        (remove_bins(KNOWN, GAP), [], "a factor of 6.3 apart"),
     ],
 )
 def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options, cause):
@@ -276,19 +279,19 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
         scan_files.scan(path, heights.T, (size, size))
     else:
         scan_files.write_coordinates(scan_files.line(heights, size), path)
-    joined = joined_spectrum([measurement(heights, PIXEL)], [None])
+    joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
     spectrum = own_spectrum([path]).spectrum
-    known = np.isfinite(joined.joined.values)
-    assert spectrum.density == pytest.approx(joined.joined.values[known], rel=1e-4)
+    has_roughness = np.isfinite(joined_scans.joined.values)
+    assert spectrum.density == pytest.approx(joined_scans.joined.values[has_roughness], rel=1e-4)
     assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
     numbers = numbers_of(str(path))
     assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, CONTACT).force
     assert numbers["pull_off_force"]["value"] == pytest.approx(force)
     # It is continued as the masters of the study are, up to a roll-off beyond the scan.
-    force = closed_form(spectrum_from(joined), CONTACT).force
+    force = closed_form(spectrum_from(joined_scans), CONTACT).force
     assert numbers["continued_force"]["value"] == pytest.approx(force, rel=1e-3)
-    rolloff = joined.attrs["rolloff"]
+    rolloff = joined_scans.attrs["rolloff"]
     assert numbers["continued_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
 
 
@@ -310,9 +313,9 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_heights_that_are_not_gaussian_are_named_and_their_error_is_not_known(tmp_path, sign):
     """The sum over pixels is less than half the closed form on bumps, above twice it on pores."""
-    base, other = (map_of(generator(seed), 128, 40.0, rolled_off).heights for seed in (3, 4))
-    base, other = 4 * base / base.std(), other / other.std()
-    heights = base + sign * 10 * np.maximum(other - 0.3, 0) ** 2
+    base, second_map = (map_of(generator(seed), 128, 40.0, rolled_off).heights for seed in (3, 4))
+    base, second_map = 4 * base / base.std(), second_map / second_map.std()
+    heights = base + sign * 10 * np.maximum(second_map - 0.3, 0) ** 2
     contact = {"radius": 250e3, "preload": 10e-6, "hardness": 25e9}
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, 40.0), ranges=[5.6], work=0.0463, count=6, **contact
@@ -344,10 +347,12 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
         files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
     members = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
     path = scan_files.container(tmp_path / "twin.zip", members, files)
-    both, second = own_spectrum([path]), own_spectrum([path], dataset="scan 2.nc")
-    apart = [own_spectrum([file]).spectrum.density for file in files.values()]
-    assert second.spectrum.density == pytest.approx(apart[1])
-    assert both.spectrum.density == pytest.approx(np.sqrt(apart[0] * apart[1]), rel=0.05)
+    joined_members, second_member = own_spectrum([path]), own_spectrum([path], dataset="scan 2.nc")
+    densities = [own_spectrum([file]).spectrum.density for file in files.values()]
+    assert second_member.spectrum.density == pytest.approx(densities[1])
+    assert joined_members.spectrum.density == pytest.approx(
+        np.sqrt(densities[0] * densities[1]), rel=0.05
+    )
 
 
 def test_files_that_are_no_spectrum_are_refused_in_a_line(tmp_path):

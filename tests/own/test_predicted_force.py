@@ -46,53 +46,59 @@ def adhesion(scans, radius=5e3, spread=0.3):
 
 
 def test_force_is_the_mean_at_the_work_asked_for():
-    given = adhesion([3, 1])
-    found = predicted_force(given, **PREDICTION)
-    of_b = given.pull_off_force.sel(surface="b").isel(scan=0)
-    expected = 0.05 * of_b.mean(["sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(found.force.sel(surface="b"), expected)
-    place = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
-    single = 0.05 * given.pull_off_force.sel(place).values
-    quantiles = found.force_quantile.sel(place)
+    computed_forces = adhesion([3, 1])
+    prediction = predicted_force(computed_forces, **PREDICTION)
+    surface_b_forces = computed_forces.pull_off_force.sel(surface="b").isel(scan=0)
+    expected = 0.05 * surface_b_forces.mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(prediction.force.sel(surface="b"), expected)
+    selection = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
+    single = 0.05 * computed_forces.pull_off_force.sel(selection).values
+    quantiles = prediction.force_quantile.sel(selection)
     np.testing.assert_allclose(quantiles, np.quantile(single, quantiles["quantile"]))
 
 
 def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
-    given = adhesion([3, 1], spread=0.02)
-    found = predicted_force(given, **PREDICTION)
-    place = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
-    means = given.pull_off_force.sel(place).mean(["sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(
-        found.force_interval.sel(place), 0.05 * student_interval(means, 0.9, "scan"), rtol=1e-4
+    computed_forces = adhesion([3, 1], spread=0.02)
+    prediction = predicted_force(computed_forces, **PREDICTION)
+    selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
+    means = computed_forces.pull_off_force.sel(selection).mean(
+        ["sphere_scan", "contact_y", "contact_x"]
     )
-    assert found.conditional.values.tolist() == [0, 1]
-    assert found.interval_source.values.tolist() == ["scans", "quarters"]
-    low, high = (found.force_interval.isel(bound=bound) for bound in (0, 1))
-    assert (low < found.force).all() and (found.force < high).all()
+    np.testing.assert_allclose(
+        prediction.force_interval.sel(selection),
+        0.05 * student_interval(means, 0.9, "scan"),
+        rtol=1e-4,
+    )
+    assert prediction.conditional.values.tolist() == [0, 1]
+    assert prediction.interval_source.values.tolist() == ["scans", "quarters"]
+    low, high = (prediction.force_interval.isel(bound=bound) for bound in (0, 1))
+    assert (low < prediction.force).all() and (prediction.force < high).all()
     width = np.log(high / low).sel(surface="b", contact_model="rigid")
     assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
 
 
 def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
-    found = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
-    assert found.force_interval.sel(surface="b").isnull().all()
-    assert found.force_interval.sel(surface="a").notnull().all()
+    prediction = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
+    assert prediction.force_interval.sel(surface="b").isnull().all()
+    assert prediction.force_interval.sel(surface="a").notnull().all()
     message = refusal(lambda: predicted_force(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
 def test_quarters_whose_contacts_touch_fewer_places_give_no_interval():
-    given = adhesion([3, 1])
+    computed_forces = adhesion([3, 1])
     for places, source in ((4.0, "quarters"), (3.0, "few_places")):
-        few = given.assign(touched_places=given.touched_places * 0 + places)
-        found = predicted_force(few, **PREDICTION)
-        assert found.interval_source.values.tolist() == ["scans", source]
-        assert found.force_interval.sel(surface="b").notnull().all() == (places == 4)
-        assert found.force_interval.sel(surface="a").notnull().all()
-        assert found.contacts.values.tolist() == [16, 16]
+        few_places = computed_forces.assign(
+            touched_places=computed_forces.touched_places * 0 + places
+        )
+        prediction = predicted_force(few_places, **PREDICTION)
+        assert prediction.interval_source.values.tolist() == ["scans", source]
+        assert prediction.force_interval.sel(surface="b").notnull().all() == (places == 4)
+        assert prediction.force_interval.sel(surface="a").notnull().all()
+        assert prediction.contacts.values.tolist() == [16, 16]
         masters = Masters({"a": 1}, 2, {"a": places})
-        continued = continued_force(master_forces(), masters, 0.05, 0.95)
-        assert continued.continued_force_interval.notnull().all() == (places == 4)
+        continued_forces = continued_force(master_forces(), masters, 0.05, 0.95)
+        assert continued_forces.continued_force_interval.notnull().all() == (places == 4)
 
 
 @pytest.mark.parametrize("pixels", [1, 8])
@@ -104,9 +110,9 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
     heights *= 0.2 / heights.std()
     away = np.arange(-24, 25)
     sphere = (away[:, None] ** 2 + away**2) / (2 * reach**2)
-    around = np.lib.stride_tricks.sliding_window_view(np.pad(heights, 24, "wrap"), sphere.shape)
+    windows = np.lib.stride_tricks.sliding_window_view(np.pad(heights, 24, "wrap"), sphere.shape)
     totals = [
-        direct_total(sphere - around[y, x], pixels, 1.0)
+        direct_total(sphere - windows[y, x], pixels, 1.0)
         for y in range(0, size, 2)
         for x in range(0, size, 2)
     ]
@@ -117,21 +123,23 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
 
 
 def test_no_mean_exceeds_the_bound():
-    given = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
-    continued = xr.Dataset(
+    prediction = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
+    continued_forces = xr.Dataset(
         {"continued_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
     ).assign(continued_force_interval=("side", [1e-9, 1.0]))
-    found = bound_by_smooth_sphere(given.merge(continued), 400.0)
+    bounded = bound_by_smooth_sphere(prediction.merge(continued_forces), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
         dims=("contact_model", "rho"),
     )
-    np.testing.assert_allclose(found.smooth_bound, bound)
-    np.testing.assert_allclose(found.force, bound.expand_dims(surface=2))
-    assert (found.force_interval <= found.smooth_bound).all()
-    np.testing.assert_allclose(found.continued_force, [1e-9, bound[1, 1]])
-    endless = given.assign(force_interval=given.force_interval * 0 + np.inf).merge(continued)
+    np.testing.assert_allclose(bounded.smooth_bound, bound)
+    np.testing.assert_allclose(bounded.force, bound.expand_dims(surface=2))
+    assert (bounded.force_interval <= bounded.smooth_bound).all()
+    np.testing.assert_allclose(bounded.continued_force, [1e-9, bound[1, 1]])
+    endless = prediction.assign(force_interval=prediction.force_interval * 0 + np.inf).merge(
+        continued_forces
+    )
     assert np.isinf(bound_by_smooth_sphere(endless, 400.0).force_interval).all()
 
 
@@ -145,10 +153,10 @@ def master_forces(**options):
 
 
 def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work():
-    given = master_forces()
-    mean = given.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
+    forces = master_forces()
+    mean = forces.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
     np.testing.assert_allclose(
-        continued_force(given, MASTERS, 0.05, 0.95).continued_force, 0.05 * mean
+        continued_force(forces, MASTERS, 0.05, 0.95).continued_force, 0.05 * mean
     )
 
 
@@ -158,10 +166,10 @@ def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work()
 def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolerance(
     ratio, half, differs
 ):
-    continued = continued_force(master_forces(), MASTERS, 0.05, 0.95)
+    continued_forces = continued_force(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to that with continued roughness below them.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
-    unit = continued.continued_force.sel(side="small").item()
+    unit = continued_forces.continued_force.sel(side="small").item()
     axes = ("surface", "contact_model", "rho")
     scan_forces = xr.Dataset(
         {
@@ -171,24 +179,24 @@ def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolera
         {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "bound": ["low", "high"]},
         {"range_of_adhesion": 5.0},
     )
-    found = add_continued_force(scan_forces, continued, 0.1).continued_differs
-    assert found.sel(side="small").values.tolist() == [differs]
+    comparison = add_continued_force(scan_forces, continued_forces, 0.1).continued_differs
+    assert comparison.sel(side="small").values.tolist() == [differs]
 
 
 @pytest.mark.study
 @pytest.mark.parametrize("count", [2, 5])
 def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share(count):
-    rng, held = np.random.default_rng(3), []
+    rng, contained = np.random.default_rng(3), []
     template = master_forces(realizations=count)
     for _ in range(300):
         shared = 0.3 * rng.standard_normal((1, count, 1, 1, 1))
         single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
         forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
-        drawn = template.assign(unfiltered_pull_off_force=forces)
-        masters = forces_of_masters(drawn, "a", "small", MASTERS)
+        sampled_forces = template.assign(unfiltered_pull_off_force=forces)
+        masters = forces_of_masters(sampled_forces, "a", "small", MASTERS)
         half = half_width_over_masters(
             masters, lambda filtered, whole: whole, "unfiltered_shift", 0.95
         )
         mean = float(masters.forces.unfiltered_pull_off_force.mean())
-        held.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
-    assert np.mean(held) >= 0.9
+        contained.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
+    assert np.mean(contained) >= 0.9

@@ -92,36 +92,36 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, expected):
     sphere = "sphere" if entries[-1].source.surface == "sphere" else None
     sizes = draw_sizes(entries, sphere, probe(radius))
-    chosen, _ = contact_scans(entries, sphere, probe(radius), sizes)
-    assert Counter(round(scan.size) for scan in chosen) == expected
+    selected_scans, _ = contact_scans(entries, sphere, probe(radius), sizes)
+    assert Counter(round(scan.size) for scan in selected_scans) == expected
 
 
 # Keys of the study
 
 
-def both_efforts(asked, proposal):
+def both_efforts(settings, proposal):
     """Return the configurations of the study and of its quick effort."""
-    named = {
+    named_keys = {
         "study": "own",
         "published": "none",
         "sphere.surface": "smooth",
-        "sphere.radius": f"{asked.radius:.12g} nm",
-        "contact.preload": f"{asked.preload:.12g} N",
-        "contact.hardness": f"{asked.hardness:.12g} Pa",
+        "sphere.radius": f"{settings.radius:.12g} nm",
+        "contact.preload": f"{settings.preload:.12g} N",
+        "contact.hardness": f"{settings.hardness:.12g} Pa",
     }
-    full = named | values_by_key(proposal.choices)
+    full = named_keys | values_by_key(proposal.choices)
     quick = full | values_by_key(proposal.quick)
     return [configuration(set_keys(PAPER, keys)) for keys in (full, quick)]
 
 
-def check_study(asked, proposal):
+def check_study(settings, proposal):
     """Let the checks of the study look at a proposal for a smooth sphere, at both efforts."""
     grids = {scan.source.surface: scan.grid for scan in proposal.contact}
-    for config in both_efforts(asked, proposal):
+    for config in both_efforts(settings, proposal):
         check_grids(config, grids)
 
 
-def between(low, high):
+def random_between(low, high):
     """Give numbers of any size between two."""
     return st.floats(math.log(low), math.log(high)).map(math.exp)
 
@@ -129,28 +129,28 @@ def between(low, high):
 @st.composite
 def scans(draw):
     """Give one to five scans of a surface on the same pixels."""
-    size, pixels = draw(between(100, 1e5)), draw(st.integers(64, 2048))
-    rms = draw(between(0.1, size / 10))
-    shortest = draw(between(2, 2 * pixels)) * size / pixels
+    size, pixels = draw(random_between(100, 1e5)), draw(st.integers(64, 2048))
+    rms = draw(random_between(0.1, size / 10))
+    shortest = draw(random_between(2, 2 * pixels)) * size / pixels
     band = ReliableBand(shortest, size / 3, "tip")
     return [entry(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
 
 
-def check_refusal(line, scan, asked):
+def check_refusal(line, scan, settings):
     """Expect that the study could not accept what a line refuses, by bounds of its own."""
-    area = 1e18 * asked.preload / asked.hardness
+    area = 1e18 * settings.preload / settings.hardness
     if line.startswith("surface a: expected a height map"):
         assert scan.pixel_size < 0.05
     elif line.startswith("config key scales.range"):
-        pixels = 2 * scan.pixel_size**2 / asked.radius
+        pixels = 2 * scan.pixel_size**2 / settings.radius
         depth = math.sqrt(area)
         assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
     else:
-        window = min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.range))
+        window = min(2 * scan.size, 2 * math.sqrt(28 * settings.radius * settings.range))
         # What 16 contacts with a hundred images of each pixel keep in memory.
-        in_memory = area / scan.pixel_size**2 / (2**26 / 16 / 100)
+        permitted_pixels = area / scan.pixel_size**2 / (2**26 / 16 / 100)
         assert line.startswith("config key contact.preload") and (
-            area / window**2 > 0.15 or in_memory > 1
+            area / window**2 > 0.15 or permitted_pixels > 1
         ), line
 
 
@@ -162,15 +162,20 @@ def test_any_scan_gives_what_the_study_accepts_or_a_refusal_of_what_it_cannot(ex
         derandomize=True,
         suppress_health_check=list(HealthCheck),
     )
-    @given(scans(), st.builds(probe, between(1e3, 5e6), between(1e-9, 1e-3), between(1e8, 1e12)))
-    def check(entries, asked):
+    @given(
+        scans(),
+        st.builds(
+            probe, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
+        ),
+    )
+    def check(entries, settings):
         try:
-            check_study(asked, propose(entries, None, asked))
+            check_study(settings, propose(entries, None, settings))
             event("accepted")
         except ValueError as error:
             for line in str(error).splitlines():
                 event(line.partition(":")[0])
-                check_refusal(line, entries[0], asked)
+                check_refusal(line, entries[0], settings)
 
     check()
 
@@ -200,7 +205,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 
 
 @pytest.mark.parametrize(
-    ("scan", "asked", "parts"),
+    ("scan", "settings", "message_parts"),
     [
         (entry(band=BLIND), probe(), ["reliable at no wavelength: the tip at 3 µm"]),
         # Of a relief of 5600 nm exponentials overflow below 11.2 nm.
@@ -217,33 +222,33 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
         (entry(defects={"highest": {"highest_share": 0.1}}), probe(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
-def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, asked, parts):
-    assert_says(" ".join(propose([scan], None, asked).cautions), *parts)
+def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, settings, message_parts):
+    assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
     assert not propose([entry(10000, 512, 14, undefined=99)], None, probe()).cautions
 
 
 @pytest.mark.parametrize(
-    ("entries", "asked", "expected"),
+    ("entries", "settings", "expected"),
     [
         ([entry(1e5, 3000, kind="profile")], probe(), ["surface a: expected a height map"]),
         ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
         ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
     ],
 )
-def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, asked, expected):
-    message = refusal(propose, entries, None, asked)
+def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, settings, expected):
+    message = refusal(propose, entries, None, settings)
     assert_says(message, *expected)
     assert len(message.splitlines()) == len(expected)
 
 
 @pytest.mark.parametrize(
-    ("scan", "asked", "expected"),
+    ("scan", "settings", "expected"),
     [
         (entry(20000, 512, 700.0), probe(rho=6.0), ["scales.range: expected at least 11.2 nm"]),
         # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
         (entry(), probe(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
     ],
 )
-def test_the_study_refuses_what_was_given_and_the_scans_do_not_permit(scan, asked, expected):
-    message = refusal(check_study, asked, propose([scan], None, asked, True))
+def test_the_study_refuses_what_was_given_and_the_scans_do_not_permit(scan, settings, expected):
+    message = refusal(check_study, settings, propose([scan], None, settings, True))
     assert_says(message, *expected)

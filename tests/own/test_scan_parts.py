@@ -14,8 +14,8 @@ from hardcontact.own.scan_parts import (
 )
 
 
-def half_of(left_out, parts, confidence):
-    return half_width([jackknife_variance(left_out, parts)], confidence)
+def half_of(left_out, scan_parts, confidence):
+    return half_width([jackknife_variance(left_out, scan_parts)], confidence)
 
 
 @pytest.mark.parametrize("count, tiles", [(4, 1), (20, 1), (20, 4), (7, 2), (6, 4)])
@@ -55,9 +55,9 @@ def quarter_means(fields):
 @pytest.mark.parametrize("reach", [0.02, 0.2, 0.47])
 def test_correlation_of_quarters_is_that_of_smoothed_noise(reach):
     means = quarter_means(fields(np.random.default_rng(1), 4000, 32, reach * 32))
-    measured = means.T @ means / np.mean(means**2) / len(means)
-    parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, reach)
-    np.testing.assert_allclose(parts.correlation, measured, atol=0.05)
+    measured_correlation = means.T @ means / np.mean(means**2) / len(means)
+    scan_parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, reach)
+    np.testing.assert_allclose(scan_parts.correlation, measured_correlation, atol=0.05)
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3, 5])
@@ -65,12 +65,12 @@ def test_intervals_hold_the_mean_as_often_as_they_say(scans):
     draws, reach = 1500, 0.3
     means = quarter_means(fields(np.random.default_rng(2), draws * scans, 16, reach * 16))
     means = means.reshape(draws, -1)
-    parts = parts_of_scans(np.arange(scans), QUARTERS, 1.0, reach)
-    if not parts.conditional:
+    scan_parts = parts_of_scans(np.arange(scans), QUARTERS, 1.0, reach)
+    if not scan_parts.conditional:
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]
     left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
-    half = half_of(left_out.T, parts, 0.9)
+    half = half_of(left_out.T, scan_parts, 0.9)
     assert np.mean(np.abs(means.mean(axis=1)) < half) == pytest.approx(0.9, abs=0.03)
 
 
@@ -78,8 +78,8 @@ def test_without_correlation_it_is_students_t():
     values = np.array([0.3, -0.1, 0.4, 0.9])
     left_out = (values.sum() - values) / 3
     expected = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
-    parts = ScanParts(np.zeros((1, 1, 1), int), np.eye(4), 4)
-    assert half_of(left_out, parts, 0.95) == pytest.approx(expected)
+    scan_parts = ScanParts(np.zeros((1, 1, 1), int), np.eye(4), 4)
+    assert half_of(left_out, scan_parts, 0.95) == pytest.approx(expected)
 
 
 def test_parts_that_are_one_or_the_same_have_no_interval():

@@ -45,10 +45,10 @@ def truth(rng):
             return spectrum
 
 
-def measured(rng, spectrum, with_line):
+def measure_scans(rng, spectrum, has_line):
     """A map of 10 µm, and a line of 228 nm, with heights that are calibrated to ten per cent."""
     scans = [map_of(rng, 256, 40.0, spectrum)]
-    if with_line:
+    if has_line:
         scans.append(line_of(rng, 76, 3.0, spectrum))
     factors = np.exp(CALIBRATION / 2 * rng.standard_normal(len(scans)))
     return [
@@ -71,23 +71,28 @@ def logarithms(spectrum, edges):
 
 def test_intervals_hold_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
     monkeypatch.setattr(closed, "CUTOFFS", 24)
-    held, forces, halves = [], [], []
-    for number, with_line in product(range(TRIALS // 2), (0, 1)):
-        rng = generator(31, number, with_line)
+    contained, forces, halves = [], [], []
+    for number, has_line in product(range(TRIALS // 2), (0, 1)):
+        rng = generator(31, number, has_line)
         spectrum = truth(rng)
-        scans = measured(rng, spectrum, with_line)
+        scans = measure_scans(rng, spectrum, has_line)
         radii = KNOWN_TIPS[: len(scans)]
         edges = closed.edges(spectrum, CONTACT, 0.1)
-        found = logarithms(spectrum_from(joined_spectrum(scans, radii)), edges)
-        rngs = (generator(32, number, with_line, draw) for draw in range(DRAWS))
-        shifts = [logarithms(one, edges) - found for one, _ in drawn_spectra(rngs, scans, radii)]
+        measured_forces = logarithms(spectrum_from(joined_spectrum(scans, radii)), edges)
+        rngs = (generator(32, number, has_line, draw) for draw in range(DRAWS))
+        shifts = [
+            logarithms(spectrum_drawn, edges) - measured_forces
+            for spectrum_drawn, _ in drawn_spectra(rngs, scans, radii)
+        ]
         # As for own surfaces; the interval of an edge holds it if that of F_c/F there does.
         half = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))
         true = logarithms(spectrum, edges)
-        held.append(np.where(np.isfinite(true), np.abs(found - true) <= half, np.nan))
+        contained.append(
+            np.where(np.isfinite(true), np.abs(measured_forces - true) <= half, np.nan)
+        )
         forces.append(true[3])
         halves.append(half[3])
-    count, kept = np.isfinite(held).sum(axis=0), np.nansum(held, axis=0)
+    count, contained_count = np.isfinite(contained).sum(axis=0), np.nansum(contained, axis=0)
     assert count.min() > TRIALS / 2
-    assert (kept >= stats.binom.ppf(0.01, count, 0.93)).all(), (kept, count)
+    assert (contained_count >= stats.binom.ppf(0.01, count, 0.93)).all(), (contained_count, count)
     assert np.median(halves) < np.std(forces)

@@ -48,7 +48,7 @@ def test_a_spectrum_is_found_again_from_its_scans(weights, model, described, tru
     np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
 
 
-def test_no_self_affine_spectrum_has_the_scans_of_ncd(at_root):
+def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
     table = published.table1("resources/paper/table1.csv")
     ncd = substitute_spectra.rows_of_surface(table, "ncd", "gradient", "half_laplacian")
     with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):

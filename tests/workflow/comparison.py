@@ -15,23 +15,23 @@ def paths(results):
     return {path for path in files if not OF_THE_RUN & set(path.parts)}
 
 
-def same(one, other):
+def equal_files(path, reference):
     """Say whether datasets hold the same values and attributes, other files the same bytes."""
-    if one.suffix != ".nc":
-        return one.read_bytes() == other.read_bytes()
-    with xr.open_dataset(one) as left, xr.open_dataset(other) as right:
-        return left.identical(right)
+    if path.suffix != ".nc":
+        return path.read_bytes() == reference.read_bytes()
+    with xr.open_dataset(path) as data, xr.open_dataset(reference) as reference_data:
+        return data.identical(reference_data)
 
 
-def differences(made, reference):
+def differences(folder, reference):
     """Return what is not in both results folders or not the same in both, a line each."""
-    there, expected = paths(made), paths(reference)
-    lines = [f"{path}: missing" for path in expected - there]
-    lines += [f"{path}: not in the reference" for path in there - expected]
+    relative_paths, reference_paths = paths(folder), paths(reference)
+    lines = [f"{path}: missing" for path in reference_paths - relative_paths]
+    lines += [f"{path}: not in the reference" for path in relative_paths - reference_paths]
     lines += [
         f"{path}: differs from the reference"
-        for path in there & expected
-        if not same(made / path, reference / path)
+        for path in relative_paths & reference_paths
+        if not equal_files(folder / path, reference / path)
     ]
     return sorted(lines)
 

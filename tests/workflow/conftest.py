@@ -43,7 +43,7 @@ FEW = {"quick": {"scales": {"realizations": 1}}}
 
 
 @pytest.fixture(scope="session")
-def own(folder):
+def own_study(folder):
     """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK.
 
     Returns the folder of the repository: the study is `several-quick`. Not to be changed.

@@ -56,27 +56,27 @@ def obstacle():
     if not shutil.which("apt-get"):
         return "neither SLURM nor apt-get here"
     for command in ("update", "install --yes --no-install-recommends slurm-wlm munge"):
-        made = subprocess.run(
+        process = subprocess.run(
             ["apt-get", *command.split()],
             env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"},
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,
         )
-        if made.returncode:
-            return f"apt-get {command}: {made.stderr.strip()[-200:]}"
-    missing = [program for program in PROGRAMS if not shutil.which(program)]
-    return f"apt-get brought no {', '.join(missing)}" if missing else ""
+        if process.returncode:
+            return f"apt-get {command}: {process.stderr.strip()[-200:]}"
+    missing_programs = [program for program in PROGRAMS if not shutil.which(program)]
+    return f"apt-get brought no {', '.join(missing_programs)}" if missing_programs else ""
 
 
-def until(condition, what, seconds=120):
+def until(condition, description, seconds=120):
     """The first true value of `condition`; an error if none comes in time."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         if value := condition():
             return value
         time.sleep(0.3)
-    raise TimeoutError(f"waited {seconds} s for {what}")
+    raise TimeoutError(f"waited {seconds} s for {description}")
 
 
 def ask(*command):
@@ -87,9 +87,9 @@ def ask(*command):
 def configure(folder):
     """Write the configuration of a cluster of this machine, with the processors SLURM finds."""
     node = ask("slurmd", "-C")
-    with socket.socket() as first, socket.socket() as second:
+    with socket.socket() as first_socket, socket.socket() as second_socket:
         ports = []
-        for free in (first, second):
+        for free in (first_socket, second_socket):
             free.bind(("127.0.0.1", 0))
             ports.append(free.getsockname()[1])
     path = folder / "slurm.conf"
@@ -147,9 +147,9 @@ def slurm(folder):
             stop(daemon, signal.SIGTERM)
 
 
-def stop(process, how):
+def stop(process, signal_number):
     """End one process by its number, by force if it does not listen."""
-    process.send_signal(how)
+    process.send_signal(signal_number)
     try:
         process.wait(30)
     except subprocess.TimeoutExpired:
@@ -200,7 +200,9 @@ def check_recovery(cancelled, log):
     assert set(states.values()) == {"COMPLETED"}, states
 
     submissions = defaultdict(list)
-    for one, number in re.findall(r"Job (\S+) has been submitted with SLURM jobid (\d+)", log):
-        submissions[one].append(number)
-    again = [numbers for numbers in submissions.values() if cancelled in numbers]
-    assert len(again) == 1 and len(again[0]) == 2 and again[0][0] == cancelled, submissions
+    for job, number in re.findall(r"Job (\S+) has been submitted with SLURM jobid (\d+)", log):
+        submissions[job].append(number)
+    resubmitted = [numbers for numbers in submissions.values() if cancelled in numbers]
+    assert len(resubmitted) == 1 and len(resubmitted[0]) == 2 and resubmitted[0][0] == cancelled, (
+        submissions
+    )

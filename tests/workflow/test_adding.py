@@ -41,11 +41,11 @@ KEY = '''    percentile: Fraction = 0.9
 LAW = '    Law("steep", "steep", 5.0, np.nan),\n'
 
 
-def insert(path, after, text):
+def insert(path, anchor, text):
     """Put a text into a file, behind the first place of another."""
-    before, found, rest = path.read_text("utf-8").partition(after)
-    assert found, f"{path}: {after}"
-    path.write_text(before + found + text + rest, "utf-8")
+    head, separator, tail = path.read_text("utf-8").partition(anchor)
+    assert separator, f"{path}: {anchor}"
+    path.write_text(head + separator + text + tail, "utf-8")
 
 
 def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_copy):
@@ -68,10 +68,10 @@ def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_c
     assert run.returncode == 0, run.stdout[-3000:]
     claims = pd.read_csv(results / "claims.csv").set_index("id")
     assert claims.loc["largest_force_uncd", "computed"] > 1e-9
-    drawn = pd.read_csv(results / "figures/fig_mine.csv")
+    figure_table = pd.read_csv(results / "figures/fig_mine.csv")
     with xr.open_dataset(results / "inference.nc") as inference:
-        computed = inference["range_of_adhesion"].values
-        np.testing.assert_allclose(drawn["range_of_adhesion"], computed, rtol=1e-6)
+        computed_range = inference["range_of_adhesion"].values
+        np.testing.assert_allclose(figure_table["range_of_adhesion"], computed_range, rtol=1e-6)
         assert '"percentile":0.8' in inference.attrs["parameters"]
     with xr.open_dataset(results / "laws.nc") as laws:
         assert laws["fit_error"].sel(law="steep", case="fitted").notnull()

@@ -20,8 +20,8 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(finished, tmp_
     folders = [str(Path(sys.executable).parent), os.environ["PATH"], "/usr/sbin", "/sbin"]
     monkeypatch.setenv("PATH", os.pathsep.join(folders))
     monkeypatch.setenv("SLURM_CONF", "")
-    if why := slurm.obstacle():
-        pytest.skip(why)
+    if reason := slurm.obstacle():
+        pytest.skip(reason)
     filtered = (finished / "results/store-quick/filtered/scales").rglob("uncd/**/*.nc")
     targets = [path.relative_to(finished).as_posix() for path in filtered]
     study, log = copy_repository(tmp_path / "study"), tmp_path / "log"

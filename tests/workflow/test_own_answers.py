@@ -22,9 +22,9 @@ pytestmark = pytest.mark.study
 
 
 @pytest.fixture
-def several(own):
+def several(own_study):
     """Return the results of the study that files of all kinds make."""
-    return own / "results/several-quick"
+    return own_study / "results/several-quick"
 
 
 def test_every_variable_of_own_surfaces_is_described_and_no_other(several):
@@ -47,8 +47,8 @@ def assert_honest(results, fitted=False):
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
     figures = {figure["id"].removesuffix("-figure") for figure in page.attributes["figure"]}
     assert figures == set(OF_OWN_SURFACES) - (set() if fitted else {"works"})
-    drawn = {path.name for path in (results / "figures").glob("*.*")}
-    assert drawn >= {f"{name}.{kind}" for name in figures for kind in KINDS}
+    figure_files = {path.name for path in (results / "figures").glob("*.*")}
+    assert figure_files >= {f"{name}.{kind}" for name in figures for kind in KINDS}
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
     for name, surface in quantities(results).items():
         if name:
@@ -56,7 +56,7 @@ def assert_honest(results, fitted=False):
             for side in ("small", "large"):
                 assert_bounded(edges.sel(surface=name, side=side))
     assert quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
-    left_out = {part for part in LEFT_OUT | {"fit"} if part in page.texts["main"][0]}
+    left_out = {target for target in LEFT_OUT | {"fit"} if target in page.texts["main"][0]}
     assert left_out >= LEFT_OUT | (set() if fitted else {"fit"})
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
     files = {path.name for path in results.iterdir()}
@@ -65,15 +65,15 @@ def assert_honest(results, fitted=False):
 
 def assert_bounded(side):
     """Expect of an edge that it lies between cutoffs and its interval around it, or is open."""
-    known = side.dropna("cutoff_wavelength", subset=["scale_ratio"])["cutoff_wavelength"].values
+    cutoffs = side.dropna("cutoff_wavelength", subset=["scale_ratio"])["cutoff_wavelength"].values
     edge, bound = side["edge"].item(), side["edge_bound"].item()
     low, high = side["edge_interval"].values
     assert np.isnan(edge) == np.isfinite(bound)
     for end in (edge, low, high):
-        assert np.isnan(end) or known.min() <= end <= known.max()
+        assert np.isnan(end) or cutoffs.min() <= end <= cutoffs.max()
     assert not low >= high
     if np.isnan(edge):
-        assert bound in (known.min(), known.max()) and side["edge_status"] != "found"
+        assert bound in (cutoffs.min(), cutoffs.max()) and side["edge_status"] != "found"
     else:
         assert not edge < low and not edge > high
 
@@ -81,10 +81,10 @@ def assert_bounded(side):
 # Files of all kinds, surfaces on different grids
 
 
-def test_files_of_all_kinds_are_told_and_used(own, several):
-    said = (own / "said.txt").read_text()
-    assert_says(said, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
-    overlay = yaml.safe_load((own / "config/several.yaml").read_text())
+def test_files_of_all_kinds_are_told_and_used(own_study, several):
+    output = (own_study / "said.txt").read_text()
+    assert_says(output, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
+    overlay = yaml.safe_load((own_study / "config/several.yaml").read_text())
     assert overlay["scan"]["undefined_pixels"] == "harmonic"
     spectra = xr.load_dataset(several / "spectra.nc")
     film, twin = spectra["kind"].values[:2].tolist()
@@ -116,7 +116,7 @@ def test_the_interval_of_own_forces_holds_the_truth(several):
 
 
 def test_own_forces_stand_on_the_page_as_measured(several):
-    assert "forces" in [one["id"] for one in page_of(several).attributes["section"]]
+    assert "forces" in [section["id"] for section in page_of(several).attributes["section"]]
     for name in ("my_film", "twin"):
         surface = quantities(several)[name]
         assert surface["measured_force"]["source"] == "measured"
@@ -141,7 +141,7 @@ def gaussian_relative(adhesion, rms_height):
     return mean_over_contacts(relative)
 
 
-def test_a_rough_sphere_sticks_less(own, several):
+def test_a_rough_sphere_sticks_less(own_study, several):
     assert numbers(several)["contact"]["sphere"] == "sphere"
     adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
     assert adhesion.sizes["sphere_scan"] == 2
@@ -149,23 +149,31 @@ def test_a_rough_sphere_sticks_less(own, several):
     rms_height = xr.load_dataset(several / "topography.nc").rms_height
     flat, ball = (rms_height.sel(surface=name, drop=True) for name in ("twin", "sphere"))
     assert ball.values == pytest.approx(2.0, rel=0.1)
-    (own / "smooth.yaml").write_text(yaml.safe_dump(
+    (own_study / "smooth.yaml").write_text(yaml.safe_dump(
         {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "study": "smooth"}
     ))  # fmt: skip
-    table = (own / "config/several.tsv").read_text().splitlines(keepends=True)
-    (own / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
-    run = quick(own, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
+    table = (own_study / "config/several.tsv").read_text().splitlines(keepends=True)
+    (own_study / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
+    run = quick(own_study, "several", "adhesion", overlays=["few.yaml", "smooth.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
-    without = xr.load_dataset(own / "results/smooth-quick/adhesion.nc").sel(surface="twin")
-    ratio = mean_over_contacts(adhesion.pull_off_force) / mean_over_contacts(without.pull_off_force)
+    smooth_adhesion = xr.load_dataset(own_study / "results/smooth-quick/adhesion.nc").sel(
+        surface="twin"
+    )
+    ratio = mean_over_contacts(adhesion.pull_off_force) / mean_over_contacts(
+        smooth_adhesion.pull_off_force
+    )
     # Of independent bodies the squares of the rms heights add up.
     flat = flat.sel(scan=1, drop=True)
-    both = np.hypot(flat, ball.rename(scan="sphere_scan"))
-    expected = gaussian_relative(adhesion, both) / gaussian_relative(without, flat)
+    combined_rms = np.hypot(flat, ball.rename(scan="sphere_scan"))
+    gaussian_ratio = gaussian_relative(adhesion, combined_rms) / gaussian_relative(
+        smooth_adhesion, flat
+    )
     # The closed form is that of many points: single peaks decide at the shortest range alone.
-    many = adhesion.rho > (both**2 / -adhesion.closest_approach).max()
-    assert (~many).sum() <= 1
-    lost, lost_in_theory = (1 - of.where(many, drop=True) for of in (ratio, expected))
+    touches_many = adhesion.rho > (combined_rms**2 / -adhesion.closest_approach).max()
+    assert (~touches_many).sum() <= 1
+    lost, lost_in_theory = (
+        1 - force_ratio.where(touches_many, drop=True) for force_ratio in (ratio, gaussian_ratio)
+    )
     np.testing.assert_allclose(lost, lost_in_theory, rtol=0.1)
     assert (0.01 < ratio).all() and (ratio.where(ratio.rho <= RANGE, drop=True) < 0.8).all()
 

@@ -38,24 +38,24 @@ def errors(output):
     return sorted({line for line in output.splitlines() if line.startswith("error:")})
 
 
-def until(condition, what):
+def until(condition, description):
     end = time.monotonic() + PATIENCE
     while not condition():
-        assert time.monotonic() < end, f"waited {PATIENCE} s for {what}"
+        assert time.monotonic() < end, f"waited {PATIENCE} s for {description}"
         time.sleep(0.02)
 
 
 @pytest.fixture
-def copy(own, tmp_path):
+def copy(own_study, tmp_path):
     """Copy the finished study, to be changed."""
-    return shutil.copytree(own, tmp_path / "copy", symlinks=True)
+    return shutil.copytree(own_study, tmp_path / "copy", symlinks=True)
 
 
 @pytest.fixture
-def empty(own, tmp_path):
+def empty(own_study, tmp_path):
     """Copy the study without what it made."""
-    made = shutil.ignore_patterns("results", ".snakemake")
-    return shutil.copytree(own, tmp_path / "empty", ignore=made)
+    ignored = shutil.ignore_patterns("results", ".snakemake")
+    return shutil.copytree(own_study, tmp_path / "empty", ignore=ignored)
 
 
 # Killed
@@ -83,7 +83,7 @@ def processes(folder):
             continue
 
 
-def made(study):
+def results_made(study):
     return len(list((study / STORE).rglob("*.nc")))
 
 
@@ -94,9 +94,9 @@ def kill(study, moment):
         until(lambda: moment() or process.poll() is not None, "a moment to kill")
         os.killpg(process.pid, signal.SIGSTOP)
         assert process.poll() is None, (study / "output").read_text()
-        if made(study):
-            refused = run(study, "adhesion")
-            assert refused.returncode != 0 and "cannot be locked" in refused.stdout
+        if results_made(study):
+            failed_run = run(study, "adhesion")
+            assert failed_run.returncode != 0 and "cannot be locked" in failed_run.stdout
     finally:
         with suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
@@ -107,13 +107,13 @@ def kill(study, moment):
     run(study, "--unlock")
 
 
-def test_killed_while_planning_and_computing_a_study_goes_on(empty, own):
+def test_killed_while_planning_and_computing_a_study_goes_on(empty, own_study):
     kill(empty, lambda: "Planning" in (empty / "output").read_text())
-    kill(empty, lambda: made(empty) >= 1)
-    kill(empty, lambda: made(empty) >= 8)
+    kill(empty, lambda: results_made(empty) >= 1)
+    kill(empty, lambda: results_made(empty) >= 8)
     done = run(empty, "adhesion")
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
-    lines = differences(empty / "results", own / "results")
+    lines = differences(empty / "results", own_study / "results")
     assert [line for line in lines if "several-quick" in line and "missing" not in line] == []
     assert (empty / RESULTS / "adhesion.nc").is_file()
     assert list((empty / "results").rglob(f"{PART}*")) == []
@@ -175,12 +175,12 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
             cwd=folder, env=environment(ROOT), capture_output=True, text=True,
         )  # fmt: skip
         assert len(job.stderr.splitlines()) == 1 and job.returncode == 1, job.stderr
-        expected = "error: made/a.nc: expected a file to be written, found:"
-        assert_says(job.stderr, expected, "MB of the disk are free")
+        message = "error: made/a.nc: expected a file to be written, found:"
+        assert_says(job.stderr, message, "MB of the disk are free")
         assert list(folder.glob("made/*")) == []
 
 
-def test_after_a_full_disk_a_study_goes_on(empty, own):
+def test_after_a_full_disk_a_study_goes_on(empty, own_study):
     with disk(empty / "results", "20M") as folder:
         filler = fill(folder, 500_000)
         full = run(empty, "topography")
@@ -190,7 +190,7 @@ def test_after_a_full_disk_a_study_goes_on(empty, own):
         filler.unlink()
         done = run(empty, "topography", "--cores", "1")
         assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
-        lines = differences(folder, own / "results")
+        lines = differences(folder, own_study / "results")
         assert [line for line in lines if "missing" not in line] == []
 
 
@@ -209,9 +209,9 @@ def test_a_read_only_folder_is_named(copy):
     # Other files cannot be replaced, which Snakemake tells before the study can.
     (copy / RESULTS / "ro-crate-metadata.json").unlink()
     with read_only(copy / RESULTS):
-        refused = run(copy)
-    assert refused.returncode != 0
-    (line,) = errors(refused.stdout)
+        failed_run = run(copy)
+    assert failed_run.returncode != 0
+    (line,) = errors(failed_run.stdout)
     assert_says(line, f"{RESULTS}: expected a folder to write to, found")
 
 
@@ -220,21 +220,21 @@ def test_a_read_only_folder_is_named(copy):
 
 def flip_a_bit(path):
     """Change a file so that neither its size nor its time tells."""
-    before, content = path.stat(), bytearray(path.read_bytes())
+    status, content = path.stat(), bytearray(path.read_bytes())
     content[len(content) * 2 // 3] ^= 1
     path.write_bytes(content)
-    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+    os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
 
 def assert_refused(study, path):
     """Expect a run to end because a file is not the one that the study wrote."""
-    refused = run(study, "--keep-going")
-    assert refused.returncode != 0
-    said = "\n".join(errors(refused.stdout))
-    assert_says(said, f"{path.relative_to(study)}: expected the file that the study wrote")
+    failed_run = run(study, "--keep-going")
+    assert failed_run.returncode != 0
+    messages = "\n".join(errors(failed_run.stdout))
+    assert_says(messages, f"{path.relative_to(study)}: expected the file that the study wrote")
 
 
-def test_altered_files_are_never_used_and_made_again(copy, own):
+def test_altered_files_are_never_used_and_made_again(copy, own_study):
     scales, spectra = (copy / RESULTS / f"{name}.nc" for name in ("scales", "spectra"))
     (stitched,) = (copy / STORE / "stitched").glob("*/twin/study/scan-1-flat.nc")
     flip_a_bit(scales)
@@ -257,7 +257,9 @@ def test_altered_files_are_never_used_and_made_again(copy, own):
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
     # The crate has digests of bytes, which differ between netCDF files of the same content.
     crate = f"{RESULTS.removeprefix('results/')}/ro-crate-metadata.json: differs from the reference"
-    assert [line for line in differences(copy / "results", own / "results") if line != crate] == []
+    assert [
+        line for line in differences(copy / "results", own_study / "results") if line != crate
+    ] == []
 
 
 # Jobs that fail
@@ -266,9 +268,9 @@ def test_altered_files_are_never_used_and_made_again(copy, own):
 def alter(study, script, lines):
     """Put lines into a script, where its log has begun."""
     path = study / f"workflow/scripts/{script}.py"
-    head, begin, rest = path.read_text().partition("(snakemake) as job:\n")
+    head, begin, tail = path.read_text().partition("(snakemake) as job:\n")
     assert begin
-    path.write_text(f"{head}{begin}{indent(lines, '    ')}\n{rest}")
+    path.write_text(f"{head}{begin}{indent(lines, '    ')}\n{tail}")
 
 
 FAILS_ONCE = """
@@ -280,7 +282,7 @@ if not tried:
 """
 
 
-def test_a_job_that_fails_is_tried_again_and_does_not_stop_others(copy, own):
+def test_a_job_that_fails_is_tried_again_and_does_not_stop_others(copy, own_study):
     alter(copy, "keep_configuration", FAILS_ONCE)
     alter(copy, "answer_surfaces", 'raise RuntimeError("fails always")')
     (copy / RESULTS / "fit.nc").unlink()

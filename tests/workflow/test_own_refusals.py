@@ -33,31 +33,31 @@ def test_targets_left_out_say_why(folder, probe):
 
 
 def test_a_study_is_not_overwritten(folder, probe):
-    before = (folder / "config/probe.yaml").read_bytes()
+    files_before = (folder / "config/probe.yaml").read_bytes()
     done = new(folder, "probe", "scans/probe.001")
     assert done.returncode == 1 and "--overwrite" in done.stderr
-    assert (folder / "config/probe.yaml").read_bytes() == before
+    assert (folder / "config/probe.yaml").read_bytes() == files_before
 
 
 def test_several_faults_are_told_at_once_and_nothing_is_written(folder, probe):
     (folder / "scans/broken.001").write_text("no scan")
     cut(spm(folder / "scans/short.001", rough(generator(7)), 2500.0), 0.6)
     (folder / "unitless.csv").write_text("surface,value,unit\nmine,1,\n")
-    before = files_of(folder)
+    files_before = files_of(folder)
     done = new(
         folder, "mine", "scans/broken.001", "scans/short.001", "none.001", "scans/probe.001",
         "--preload", "10", "--radius", "3 N", "--forces", "unitless.csv",
     )  # fmt: skip
     assert done.returncode == 1 and not done.stdout
     lines = done.stderr.splitlines()
-    expected = ["--preload", "--radius", "broken.001", "short.001", "none.001", "unitless.csv"]
+    messages = ["--preload", "--radius", "broken.001", "short.001", "none.001", "unitless.csv"]
     assert all(line.startswith("error: ") and ": expected " in line for line in lines)
-    assert all(any(part in line for line in lines) for part in expected)
-    assert files_of(folder) == before
+    assert all(any(message in line for line in lines) for message in messages)
+    assert files_of(folder) == files_before
 
 
 @pytest.mark.parametrize(
-    ("change", "parts"),
+    ("change", "message_parts"),
     [
         (
             {"contact": {"preload": 10}, "quick": {"scales": {"rang": "1 nm"}}},
@@ -67,12 +67,12 @@ def test_several_faults_are_told_at_once_and_nothing_is_written(folder, probe):
         ({"forces": "unitless.csv"}, ["unitless.csv: line 2: expected a force with a unit"]),
     ],
 )
-def test_a_bad_overlay_is_refused_in_the_users_units(folder, probe, change, parts):
+def test_a_bad_overlay_is_refused_in_the_users_units(folder, probe, change, message_parts):
     (folder / "unitless.csv").write_text("surface,value,unit\nprobe,1,\n")
     (folder / "bad.yaml").write_text(yaml.safe_dump(change))
-    before = files_of(folder)
-    assert_says(" ".join(errors(quick(folder, "probe", overlays=["bad.yaml"]))), *parts)
-    assert files_of(folder) == before
+    files_before = files_of(folder)
+    assert_says(" ".join(errors(quick(folder, "probe", overlays=["bad.yaml"]))), *message_parts)
+    assert files_of(folder) == files_before
 
 
 def test_a_scan_that_is_gone_is_named(folder, probe):

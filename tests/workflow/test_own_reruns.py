@@ -17,17 +17,17 @@ def planned(folder, *overlays):
     return set(re.findall(r"^(?:local)?rule (\w+):\n", run.stdout, re.M)) - {"all"}
 
 
-def test_a_second_run_has_nothing_to_do(own):
-    assert planned(own) == set()
+def test_a_second_run_has_nothing_to_do(own_study):
+    assert planned(own_study) == set()
 
 
 def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
-    first = {name: (probe / name).read_bytes() for name in ("answer.json", "answer.html")}
+    first_answer = {name: (probe / name).read_bytes() for name in ("answer.json", "answer.html")}
     for made_of_it in (probe, folder / "results/store-probe-quick"):
         made_of_it.rename(tmp_path / made_of_it.name)
     run = quick(folder, "probe")
     assert run.returncode == 0, run.stdout[-3000:]
-    assert {name: (probe / name).read_bytes() for name in first} == first
+    assert {name: (probe / name).read_bytes() for name in first_answer} == first_answer
 
 
 # What a change makes again
@@ -49,35 +49,35 @@ SCANS = {"prepare_scan"} | TOPOGRAPHY
         ("contact.preload", "20 uN", FORCES | {"filter_masters", "aggregate_scales"}),
     ],
 )
-def test_a_key_makes_again_what_depends_on_it(own, key, value, rules):
-    for part in reversed(key.split(".")):
-        value = {part: value}
-    (own / "other.yaml").write_text(yaml.safe_dump(value))
-    assert planned(own, "other.yaml") == rules | PAGE
+def test_a_key_makes_again_what_depends_on_it(own_study, key, value, rules):
+    for key_name in reversed(key.split(".")):
+        value = {key_name: value}
+    (own_study / "other.yaml").write_text(yaml.safe_dump(value))
+    assert planned(own_study, "other.yaml") == rules | PAGE
 
 
 @pytest.mark.parametrize(
     ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic")]
 )
-def test_another_study_replaces_nothing_that_the_first_has_made(own, key, value):
-    (own / "other.yaml").write_text(yaml.safe_dump({"study": "other", "scan": {key: value}}))
-    run = quick(own, "several", "-n", overlays=["few.yaml", "other.yaml"])
+def test_another_study_replaces_nothing_that_the_first_has_made(own_study, key, value):
+    (own_study / "other.yaml").write_text(yaml.safe_dump({"study": "other", "scan": {key: value}}))
+    run = quick(own_study, "several", "-n", overlays=["few.yaml", "other.yaml"])
     outputs = [
         path for line in re.findall("^    output: (.*)$", run.stdout, re.M)
         for path in line.split(", ")
     ]  # fmt: skip
-    assert outputs and not any((own / path).exists() for path in outputs)
+    assert outputs and not any((own_study / path).exists() for path in outputs)
 
 
-def test_more_forces_make_the_fit_again(own):
-    path = own / "my.csv"
+def test_more_forces_make_the_fit_again(own_study):
+    path = own_study / "my.csv"
     with changed(path, path.read_text() + "twin,1.0,uN\n"):
-        assert planned(own) == {"fit_forces", "answer_surfaces", "describe_crate"}
+        assert planned(own_study) == {"fit_forces", "answer_surfaces", "describe_crate"}
 
 
-def test_a_column_makes_again_what_depends_on_it(own):
-    path = own / "config/several.tsv"
+def test_a_column_makes_again_what_depends_on_it(own_study):
+    path = own_study / "config/several.tsv"
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
     with changed(path, table.to_csv(sep="\t", index=False)):
-        assert planned(own) == SPECTRA | MASTERS | TOPOGRAPHY | PAGE
+        assert planned(own_study) == SPECTRA | MASTERS | TOPOGRAPHY | PAGE

@@ -46,19 +46,19 @@ def blocks(text):
 def commands(text):
     """Return the commands of fenced blocks, of prose and of tables, in their order."""
     typed = []
-    for part in re.split(r"(^```\w*\n.*?^```$)", text, flags=re.M | re.S):
-        if part.startswith("```"):
-            (language, content), *_ = blocks(part)
+    for section in re.split(r"(^```\w*\n.*?^```$)", text, flags=re.M | re.S):
+        if section.startswith("```"):
+            (language, content), *_ = blocks(section)
             if not language and COMMAND.match(content):
                 typed += content.splitlines()
             continue
-        for line in re.split(r"\n(?=\||\n|[-#] )", part):
+        for line in re.split(r"\n(?=\||\n|[-#] )", section):
             cell = line.split(" | ")[0] if line.startswith("|") else line
             codes = [" ".join(code.split()) for code in re.findall("`([^`]+)`", cell)]
             codes = [code for code in codes if not NOT_TYPED.fullmatch(code)]
-            found = [code for code in codes if " " in code and COMMAND.fullmatch(code)]
-            typed += found
-            if found and line.startswith("|"):  # Other targets of the same command.
+            commands = [code for code in codes if " " in code and COMMAND.fullmatch(code)]
+            typed += commands
+            if commands and line.startswith("|"):  # Other targets of the same command.
                 typed += [f"snakemake {code}" for code in codes if re.fullmatch(r"\w+", code)]
     return typed
 
@@ -176,9 +176,9 @@ def typed_in(folder, readme):
         elif program == "pip":
             assert (folder / words[-1]).is_file(), words
     # Overlays without a command: enough to see that they are accepted.
-    named = {word for words in runs for word in words}
-    others = [name for name in overlays(text) if name not in named]
-    return [*runs, *(["keep_configuration", "--configfile", name] for name in others)]
+    run_words = {word for words in runs for word in words}
+    unused_overlays = [name for name in overlays(text) if name not in run_words]
+    return [*runs, *(["keep_configuration", "--configfile", name] for name in unused_overlays)]
 
 
 @pytest.mark.usefixtures("loaded")

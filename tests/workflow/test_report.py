@@ -23,12 +23,12 @@ def test_links_lead_to_files(path):
 @pytest.mark.parametrize("path", TEXTS, ids=lambda path: str(path.relative_to(ROOT)))
 def test_files_that_a_text_names_exist(path):
     folders = "tests|profiles|workflow|config|resources"
-    named = set(re.findall(rf"`(?:python )?((?:{folders})/[\w./-]+)[` ]", path.read_text()))
+    paths_named = set(re.findall(rf"`(?:python )?((?:{folders})/[\w./-]+)[` ]", path.read_text()))
     made_by_the_user = {
         "config/mine.tsv", "config/my-coating.yaml", "config/several.tsv",
         "resources/scans/my-scan.spm",
     }  # fmt: skip
-    assert [name for name in named - made_by_the_user if not (ROOT / name).exists()] == []
+    assert [name for name in paths_named - made_by_the_user if not (ROOT / name).exists()] == []
 
 
 def test_the_readme_is_short():

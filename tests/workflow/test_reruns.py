@@ -52,10 +52,10 @@ def load(script, *names):
 def run_dry(folder):
     """Return the rules, with outputs, of a dry run in a folder, or what it says of an error."""
     text = run_here(folder, "-n", "--configfile", QUICK, "overlay.yaml")
-    found = re.findall(
+    planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )
-    return [(rule, output) for rule, output in found if output]
+    return [(rule, output) for rule, output in planned_jobs if output]
 
 
 #: Rules that stand in loops, one a group of scans.
@@ -83,22 +83,25 @@ class Graph:
 
     def readers(self, path):
         """Return the files that have a file among their inputs."""
-        return {made for made, inputs in self.inputs.items() if path in inputs}
+        return {output for output, inputs in self.inputs.items() if path in inputs}
 
-    def of_rules(self, rules):
+    def files_of_rules(self, rules):
         """Return the files of some rules; one in a loop has a part of its own in its name."""
         return {
             path
             for path, rule in self.rule.items()
-            if rule in rules or any(rule.startswith(f"{one}_") for one in LOOPED & rules)
+            if rule in rules or any(rule.startswith(f"{name}_") for name in LOOPED & rules)
         }
 
-    def following(self, made):
+    def following(self, changed_files):
         """Return the rules of some files, and those of all files that are made from them."""
-        made = set(made)
-        while more := {path for path, inputs in self.inputs.items() if inputs & made} - made:
-            made |= more
-        return {self.rule[path] for path in made}
+        changed_files = set(changed_files)
+        while (
+            added_files := {path for path, inputs in self.inputs.items() if inputs & changed_files}
+            - changed_files
+        ):
+            changed_files |= added_files
+        return {self.rule[path] for path in changed_files}
 
 
 @pytest.fixture(scope="module")
@@ -132,28 +135,28 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
     """So that a change of one has the effect of a change of the script, which is tried below."""
     for module in pkgutil.walk_packages(hardcontact.__path__, "hardcontact."):
         importlib.import_module(module.name)  # Other packages are then loaded once.
-    tried = {}
+    runs = {}
     for path, rule in graph.rule.items():
-        (script,) = (Path(one).name for one in graph.inputs[path] if "workflow/scripts/" in one)
+        (script,) = (Path(file).name for file in graph.inputs[path] if "workflow/scripts/" in file)
         figure = [f"hardcontact.report.figures.{rule[5:]}"] if script == "draw_figure.py" else []
-        library = {one for one in graph.inputs[path] if one.startswith("workflow/hardcontact/")}
+        library = {file for file in graph.inputs[path] if file.startswith("workflow/hardcontact/")}
         if script in ("answer_paper.py", "answer_insight.py"):  # They read captions there alone.
-            library = {one for one in library if "/figures/fig" not in one}
-        tried.setdefault((script, *figure), set()).add(frozenset(library))
-    for program, found in tried.items():
-        assert found == {frozenset(forked(load, *program))}, program
+            library = {file for file in library if "/figures/fig" not in file}
+        runs.setdefault((script, *figure), set()).add(frozenset(library))
+    for program, programs_run in runs.items():
+        assert programs_run == {frozenset(forked(load, *program))}, program
 
 
 def test_every_rule_keeps_logs_and_benchmarks(graph, finished):
     for kind, suffix in (("logs", "log"), ("benchmarks", "tsv")):
-        kept = {
+        unchanged = {
             path.relative_to(folder).with_suffix("").parts[0]
             for folder in (finished / "results").glob(f"*/{kind}")
             for path in folder.rglob(f"*.{suffix}")
         }
         rules = {next((name for name in LOOPED if rule.startswith(name)), rule)
                  for rule in graph.rule.values()}  # fmt: skip
-        assert rules <= kept, kind
+        assert rules <= unchanged, kind
 
 
 # Nothing changed
@@ -161,8 +164,8 @@ def test_every_rule_keeps_logs_and_benchmarks(graph, finished):
 
 def said_otherwise(folder):
     """Write all files again, as a checkout does: other comments, another order of keys."""
-    for part in PARTS:
-        for path in [folder / part, *(folder / part).rglob("*")]:
+    for key_name in PARTS:
+        for path in [folder / key_name, *(folder / key_name).rglob("*")]:
             if path.is_file():
                 content = path.read_bytes()
                 path.unlink()
@@ -172,7 +175,7 @@ def said_otherwise(folder):
         reordered = yaml.safe_dump(dict(reversed(content.items())), sort_keys=False)
         (folder / name).write_text(f"# the same\n{reordered}")
     for path in ("environment.txt", "workflow/constraints.txt"):
-        with_line(path)(folder)
+        append_line(path)(folder)
 
 
 def test_what_says_the_same_makes_nothing(dry):
@@ -187,8 +190,8 @@ KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"
 
 def overlay(key, value):
     """Return the overlay that gives this value to a key with dots."""
-    for part in reversed(key.split(".")):
-        value = {part: value}
+    for key_name in reversed(key.split(".")):
+        value = {key_name: value}
     return value
 
 
@@ -206,13 +209,15 @@ def overlay(key, value):
     ],
 )  # fmt: skip
 def test_a_key_makes_again_what_depends_on_it(dry, graph, key, value, concerned):
-    assert rules_of(dry(overlay(key, value))) == graph.following(graph.of_rules(concerned | KEPT))
+    assert rules_of(dry(overlay(key, value))) == graph.following(
+        graph.files_of_rules(concerned | KEPT)
+    )
 
 
 def test_a_realization_more_computes_that_realization_alone(dry):
     jobs = dry(overlay("scales.realizations", 3))
-    of_forces = [output for _, output in jobs if "store-quick" in output]
-    assert of_forces and all(re.search("realizations?-3", output) for output in of_forces)
+    force_files = [output for _, output in jobs if "store-quick" in output]
+    assert force_files and all(re.search("realizations?-3", output) for output in force_files)
 
 
 def test_swept_values_lie_side_by_side_and_share_masters(dry):
@@ -261,7 +266,7 @@ def test_words_about_a_statement_compute_no_sets(dry):
     assert "evaluate_claims" in jobs and "judge_sets" not in jobs
 
 
-def with_line(path):
+def append_line(path):
     """Return a change that adds a line without meaning: a comment, or an empty row."""
 
     def change(folder):
@@ -284,4 +289,4 @@ def with_line(path):
 def test_a_file_makes_again_what_is_made_from_it(dry, graph, path):
     readers = graph.readers(path)
     assert readers
-    assert rules_of(dry(change=with_line(path))) == graph.following(readers)
+    assert rules_of(dry(change=append_line(path))) == graph.following(readers)

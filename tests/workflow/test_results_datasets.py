@@ -18,7 +18,7 @@ def final(results):
 
 
 def test_every_number_has_a_unit(final):
-    without = [
+    missing_units = [
         (name, key)
         for name, data in final.items()
         for key, variable in data.variables.items()
@@ -27,7 +27,7 @@ def test_every_number_has_a_unit(final):
         and (name, key) != ("sets", "value")  # of claims, each in its own unit
     ]
     assert final.keys() >= {"topography", "adhesion", "scales", "inference", "band"}
-    assert without == []
+    assert missing_units == []
 
 
 def test_datasets_say_where_they_come_from(final):
@@ -44,8 +44,8 @@ def test_substitutes_are_labelled(final, finished):
         assert set(data.basis.values.ravel()) <= {"substitute"}, name
     assert set(SUBSTRATES) <= set(final["adhesion"].surface.values)
     store = finished / "results" / "store-quick"
-    maps = [path for part in ("scans", "stitched", "masters", "substitutes")
-            for path in store.glob(f"{part}/**/*.nc")]  # fmt: skip
+    maps = [path for kind in ("scans", "stitched", "masters", "substitutes")
+            for path in store.glob(f"{kind}/**/*.nc")]  # fmt: skip
     assert maps
     for path in maps:
         with xr.open_dataset(path) as data:
@@ -93,8 +93,8 @@ def test_one_or_two_asperities_carry_the_share_that_is_looked_at(results):
     data = dataset.read(results / "asperities.nc")
     assert (data.largest_share <= data.two_largest_share).all() and (data.extent > 0).all()
     for patches, name in ((1, "largest_share"), (2, "two_largest_share")):
-        alone = data[name].where(data.patches <= patches, drop=True)
-        assert alone.size and (alone.fillna(1) >= data.attrs["share"] - 1e-9).all()
+        patch_data = data[name].where(data.patches <= patches, drop=True)
+        assert patch_data.size and (patch_data.fillna(1) >= data.attrs["share"] - 1e-9).all()
     assert (data.two_largest_share < 1).all() and (data.patches >= 1).all()
 
 
@@ -105,8 +105,8 @@ def values_of(folder):
     """Bytes of every variable of the scans and spectra in a store."""
     return {
         (path.relative_to(folder).as_posix(), name): variable.values.tobytes()
-        for part in ("spectra", "substitutes", "scans", "stitched")
-        for path in folder.glob(f"{part}/**/*.nc")
+        for kind in ("spectra", "substitutes", "scans", "stitched")
+        for path in folder.glob(f"{kind}/**/*.nc")
         for name, variable in dataset.read(path).variables.items()
     }
 
@@ -120,6 +120,8 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     ]
     run = run_snakemake(folder, *scans)
     assert run.returncode == 0, run.stdout[-3000:]
-    first, again = (values_of(part / "results/store-quick") for part in (finished, folder))
-    assert {f"{QUICK_PATTERNS.store}/{path}" for path, _ in again} >= set(scans)
-    assert all(first[key] == values for key, values in again.items())
+    reference_values, repeated_values = (
+        values_of(study_folder / "results/store-quick") for study_folder in (finished, folder)
+    )
+    assert {f"{QUICK_PATTERNS.store}/{path}" for path, _ in repeated_values} >= set(scans)
+    assert all(reference_values[key] == values for key, values in repeated_values.items())

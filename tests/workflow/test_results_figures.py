@@ -36,7 +36,7 @@ def name(request):
 
 
 @pytest.fixture(scope="module")
-def drawn(results):
+def draw_checked(results):
     """Return what draws a figure of the finished study, each once: its table and its drawing."""
 
     @cache
@@ -48,13 +48,13 @@ def drawn(results):
             else dataset.read(results / f"{source}.nc")
             for source in describe(name).inputs
         }
-        before = {key: data.copy(deep=True) for key, data in inputs.items()}
+        inputs_before = {key: data.copy(deep=True) for key, data in inputs.items()}
         with style.print_style():
             table, figure = module.draw(**inputs)
             style.freeze_layout(figure)
             figure.draw_without_rendering()
         for key, data in inputs.items():
-            assert getattr(data, "identical", data.equals)(before[key]), key
+            assert getattr(data, "identical", data.equals)(inputs_before[key]), key
         return table, figure
 
     return draw
@@ -62,9 +62,13 @@ def drawn(results):
 
 def texts(figure):
     """Return the texts that are seen, and the boxes (pixels) that they fill, a pixel smaller."""
-    shown = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
+    visible_texts = [
+        text for text in figure.findobj(Text) if text.get_visible() and text.get_text()
+    ]
     unseen = {text for axes in figure.axes for text in unseen_tick_labels(axes)}
-    return [(text, text.get_window_extent().padded(-1)) for text in shown if text not in unseen]
+    return [
+        (text, text.get_window_extent().padded(-1)) for text in visible_texts if text not in unseen
+    ]
 
 
 def unseen_tick_labels(axes):
@@ -72,61 +76,62 @@ def unseen_tick_labels(axes):
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
         ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
-        seen = {
+        artists = {
             tick.label1 for tick in ticks if low <= tick.get_loc() * (1 + 1e-9) <= high * (1 + 2e-9)
         }
         labels = set(axis.findobj(Text)) - {axis.label}
-        yield from labels - seen if axes.axison else axis.findobj(Text)
+        yield from labels - artists if axes.axison else axis.findobj(Text)
 
 
-def test_no_text_is_small_leaves_the_figure_or_covers_another(drawn, name):
-    _, figure = drawn(name)
+def test_no_text_is_small_leaves_the_figure_or_covers_another(draw_checked, name):
+    _, figure = draw_checked(name)
     width, height = figure.get_size_inches()
     assert width == drawing.WIDTH and 2 < height < 9
     boxes = texts(figure)
     assert min(text.get_fontsize() for text, _ in boxes) >= 0.99 * 7
     sheet = figure.bbox
-    beyond = [
+    texts_beyond = [
         text.get_text()
         for text, box in boxes
         if box.x0 < sheet.x0 or box.x1 > sheet.x1 or box.y0 < sheet.y0 or box.y1 > sheet.y1
     ]
-    assert beyond == []
+    assert texts_beyond == []
     covered = [
-        (first.get_text(), second.get_text())
-        for (first, box), (second, other) in combinations(boxes, 2)
+        (text.get_text(), second_text.get_text())
+        for (text, box), (second_text, second_box) in combinations(boxes, 2)
         # The boxes of tilted names of an axis overlap, where the names do not.
-        if box.overlaps(other) and not (first.get_rotation() % 90 and second.get_rotation() % 90)
+        if box.overlaps(second_box)
+        and not (text.get_rotation() % 90 and second_text.get_rotation() % 90)
     ]
     assert covered == []
 
 
-def test_table_has_finite_values_with_units(drawn, name):
-    table, _ = drawn(name)
+def test_table_has_finite_values_with_units(draw_checked, name):
+    table, _ = draw_checked(name)
     assert set(table["origin"]) <= {"computed", "published", "given"}
     assert table["unit"].notna().all() and not table.duplicated().any()
     ends = [column for column in ("value", "low", "high") if column in table]
     assert not np.isinf(table[ends].astype(float)).any(axis=None)
-    known = table[ends].notna().any(axis=1)
-    beyond = table["beyond"].fillna("") != "" if "beyond" in table else False
+    has_ends = table[ends].notna().any(axis=1)
+    is_beyond = table["beyond"].fillna("") != "" if "beyond" in table else False
     unbounded = (name == "fig_robustness") & table["value"].isna()  # variants without an effect
-    assert (known | beyond | unbounded).all()
+    assert (has_ends | is_beyond | unbounded).all()
     if {"surface", "basis"} <= set(table):
         assert table.loc[table["surface"].notna(), "basis"].eq("substitute").all()
 
 
-def test_substitutes_are_named_and_panels_lettered_in_order(drawn, name):
-    _, figure = drawn(name)
+def test_substitutes_are_named_and_panels_lettered_in_order(draw_checked, name):
+    _, figure = draw_checked(name)
     assert any(text.get_text().startswith("substitute surfaces: ") for text in figure.texts)
     start = r"$\mathbf{"
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     letters = sorted({title[len(start)] for title in titles if title.startswith(start)})
-    assert all(ord(after) == ord(before) + 1 for before, after in pairwise(letters))
+    assert all(ord(following) == ord(previous) + 1 for previous, following in pairwise(letters))
     assert letters[:1] == ["a"] or len(figure.axes) == 1
 
 
-def test_a_surface_has_one_colour(drawn, name):
-    _, figure = drawn(name)
+def test_a_surface_has_one_colour(draw_checked, name):
+    _, figure = draw_checked(name)
     colours = dict(zip(LABELS, style.colours(SUBSTRATES).values(), strict=True))
     lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
     assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
@@ -145,18 +150,20 @@ def test_a_surface_has_one_colour(drawn, name):
         }
 
 
-def test_caption_is_short_and_names_what_is_published(drawn, name):
-    title, short, more = caption(name, PAPER)
-    assert 10 < len(title) < 80 and 20 < len(short.split()) <= 65 and more
-    assert not any(mark in " ".join((title, short, more)) for mark in ("{", "}", "**", "``", "\n"))
-    has_published = (drawn(name)[0]["origin"] == "published").any()
+def test_caption_is_short_and_names_what_is_published(draw_checked, name):
+    title, short, rest_of_caption = caption(name, PAPER)
+    assert 10 < len(title) < 80 and 20 < len(short.split()) <= 65 and rest_of_caption
+    assert not any(
+        mark in " ".join((title, short, rest_of_caption)) for mark in ("{", "}", "**", "``", "\n")
+    )
+    has_published = (draw_checked(name)[0]["origin"] == "published").any()
     assert has_published == (name in PUBLISHED_IN)
     if has_published:
-        assert PUBLISHED_IN[name] in f"{short} {more}"
+        assert PUBLISHED_IN[name] in f"{short} {rest_of_caption}"
 
 
-def test_the_files_hold_the_same_table(drawn, results, name):
-    table, _ = drawn(name)
+def test_the_files_hold_the_same_table(draw_checked, results, name):
+    table, _ = draw_checked(name)
     folder = results / "figures"
     written = table.to_csv(index=False, float_format="%.8g", lineterminator="\n")
     assert (folder / f"{name}.csv").read_text() == written
@@ -214,17 +221,23 @@ NUMBERS = [
 
 
 @pytest.mark.parametrize(
-    ("name", "where", "source", "values"),
+    ("name", "selected_rows", "source", "values"),
     NUMBERS,
     ids=lambda value: str(value) if value in FIGURES else "",
 )
-def test_numbers_are_those_of_the_dataset(drawn, results, name, where, source, values):
-    table, _ = drawn(name)
-    chosen = np.logical_and.reduce([table[column] == value for column, value in where.items()])
-    expected = np.asarray(values(dataset.read(results / f"{source}.nc"))).ravel()
-    expected = np.sort(expected[np.isfinite(expected)])
-    assert expected.size
-    np.testing.assert_allclose(np.sort(table[chosen]["value"].dropna()), expected, rtol=1e-7)
+def test_numbers_are_those_of_the_dataset(
+    draw_checked, results, name, selected_rows, source, values
+):
+    table, _ = draw_checked(name)
+    is_selected = np.logical_and.reduce(
+        [table[column] == value for column, value in selected_rows.items()]
+    )
+    reference_values = np.asarray(values(dataset.read(results / f"{source}.nc"))).ravel()
+    reference_values = np.sort(reference_values[np.isfinite(reference_values)])
+    assert reference_values.size
+    np.testing.assert_allclose(
+        np.sort(table[is_selected]["value"].dropna()), reference_values, rtol=1e-7
+    )
 
 
 def test_every_figure_has_a_number_compared():

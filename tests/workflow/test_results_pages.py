@@ -34,8 +34,8 @@ def test_claims(results):
 
 def not_told(texts, page):
     """Return the texts that do not stand in a page, whatever the spaces between their words."""
-    told = "".join(page.texts["main"]).replace("\N{NO-BREAK SPACE}", " ")
-    return [text for text in texts if text not in told]
+    page_text = "".join(page.texts["main"]).replace("\N{NO-BREAK SPACE}", " ")
+    return [text for text in texts if text not in page_text]
 
 
 def test_pages_of_the_report(results):
@@ -97,18 +97,18 @@ def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
     page = (results / "answer.html").read_text()
     for fold in ("<details", 'class="chapter"'):
         page = page.replace(f"{fold}>", f"{fold} open>")
-    for measured in shown(page, tmp_path):
-        assert measured["overflow"] == 0 and measured["requests"] == 0
-        assert measured["loaded"] == len(OF_PAPER)
+    for text_box in shown(page, tmp_path):
+        assert text_box["overflow"] == 0 and text_box["requests"] == 0
+        assert text_box["loaded"] == len(OF_PAPER)
 
 
 def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
     run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
     assert run.returncode == 0, run.stdout[-3000:]
     text = (tmp_path / "report.html").read_text()
-    parts = ["answer.html", "insight.html", *(f"{name}.png" for name in FIGURES)]
-    parts += [f"{name}.html" for name in PAGES]
-    assert [name for name in parts if name not in text] == []
+    sections = ["answer.html", "insight.html", *(f"{name}.png" for name in FIGURES)]
+    sections += [f"{name}.html" for name in PAGES]
+    assert [name for name in sections if name not in text] == []
     assert '"0. Answer": {' in text
 
 

@@ -25,8 +25,8 @@ def test_only_what_a_variant_concerns_is_another(robustness):
     fitted = robustness[[name for name in fitted if "side" not in robustness[name].dims]]
     rough = fitted.sel(variant="rough_sphere")
     assert len(fitted) == 8 and all(value.isnull().all() for value in rough.values())
-    others = fitted.drop_sel(variant="rough_sphere").sel(minimum=1)  # others need not exist
-    assert all(np.isfinite(value).all() for value in others.values())
+    other_variants = fitted.drop_sel(variant="rough_sphere").sel(minimum=1)  # others need not exist
+    assert all(np.isfinite(value).all() for value in other_variants.values())
     cutoffs = robustness.critical_wavelength
     assert np.isfinite(cutoffs).all()
     for name in robustness.variant.values[1:]:
@@ -36,8 +36,8 @@ def test_only_what_a_variant_concerns_is_another(robustness):
 @pytest.mark.parametrize("name", ["range_of_adhesion", "work_of_adhesion"])
 def test_variants_lie_in_their_intervals(robustness, name):
     value, (low, high) = robustness[name], bounds(robustness, name)
-    known = np.isfinite(value)
-    assert ((low <= value) | ~known).all() and ((value <= high) | ~known).all()
+    is_finite = np.isfinite(value)
+    assert ((low <= value) | ~is_finite).all() and ((value <= high) | ~is_finite).all()
 
 
 def test_loads_that_as_many_pixels_carry_are_one(robustness):
@@ -64,9 +64,9 @@ def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished)
 
     for name in OTHERWISE:
         surface, variant = name.split("/")
-        plain, other = heights(surface, "study"), heights(surface, variant)
-        assert (plain != other).any()
-        assert np.corrcoef(plain, other)[0, 1] > 0.7, name  # spectrum and gain differ
+        plain, varied_heights = heights(surface, "study"), heights(surface, variant)
+        assert (plain != varied_heights).any()
+        assert np.corrcoef(plain, varied_heights)[0, 1] > 0.7, name  # spectrum and gain differ
     assert abs(np.corrcoef(heights("uncd", "study"), heights("mcd", "study"))[0, 1]) < 0.5
 
 
@@ -81,14 +81,14 @@ def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy,
     path = str(path.relative_to(finished_copy)).replace(*digests)
     run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])
     assert run.returncode == 0, run.stdout[-3000:]
-    varied = dataset.read(finished_copy / path).pull_off_force.sel(scan=2, sphere_scan=1)
-    varied = varied.transpose("load", "rho")
+    forces = dataset.read(finished_copy / path).pull_off_force.sel(scan=2, sphere_scan=1)
+    forces = forces.transpose("load", "rho")
     study = dataset.read(results / "adhesion.nc").pull_off_force
     study = study.sel(surface="uncd", scan=2, sphere_scan=1, contact_model="plastic")
     study = study.mean(["contact_y", "contact_x"])
-    whole, half, hard = (
-        varied.sel(load=load) for load in ("H25GPa-F10uN", "H25GPa-F5uN", "H47GPa-F10uN")
+    full_force, half, hard = (
+        forces.sel(load=load) for load in ("H25GPa-F10uN", "H25GPa-F5uN", "H47GPa-F10uN")
     )
-    np.testing.assert_allclose(whole, study, rtol=1e-9)
-    assert (half < whole).all()
+    np.testing.assert_allclose(full_force, study, rtol=1e-9)
+    assert (half < full_force).all()
     np.testing.assert_array_equal(half, hard)

@@ -7,8 +7,8 @@ from repository import ROOT, snakemake
 
 
 def test_lint_misses_nothing_but_environments(repository):
-    said = re.findall(r"^    \* (.*):$", snakemake(repository, "--lint").stdout, re.M)
-    assert set(said) == {"Specify a conda environment or container for each rule."}
+    lint_messages = re.findall(r"^    \* (.*):$", snakemake(repository, "--lint").stdout, re.M)
+    assert set(lint_messages) == {"Specify a conda environment or container for each rule."}
 
 
 def test_the_cluster_profile_names_rules_there_are_and_the_resources_of_all_others(repository):

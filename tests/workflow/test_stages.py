@@ -18,14 +18,14 @@ from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 JOBS = ["level_scan", "level_scan", "stitch"]
 
 
-def shown(capsys, records, **settings):
+def show(capsys, records, **settings):
     """Return the lines that a handler shows of records: level, logger, message and attributes."""
     common = dict.fromkeys(("dryrun", "verbose", "quiet", "stdout"), False) | settings
     handler = LogHandler(SimpleNamespace(**common), None)
     handler.setFormatter(DefaultFormatter(quiet=None, show_failed_logs=False))
-    for level, name, message, said in records:
+    for level, name, message, fields in records:
         record = logging.LogRecord(name, level, "", 0, message, (), None)
-        vars(record).update(said)
+        vars(record).update(fields)
         handler.emit(record)
     handler.close()
     lines = capsys.readouterr().err.splitlines()
@@ -34,8 +34,8 @@ def shown(capsys, records, **settings):
     return lines
 
 
-def info(message, event=None, **said):
-    return logging.INFO, "snakemake.logging", message, {"event": event, **said}
+def info(message, event=None, **fields):
+    return logging.INFO, "snakemake.logging", message, {"event": event, **fields}
 
 
 def run(finished):
@@ -49,9 +49,13 @@ def run(finished):
 
 @pytest.mark.parametrize("ended", range(4))
 def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
-    plan, *lines = shown(capsys, run(ended))
+    plan, *lines = show(capsys, run(ended))
     assert plan.startswith("3 jobs, about ")
-    done = [name for name, last in (("level scan", 2), ("stitch", 3)) if last <= ended]
+    done = [
+        name
+        for name, number_of_jobs in (("level scan", 2), ("stitch", 3))
+        if number_of_jobs <= ended
+    ]
     assert [line[:40].strip() for line in lines] == done
     if ended == 3:
         assert "3 of 3" in lines[-1] and "about 0:00:00 left" in lines[-1]
@@ -67,12 +71,12 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     monkeypatch.setattr("snakemake_logger_plugin_stages.time", clock)
 
     def twenty_seconds():
-        *records, last = run(2)
+        *records, last_record = run(2)
         yield from records
         clock.monotonic = lambda: 30.0
-        yield last
+        yield last_record
 
-    line = shown(capsys, twenty_seconds())[-1]
+    line = show(capsys, twenty_seconds())[-1]
     assert line.startswith("flat scans")
     assert "2 of 3 jobs done, about 0:01:20 left" in line  # 2 of 10 took 20 s
 
@@ -84,7 +88,7 @@ def test_silence_is_broken(capsys, monkeypatch):
         yield from run(1)
         time.sleep(1.5)
 
-    assert "1 of 3 jobs done, about" in shown(capsys, slow())[-1]
+    assert "1 of 3 jobs done, about" in show(capsys, slow())[-1]
 
 
 def test_stages_of_the_study_are_named():
@@ -106,10 +110,10 @@ def test_every_rule_with_jobs_has_a_name_for_people():
 
 def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
     failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": ["logs/stitch.log"]}
-    again = {"event": LogEvent.ERROR, "exception": "CalledProcessError"}
+    repeated_error = {"event": LogEvent.ERROR, "exception": "CalledProcessError"}
     errors = [
         (logging.ERROR, "snakemake.logging", "Error", failed),
-        (logging.ERROR, "snakemake.logging", "Command ['python'] died", again),
+        (logging.ERROR, "snakemake.logging", "Command ['python'] died", repeated_error),
         (
             logging.ERROR,
             "snakemake.logging",
@@ -117,14 +121,14 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
             {"event": LogEvent.ERROR, "exception": "WorkflowError"},
         ),
     ]
-    _, line = shown(capsys, [*run(0), *errors])
+    _, line = show(capsys, [*run(0), *errors])
     assert "stitch" in line and "logs/stitch.log" in line
 
 
 def test_the_message_of_a_rule_is_shown(capsys):
     plan = info("long list", LogEvent.RUN_INFO, stats={"claims": 1, "total": 1})
-    said = {"jobid": 0, "rule_name": "claims", "rule_msg": "claims is left out"}
-    lines = shown(capsys, [plan, info("", LogEvent.JOB_INFO, **said)])
+    fields = {"jobid": 0, "rule_name": "claims", "rule_msg": "claims is left out"}
+    lines = show(capsys, [plan, info("", LogEvent.JOB_INFO, **fields)])
     assert lines[-1] == "claims is left out"
 
 
@@ -134,24 +138,24 @@ def test_what_the_study_says_and_warnings_are_shown(capsys):
         (logging.WARNING, "snakemake.logging", "disk is nearly full", {}),
         info("Select jobs to execute..."),
     ]
-    assert shown(capsys, records) == ["open answer.html", "disk is nearly full"]
+    assert show(capsys, records) == ["open answer.html", "disk is nearly full"]
 
 
 @pytest.mark.parametrize("setting", ["dryrun", "verbose", "quiet"])
 def test_all_of_the_log_is_shown_where_it_is_asked_for(capsys, setting):
-    lines = shown(capsys, [info("Select jobs to execute...")], **{setting: True})
+    lines = show(capsys, [info("Select jobs to execute...")], **{setting: True})
     assert lines == ["Select jobs to execute..."]
 
 
 def test_a_file_that_does_not_exist_is_named_in_one_line(capsys):
     text = "Traceback (most recent call last):\n  File \"x.py\"\nFileNotFoundError: 'a.yaml'\n\n"
-    said = {"event": LogEvent.ERROR, "exception": "FileNotFoundError"}
-    (line,) = shown(capsys, [(logging.ERROR, "snakemake.logging", text, said)])
+    fields = {"event": LogEvent.ERROR, "exception": "FileNotFoundError"}
+    (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", text, fields)])
     assert line == "error: FileNotFoundError: 'a.yaml'"
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (["--configfile", "config/quick.yaml", "figures"],
          "figures: expected a YAML file, found none (targets stand before --configfile)"),
@@ -164,9 +168,9 @@ def test_a_file_that_does_not_exist_is_named_in_one_line(capsys):
     ],
 )  # fmt: skip
 def test_words_of_the_command_line_are_refused_with_a_remedy(
-    capsys, monkeypatch, at_root, words, said
+    capsys, monkeypatch, project_folder, words, message
 ):
     monkeypatch.setattr(sys, "argv", ["snakemake", *words])
     error = {"event": LogEvent.ERROR, "exception": "ValueError"}
-    lines = shown(capsys, [(logging.ERROR, "snakemake.logging", "Traceback", error)])
-    assert lines == [f"error: {said}"]
+    lines = show(capsys, [(logging.ERROR, "snakemake.logging", "Traceback", error)])
+    assert lines == [f"error: {message}"]

@@ -74,9 +74,9 @@ def moved(value):
     return value + 2 if isinstance(value, int) else 0.9 * value
 
 
-def is_part(key, whole):
+def is_part(key, section):
     """Return whether a key is another one, or stands in the section of this name."""
-    return f"{key}.".startswith(f"{whole}.")
+    return f"{key}.".startswith(f"{section}.")
 
 
 def second_study(keys):
@@ -113,15 +113,16 @@ def plans(finished, tmp_path_factory):
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_keys_that_no_path_has_change_no_file(plans, folder):
-    kept = IN_PATHS | FIXED
-    others = [
+    independent_keys = IN_PATHS | FIXED
+    other_keys = [
         key
         for key in leaves(STUDY)
-        if key not in kept and not any(is_part(key, whole) for whole in FOLDERS[folder])
+        if key not in independent_keys
+        and not any(is_part(key, section) for section in FOLDERS[folder])
     ]
-    planned = plans(second_study(others))
-    found = {plan for path, plan in planned.items() if path.startswith(f"{STORE}/{folder}/")}
-    assert found == {"no update"}
+    planned = plans(second_study(other_keys))
+    file_plans = {plan for path, plan in planned.items() if path.startswith(f"{STORE}/{folder}/")}
+    assert file_plans == {"no update"}
 
 
 @pytest.mark.parametrize(
