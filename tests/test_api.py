@@ -1,4 +1,4 @@
-"""What programs use: oracles, the same numbers as the command, and the examples of it."""
+"""The functions for programs: oracles, the same numbers as the command, and their examples."""
 
 import ast
 import doctest
@@ -104,7 +104,7 @@ def test_the_page_runs_in_order(files):
 
 
 def test_the_notebook_shows_what_its_cells_return(monkeypatch, capsys):
-    """Texts are those of the code of today; figures are there."""
+    """The texts match the current code, and the figures exist."""
     matplotlib.use("agg")
     monkeypatch.chdir(DOCS)
     cells = json.loads((DOCS / "example.ipynb").read_text("utf-8"))["cells"]
@@ -158,7 +158,7 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 
 def test_ratios_are_those_of_the_waves_that_are_left():
-    """Of two waves a cutoff between them leaves either one."""
+    """A cutoff between two waves leaves one of them."""
     phase = 2 * np.pi * np.arange(128) / 128
     long, short = np.tile(4 * np.cos(2 * phase), (128, 1)), np.tile(np.cos(16 * phase), (128, 1))
     sphere = SPHERE | LOAD | ARRAY

@@ -1,4 +1,4 @@
-"""Generators depend on the seed and on what they are for, and on nothing else."""
+"""Generators depend on the seed and on their purpose, and on nothing else."""
 
 import hashlib
 

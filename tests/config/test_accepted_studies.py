@@ -30,7 +30,7 @@ from hardcontact.surfaces.synthesis import synthesized_master
 
 
 def lengths(low, high, count):
-    """Give up to `count` quantities in nm, ascending, often at the ends of what is accepted."""
+    """Give up to `count` quantities in nm, ascending, often at the ends of the accepted values."""
     within_bounds = st.floats(low, high) | st.sampled_from([low * 1.0001, high])
     return st.lists(within_bounds, min_size=1, max_size=count).map(
         lambda values: [f"{length:.9g} nm" for length in sorted(set(values))]
@@ -39,7 +39,7 @@ def lengths(low, high, count):
 
 @st.composite
 def tiny(draw):
-    """Give a study on tiny grids, with values at and about the limits of what is accepted."""
+    """Give a study on tiny grids, with values at and around the limits of the accepted values."""
 
     def pick(*values):
         return draw(st.sampled_from(values))

@@ -26,7 +26,7 @@ bulk = pytest.mark.parametrize("examples", [30, pytest.param(300, marks=pytest.m
 
 
 def example_settings(examples):
-    """Make settings for so many examples, the same in every run."""
+    """Make settings for a number of examples, the same in every run."""
     checks = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.function_scoped_fixture]
     return settings(
         max_examples=examples, deadline=None, derandomize=True, suppress_health_check=checks

@@ -1,4 +1,4 @@
-"""Studies whose keys, tables and scans contradict each other: one line that says so."""
+"""Studies with contradictory keys, tables and scans are refused in one line."""
 
 import numpy as np
 import pandas as pd

@@ -1,4 +1,4 @@
-"""Configurations are read as numbers, or refused in one line a fault; what a study makes of one."""
+"""Configurations are read as numbers, or refused in one line a fault; targets follow from them."""
 
 import datetime
 

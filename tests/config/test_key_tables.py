@@ -1,4 +1,4 @@
-"""The model, the configuration and their documentation say the same."""
+"""The model, the configuration and their documentation agree."""
 
 import yaml
 from repository import PAPER, QUICK, ROOT, leaves

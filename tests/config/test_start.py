@@ -1,4 +1,4 @@
-"""What a run says and refuses, in lines for the user, before its first job and at its end."""
+"""The messages and refusals of a run before its first job and at its end."""
 
 import logging
 import os
@@ -29,7 +29,7 @@ from hardcontact.config import start
 
 
 def refusal_line(call, *arguments):
-    """Return the one line with which a run is refused."""
+    """Return the line of the refusal of a run."""
     with pytest.raises(SystemExit) as caught:
         call(*arguments)
     (line,) = str(caught.value).splitlines()
@@ -38,7 +38,7 @@ def refusal_line(call, *arguments):
 
 
 def planned_workflow(*configfiles):
-    """Return what a run that is planned has in Snakemake."""
+    """Return an object like Snakemake's workflow of a planned run."""
     return SimpleNamespace(exec_mode=ExecMode.DEFAULT, configfiles=configfiles)
 
 

@@ -1,4 +1,4 @@
-"""Bad tables of surfaces: one line, the line or surface, what was expected and found."""
+"""Faulty tables of surfaces are refused in one line, which names the line or the surface."""
 
 import pytest
 from refusals import assert_says, refusal

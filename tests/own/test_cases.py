@@ -1,4 +1,4 @@
-"""Kinds of scans that people have: a prediction reads them right, or names what is wrong."""
+"""Kinds of scans that people have: a prediction reads them correctly, or names the defect."""
 
 import json
 

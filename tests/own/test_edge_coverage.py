@@ -37,7 +37,7 @@ def forces(masters, contact):
 
 
 def assert_held(low, high, edge, finite):
-    """Expect 18 of 20 intervals to hold an edge, and so many ends to be no infinity."""
+    """Expect 18 of 20 intervals to contain the edge, and a number of finite ends."""
     assert (~(low > edge) & ~(high < edge)).sum() >= 18
     # An interval that is open on both sides would hold anything.
     assert np.isfinite(low).sum() + np.isfinite(high).sum() >= finite

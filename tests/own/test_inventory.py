@@ -1,4 +1,4 @@
-"""What files hold: heights of scans whose truth is known, and all that cannot be used."""
+"""The contents of files: heights of scans with known properties, and unusable members."""
 
 from dataclasses import replace
 

@@ -40,7 +40,7 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def run(monkeypatch, capsys):
-    """Run the command; return exit code, what it says and the errors it tells."""
+    """Run the command; return exit code, output and errors."""
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["hardcontact", "new", *map(str, arguments)])

@@ -70,7 +70,7 @@ def rolled_off(wavevector):
 
 
 def numbers_of(*arguments):
-    """Return what the command prints as JSON."""
+    """Return the JSON output of the command."""
     return json.loads(printed(*arguments, "--json", "-"))
 
 
@@ -167,7 +167,7 @@ def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_pat
 
 
 def test_what_is_unknown_is_no_number(table):
-    """Of an all but smooth surface no edge is found; where the error was not measured is told."""
+    """An almost smooth surface has no edge; the prediction reports where its error is unknown."""
     numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), "--radius", "5um")
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
     assert numbers["freezing"]["status"] == "smooth"
@@ -176,7 +176,7 @@ def test_what_is_unknown_is_no_number(table):
 
 
 def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
-    """Of a surface that is all but smooth nothing is lost, whatever the contact."""
+    """An almost smooth surface loses no force in any contact."""
     options = ["--radius", "5um", "--hardness", "100MPa"]
     numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), *options)
     assert numbers["force_ratio"]["value"] == pytest.approx(1, abs=0.01)

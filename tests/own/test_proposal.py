@@ -1,4 +1,4 @@
-"""What is chosen for own scans: on which contacts are made, and keys that the study accepts."""
+"""The choices for own scans: the scans of contacts, and keys that the study accepts."""
 
 import math
 from collections import Counter
@@ -137,7 +137,7 @@ def scans(draw):
 
 
 def check_refusal(line, scan, settings):
-    """Expect that the study could not accept what a line refuses, by bounds of its own."""
+    """Check with independent bounds that the study could not accept a refused value."""
     area = 1e18 * settings.preload / settings.hardness
     if line.startswith("surface a: expected a height map"):
         assert scan.pixel_size < 0.05

@@ -24,7 +24,7 @@ def equal_files(path, reference):
 
 
 def differences(folder, reference):
-    """Return what is not in both results folders or not the same in both, a line each."""
+    """Return a line for each file that is missing or differs in one of two results folders."""
     relative_paths, reference_paths = paths(folder), paths(reference)
     lines = [f"{path}: missing" for path in reference_paths - relative_paths]
     lines += [f"{path}: not in the reference" for path in relative_paths - reference_paths]
@@ -37,7 +37,7 @@ def differences(folder, reference):
 
 
 def damaged(results):
-    """Return what is wrong with the datasets in a folder that do not read: they must be whole."""
+    """Return the faults of all datasets in a folder that cannot be read."""
     lines = []
     for path in results.rglob("*.nc"):
         if not path.name.startswith(PART):

@@ -70,7 +70,7 @@ def obstacle():
 
 
 def until(condition, description, seconds=120):
-    """The first true value of `condition`; an error if none comes in time."""
+    """Return the first true value of `condition`; raise TimeoutError if there is no such value."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         if value := condition():
@@ -80,7 +80,7 @@ def until(condition, description, seconds=120):
 
 
 def ask(*command):
-    """What a command says, without blanks around; empty if it fails."""
+    """Return the output of a command without outer blanks; empty if it fails."""
     return subprocess.run(command, capture_output=True, text=True).stdout.strip()
 
 

@@ -1,4 +1,4 @@
-"""A claim, a figure, a key and a law are added as workflow/README.md says, and computed."""
+"""A claim, a figure, a key and a law are added as in workflow/README.md, and computed."""
 
 import numpy as np
 import pandas as pd

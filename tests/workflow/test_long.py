@@ -1,4 +1,4 @@
-"""What takes long, or installs something: real scans, and a cluster of this machine."""
+"""Tests that take long or install something: real scans, and a cluster on this machine."""
 
 import os
 import sys

@@ -41,7 +41,7 @@ def page_of(results):
 
 
 def assert_honest(results, fitted=False):
-    """Expect what holds of the answer of every study of own surfaces."""
+    """Check properties of the answer of every study of own surfaces."""
     answer, page = numbers(results), page_of(results)
     schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)

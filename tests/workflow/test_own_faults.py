@@ -1,4 +1,4 @@
-"""Kills, full disks, altered files and jobs that fail: one line says so, and nothing is lost.
+"""Kills, full disks, altered files and failing jobs: there is one line, and nothing is lost.
 
 All on the small study of own surfaces, whose undisturbed results are the reference.
 """
@@ -33,7 +33,7 @@ def run(study, *arguments):
 
 
 def errors(output):
-    """Return the different lines in which a run names its errors; a job that is retried repeats."""
+    """Return the distinct error lines of a run; a retried job repeats its lines."""
     assert "Traceback" not in output, output
     return sorted({line for line in output.splitlines() if line.startswith("error:")})
 
@@ -53,7 +53,7 @@ def copy(own_study, tmp_path):
 
 @pytest.fixture
 def empty(own_study, tmp_path):
-    """Copy the study without what it made."""
+    """Copy the study without its results."""
     ignored = shutil.ignore_patterns("results", ".snakemake")
     return shutil.copytree(own_study, tmp_path / "empty", ignore=ignored)
 
@@ -74,7 +74,7 @@ def start(study, target):
 
 
 def processes(folder):
-    """Return the processes that work in a folder (as far as /proc tells)."""
+    """Return the processes that work in a folder, from /proc."""
     for process in os.listdir("/proc"):
         try:
             if process.isdigit() and os.readlink(f"/proc/{process}/cwd") == str(folder):
@@ -143,7 +143,7 @@ def disk(folder, size):
 
 
 def fill(folder, room):
-    """Leave so many bytes of a disk free; return the file that takes the others."""
+    """Leave a number of bytes of a disk free; return the file that fills the disk."""
     path = folder / "filler"
     with open(path, "wb", buffering=0) as file:
         try:
@@ -219,7 +219,7 @@ def test_a_read_only_folder_is_named(copy):
 
 
 def flip_a_bit(path):
-    """Change a file so that neither its size nor its time tells."""
+    """Change a file without changing its size or its time."""
     status, content = path.stat(), bytearray(path.read_bytes())
     content[len(content) * 2 // 3] ^= 1
     path.write_bytes(content)

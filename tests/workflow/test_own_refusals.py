@@ -1,4 +1,4 @@
-"""Studies of own surfaces that are refused or left out: each says why, and nothing is written."""
+"""Studies of own surfaces that are refused or left out, with a reason; nothing is written."""
 
 import pytest
 import yaml
@@ -13,7 +13,7 @@ pytestmark = pytest.mark.study
 
 
 def errors(run):
-    """Return the lines with which a run is refused."""
+    """Return the lines of the refusal of a run."""
     assert run.returncode != 0 and "Traceback" not in run.stdout, run.stdout
     return [line for line in run.stdout.splitlines() if line.startswith("error:")]
 

@@ -132,7 +132,7 @@ def run_python(folder, content):
 
 @pytest.fixture(scope="module")
 def loaded():
-    """Load what all processes would load."""
+    """Load the modules that all processes load."""
     for name in ("snakemake.cli", "hardcontact.own.new", "hardcontact.paper.evaluation"):
         importlib.import_module(name)
 

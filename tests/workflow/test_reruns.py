@@ -50,7 +50,7 @@ def load(script, *names):
 
 
 def run_dry(folder):
-    """Return the rules, with outputs, of a dry run in a folder, or what it says of an error."""
+    """Return the rules, with outputs, of a dry run in a folder, or its error message."""
     text = run_here(folder, "-n", "--configfile", QUICK, "overlay.yaml")
     planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
@@ -94,7 +94,7 @@ class Graph:
         }
 
     def following(self, changed_files):
-        """Return the rules of some files, and those of all files that are made from them."""
+        """Return the rules of some files and of all files that depend on them."""
         changed_files = set(changed_files)
         while (
             added_files := {path for path, inputs in self.inputs.items() if inputs & changed_files}
@@ -111,7 +111,7 @@ def graph(finished):
 
 @pytest.fixture(scope="module")
 def dry(finished, tmp_path_factory):
-    """Return what makes dry runs of the finished study after a change, in copies of its files."""
+    """Return a function that runs the finished study dry after a change, in a copy of its files."""
     importlib.import_module("snakemake.cli")  # once, and not in the process of every dry run
     top = tmp_path_factory.mktemp("dry")
 

@@ -37,7 +37,7 @@ def name(request):
 
 @pytest.fixture(scope="module")
 def draw_checked(results):
-    """Return what draws a figure of the finished study, each once: its table and its drawing."""
+    """Return a function that draws a figure of the finished study: its table and its drawing."""
 
     @cache
     def draw(name):

@@ -33,7 +33,7 @@ def test_claims(results):
 
 
 def not_told(texts, page):
-    """Return the texts that do not stand in a page, whatever the spaces between their words."""
+    """Return the texts that a page does not contain, ignoring non-breaking spaces."""
     page_text = "".join(page.texts["main"]).replace("\N{NO-BREAK SPACE}", " ")
     return [text for text in texts if text not in page_text]
 

@@ -1,4 +1,4 @@
-"""What a run shows in the terminal: stages, and only what is to be read."""
+"""The lines of a run in the terminal: stages and messages only."""
 
 import logging
 import re
@@ -39,7 +39,7 @@ def info(message, event=None, **fields):
 
 
 def run(finished):
-    """Return what Snakemake says of a run of JOBS of which so many finish."""
+    """Yield Snakemake's records of a run of JOBS with a number of finished jobs."""
     yield info("long list", LogEvent.RUN_INFO, stats={"level_scan": 2, "stitch": 1, "total": 3})
     for number, rule in enumerate(JOBS):
         yield info(f"Rule: {rule}", LogEvent.JOB_INFO, jobid=number, rule_name=rule, rule_msg=None)

@@ -1,4 +1,4 @@
-"""Two studies on one store: none makes again, or finds stale, what the other one has made.
+"""Two studies on one store: neither repeats the files of the other or finds them outdated.
 
 Every key but those that the files of a folder of the store depend on has another value at once:
 Snakemake then finds these files as they should be. That keys which the paths name have files of
@@ -75,7 +75,7 @@ def moved(value):
 
 
 def is_part(key, section):
-    """Return whether a key is another one, or stands in the section of this name."""
+    """Return True if a key equals a name or belongs to the section of this name."""
     return f"{key}.".startswith(f"{section}.")
 
 
@@ -85,7 +85,7 @@ def second_study(keys):
 
 
 def summary(folder):
-    """Return what Snakemake plans for each file of a study in the store that is there already."""
+    """Return Snakemake's plan for each existing file of a study in the store."""
     text = run_here(folder, "--detailed-summary", "--configfile", QUICK, "overlay.yaml")
     lines = text.splitlines()
     header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
@@ -99,7 +99,7 @@ def summary(folder):
 
 @pytest.fixture(scope="module")
 def plans(finished, tmp_path_factory):
-    """Return what tells the plans for the store of the finished study, given an overlay."""
+    """Return a function from an overlay to the plans for the store of the finished study."""
     importlib.import_module("snakemake.cli")  # once, and not in every process
     top = tmp_path_factory.mktemp("second")
 
