@@ -17,7 +17,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_force
 from hardcontact.surfaces.height_map import HeightMap, flat_map, level, mirror_stitch
-from hardcontact.surfaces.scans import Measurement, prepared, read_measurement, read_scan
+from hardcontact.surfaces.scans import Measurement, level_and_stitch, read_measurement, read_scan
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import (
     ScanGrid,
@@ -80,8 +80,8 @@ def test_a_synthesized_scan_is_prepared_as_if_it_was_read_from_its_file(tmp_path
     dataset.write(synthesized, path, "NETCDF3_64BIT")
     measurement, expected = as_measurement(synthesized, path), read_measurement(path)
     for made, read in zip(
-        prepared(measurement, "substitute", radius),
-        prepared(expected, "substitute", radius),
+        level_and_stitch(measurement, "substitute", radius),
+        level_and_stitch(expected, "substitute", radius),
         strict=True,
     ):
         xr.testing.assert_identical(made, read)
