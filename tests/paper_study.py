@@ -20,7 +20,7 @@ from repository import PAPER, ROOT
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import OF_PAPER
+from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_answer import paper_answer, paper_head, paper_headline, paper_page
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
@@ -70,14 +70,14 @@ def svg(colour):
 
 def figures():
     """A picture for each figure of the study, each of another colour."""
-    return {name: svg(f"#{place:03}") for place, name in enumerate(OF_PAPER)}
+    return {name: svg(f"#{place:03}") for place, name in enumerate(PAPER_FIGURES)}
 
 
 def captions():
     """A caption for each figure."""
     return {
         name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.", "And more.")
-        for name in OF_PAPER
+        for name in PAPER_FIGURES
     }
 
 

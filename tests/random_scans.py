@@ -2,7 +2,7 @@
 
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
-from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
 
 PIXEL = 2500 / 512  # nm, of the paper's scans
@@ -23,4 +23,4 @@ UNCD = Spectrum(WAVEVECTORS, uncd(WAVEVECTORS))
 
 def levelled_scan(rng, pixels, pixel_size=PIXEL):
     """A scan of UNCD's spectrum, cut out of a surface of twice its size."""
-    return level(substitute_scan(random_surface(rng, 2 * pixels, pixel_size, uncd), pixels))
+    return level(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd), pixels))

@@ -9,7 +9,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.paper.judged_sets import Sources
 from hardcontact.surfaces.height_map import METRICS, table1_variables
-from hardcontact.surfaces.roughness_table import averages
+from hardcontact.surfaces.roughness_table import scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
 RADIUS, RHO, MODELS = 250e3, [0.05, 2.0, 4.0, 5.6, 8.0], ["rigid", "plastic"]
@@ -69,7 +69,7 @@ def make_topography(measured=()):
     named = {"label": SURFACES, "basis": basis, "calibrated_to_table1": [""] * len(SURFACES)}
     names = json.dumps(table1_variables("gradient", "half_laplacian"))
     return (
-        xr.merge([stacked, averages(stacked, CONFIDENCE)])
+        xr.merge([stacked, scan_averages(stacked, CONFIDENCE)])
         .assign({f"all_scales_{name}": ("surface", np.ones(len(SURFACES))) for name in METRICS})
         .assign({name: ("surface", values) for name, values in named.items()})
         .assign_attrs(table1_variables=names, confidence=CONFIDENCE, sphere_surface="ruby")

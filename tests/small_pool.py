@@ -9,7 +9,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import PoolSettings, PoolSources, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level
-from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, cut_scan
 from hardcontact.surfaces.synthesis import random_surface
 
 GRID = ScanGrid(pixels=64, size=640.0, realization_pixels=128)
@@ -25,7 +25,7 @@ def raw_scan(number):
     """Return a scan of the pool as it is drawn."""
     rng = generator(7, "uncd", number, "pool")
     surface = random_surface(rng, GRID.realization_pixels, GRID.pixel_size, uncd)
-    return level(substitute_scan(surface, GRID.pixels))
+    return level(cut_scan(surface, GRID.pixels))
 
 
 @cache

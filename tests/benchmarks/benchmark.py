@@ -38,7 +38,7 @@ from hardcontact.contact.pull_off import contacts_and_totals
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces import height_map, spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
-from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
 
 RADIUS, RHO = 250e3, 5.6
@@ -112,7 +112,7 @@ def stitched(seed, scale):
     """A mirror-stitched scan of 512² pixels with the spectrum of UNCD times `scale`."""
     rng = generator(seed, "benchmark pair")
     random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd(q))
-    scan = substitute_scan(random, 512)
+    scan = cut_scan(random, 512)
     return height_map.mirror_stitch(height_map.level(scan))
 
 

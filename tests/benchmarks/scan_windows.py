@@ -16,7 +16,7 @@ from hardcontact.contact.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Density, Floats
-from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
 
 
@@ -38,7 +38,7 @@ def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[He
     pixels = round(size / surface.pixel_size)
     for start in np.arange(count) * (surface.pixels // count):
         shifted = replace(surface, heights=np.roll(surface.heights, (-start, -start), (0, 1)))
-        yield mirror_stitch(level(substitute_scan(shifted, pixels)))
+        yield mirror_stitch(level(cut_scan(shifted, pixels)))
 
 
 def mean_forces(surface: HeightMap, windows: Windows) -> Floats:

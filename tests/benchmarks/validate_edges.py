@@ -16,7 +16,7 @@ from validate_prediction import SURFACES, TOLERANCE, WORK, design, spectrum_of
 
 from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, roll_off
-from hardcontact.surfaces.substitute_spectra import from_description
+from hardcontact.surfaces.substitute_spectra import spectrum_from_description
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.closed_form_errors import spectrum_of_grid
 from hardcontact.theory.edge_formulas import formula_edges
@@ -25,7 +25,7 @@ RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/edges.csv"
 #: Published spectra, under the sphere, range and load of the paper.
 NITRIDES = ("crn_rougher", "crn_smoother")
-OF_PAPER = contact_of_area(radius=250e3, rho=5.6, work=WORK, area=400.0)
+PAPER_FIGURES = contact_of_area(radius=250e3, rho=5.6, work=WORK, area=400.0)
 
 
 def placed(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
@@ -48,8 +48,10 @@ def rows(surfaces: int = SURFACES) -> list[dict[str, Any]]:
         contact = contact_of_area(row["radius"], row["rho"], WORK, row["area"])
         designed.append({"surface": str(row["surface"])} | placed(waves, contact))
     for name in NITRIDES:  # No band of theirs is calibrated to the paper's Table 1.
-        density, _, _ = from_description(RESOURCES / f"spectra/{name}.csv", pd.DataFrame(), {})
-        designed.append({"surface": name} | placed(Spectrum(WAVEVECTORS, density), OF_PAPER))
+        density, _, _ = spectrum_from_description(
+            RESOURCES / f"spectra/{name}.csv", pd.DataFrame(), {}
+        )
+        designed.append({"surface": name} | placed(Spectrum(WAVEVECTORS, density), PAPER_FIGURES))
     return designed
 
 

@@ -25,8 +25,8 @@ from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flat_map, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
-from hardcontact.surfaces.synthesis import synthesized_master
+from hardcontact.surfaces.substitute_scans import add_sphere, cut_scan
+from hardcontact.surfaces.synthesis import synthesize_master
 
 
 def lengths(low, high, count):
@@ -129,10 +129,10 @@ def stitched_scan(config, rng, density, radius=None):
     scan = config["scan"]
     pixel_size = scan["size"] / scan["pixels"]
     surface = synthesis.random_surface(rng, realization_pixels(scan["pixels"]), pixel_size, density)
-    substitute = substitute_scan(surface, scan["pixels"])
+    substitute = cut_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(substitute))
-    return mirror_stitch(flat_map(sphere_scan(rng, substitute, radius), radius))
+    return mirror_stitch(flat_map(add_sphere(rng, substitute, radius), radius))
 
 
 def assert_forces(arrays):
@@ -163,7 +163,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
     """Compute forces of one master, filtered at every cutoff, at all that its section asks for."""
     keys = master_keys(config, section, side)
     expected_values = {name: get_key(config, key) for name, key in keys.items()}
-    master = synthesized_master(side, rng, stitched, expected_values, ROUGH)
+    master = synthesize_master(side, rng, stitched, expected_values, ROUGH)
     filters = Filters(side, expected_values["pixels"], expected_values["cutoffs"])
     scaling, count_sections = config["insight"]["scaling"], {"sets": "sets", "scales": "contact"}
     contact = Contact(

@@ -15,7 +15,7 @@ from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-from hardcontact.surfaces.substitute_spectra import described_rms_height, from_description
+from hardcontact.surfaces.substitute_spectra import described_rms_height, spectrum_from_description
 from hardcontact.surfaces.synthesis import random_surface
 
 CONTRADICTIONS = [
@@ -150,7 +150,7 @@ def rows(name):
 def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     table = rows(name)
     relief = surface_grid(CONFIG, name, table).relief
-    density = Spectrum(WAVEVECTORS, from_description(table.path[0], None, None)[0])
+    density = Spectrum(WAVEVECTORS, spectrum_from_description(table.path[0], None, None)[0])
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, count=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)

@@ -18,7 +18,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
-from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.summits import draw_size, moment, spectrum_between
 
@@ -41,7 +41,7 @@ def force_ratio(rms_height, pixels):
         factor = rms_height / surface.heights.std()
         surface = replace(surface, heights=factor * surface.heights)
         large.append(mean_force(surface))
-        small.append(mean_force(mirror_stitch(level(substitute_scan(surface, pixels)))))
+        small.append(mean_force(mirror_stitch(level(cut_scan(surface, pixels)))))
     return np.mean(small) / np.mean(large)
 
 

@@ -13,10 +13,10 @@ from hardcontact.contact.contact import Contact
 from hardcontact.own.master_forces import Masters
 from hardcontact.own.open_edges import band_edges
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_from
-from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
 
 SIZE = 2500.0
@@ -64,7 +64,7 @@ def edges_of_draw(draw):
     """Return the edges from the masters of one scan."""
     rng = generator(11, draw)
     surface = random_surface(rng, 256, SIZE / 64, known_density)
-    stitched = mirror_stitch(level(substitute_scan(surface, 64)))
+    stitched = mirror_stitch(level(cut_scan(surface, 64)))
     small = small_scale_master(rng, stitched, 256, 160.0, known_density)
     large = large_scale_master(rng, stitched, 1, 1000.0, known_density)
     scales = forces([(1, SMALL, small), (1, LARGE, large)], CONTACT)
@@ -132,7 +132,7 @@ def interval_of_one_scan(density, number):
         return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
 
     measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
-    drawn_scales = scales(drawn_spectra(rngs, measurements, [None]))
+    drawn_scales = scales(draw_spectra(rngs, measurements, [None]))
     edges = long_edges(with_spectrum_shifts(measured_scales, drawn_scales), 1)
     return edges.edge_interval.values.ravel()
 

@@ -18,10 +18,10 @@ from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own import request
 from hardcontact.own.predict import predict, predict_arguments
-from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
-from hardcontact.surfaces.hurst_exponent import fitted_hurst
+from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
+from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
+from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
@@ -189,9 +189,9 @@ def test_short_waves_that_the_table_lacks_are_continued(table):
     """A spectrum of optical resolution: what it lacks changes the force, unless it ends with 0."""
     rows = rows_of(rough(17, 4000, 0.8, 1500))
     numbers, spectrum = numbers_of(table(*rows)), table_spectrum(table(*rows))
-    variance = np.full(spectrum.density.shape, CALIBRATION**2)
-    fit = fitted_hurst(spectrum.wavevector, spectrum.density, variance)
-    density, _ = continued_spectrum(spectrum.wavevector, spectrum.density, fit)
+    variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
+    fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
+    density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)
     expected = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
     assert numbers["continued_force"]["value"] == pytest.approx(expected, rel=1e-6)
     assert numbers["continued_change"]["status"] == "matters"

@@ -9,9 +9,9 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import contact_of_area
-from hardcontact.surfaces.extrapolated_spectrum import GRADIENT, HALF_LAPLACIAN
-from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
-from hardcontact.surfaces.measured_spectrum import CALIBRATION
+from hardcontact.surfaces.extrapolated_spectrum import MAX_GRADIENT, MAX_HALF_LAPLACIAN
+from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
+from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
@@ -41,7 +41,7 @@ def truth(rng):
         values *= (height / all_scales_moments(Spectrum(WAVEVECTORS, values))[0]) ** 2
         spectrum = Spectrum(WAVEVECTORS, values)
         _, gradient, half_laplacian = all_scales_moments(spectrum)
-        if gradient < GRADIENT and half_laplacian < HALF_LAPLACIAN:
+        if gradient < MAX_GRADIENT and half_laplacian < MAX_HALF_LAPLACIAN:
             return spectrum
 
 
@@ -50,7 +50,7 @@ def measure_scans(rng, spectrum, has_line):
     scans = [map_of(rng, 256, 40.0, spectrum)]
     if has_line:
         scans.append(line_of(rng, 76, 3.0, spectrum))
-    factors = np.exp(CALIBRATION / 2 * rng.standard_normal(len(scans)))
+    factors = np.exp(CALIBRATION_SCATTER / 2 * rng.standard_normal(len(scans)))
     return [
         measurement(scan.heights * factor, scan.pixel_size)
         for scan, factor in zip(scans, factors, strict=True)
@@ -82,7 +82,7 @@ def test_intervals_hold_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
         rngs = (generator(32, number, has_line, draw) for draw in range(DRAWS))
         shifts = [
             logarithms(spectrum_drawn, edges) - measured_forces
-            for spectrum_drawn, _ in drawn_spectra(rngs, scans, radii)
+            for spectrum_drawn, _ in draw_spectra(rngs, scans, radii)
         ]
         # As for own surfaces; the interval of an edge holds it if that of F_c/F there does.
         half = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))

@@ -11,7 +11,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.report.captions import caption
 from hardcontact.report.figures import listing
-from hardcontact.report.figures.listing import FIGURES, OF_PAPER, describe
+from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe
 
 #: Modules that are no figure.
 SHARED = {"__init__", "drawing", "listing", "style", "tables"}
@@ -25,12 +25,12 @@ def test_each_module_is_a_figure_or_shared():
 def test_each_figure_of_the_paper_stands_in_a_chapter_of_its_page():
     page = (ROOT / "workflow/report/templates/paper.html").read_text("utf-8")
     chapters = set(re.findall(r'^  "(\d\. [^"]+)": "', page, re.M))
-    assert {describe(name).chapter for name in OF_PAPER} <= chapters
+    assert {describe(name).chapter for name in PAPER_FIGURES} <= chapters
 
 
 def test_a_caption_names_the_values_of_the_study():
     changed = PAPER | {"inference": PAPER["inference"] | {"confidence": 0.8}}
-    assert "its 80 % interval" in caption("fig6", changed).more
+    assert "its 80 % interval" in caption("fig6", changed).details
     with pytest.raises(UndefinedError, match="confidence"):
         caption("fig6", PAPER | {"inference": {}})
 
@@ -38,7 +38,7 @@ def test_a_caption_names_the_values_of_the_study():
 @pytest.mark.parametrize("name", FIGURES)
 def test_sentences_of_captions_are_short(name):
     made = caption(name, PAPER)
-    sentences = re.split(r"(?<!Fig)(?<!Eq)\. (?=\S)", f"{made.short} {made.more}")
+    sentences = re.split(r"(?<!Fig)(?<!Eq)\. (?=\S)", f"{made.short} {made.details}")
     assert max(len(sentence.split()) for sentence in sentences) <= 25
 
 

@@ -28,7 +28,7 @@ from snakemake.iocontainers import Namedlist
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import canonical
-from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
+from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
 from hardcontact.report.own_answer import own_answer, own_head, own_headline, own_quantities
 from hardcontact.report.quantities import answer_json
 
@@ -118,7 +118,7 @@ def run_script(folder, given):
     output = Namedlist(fromdict={name: str(path) for name, path in outputs.items()})
     for kind in KINDS:
         start = len(output)
-        output.extend(str(folder / f"{name}.{kind}") for name in OF_OWN_SURFACES)
+        output.extend(str(folder / f"{name}.{kind}") for name in OWN_FIGURES)
         output._set_name(kind, start, end=len(output))
     parameters = setting([("part", "why")])._asdict()
     del parameters["pairs"]

@@ -28,7 +28,7 @@ from paper_study import svg
 
 from hardcontact.report import own_figures as figures
 from hardcontact.report.figures import style
-from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
+from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
 from hardcontact.report.own_answer import own_answer, own_headline, own_page, own_warnings
 
 FORCES = "two substitutes, forces"
@@ -47,7 +47,7 @@ PHONE = 358  # pixels that a figure is wide on a screen of 390
 MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
 
 
-PICTURES = {name: svg(f"#{place:03}") for place, name in enumerate(OF_OWN_SURFACES)}
+PICTURES = {name: svg(f"#{place:03}") for place, name in enumerate(OWN_FIGURES)}
 
 
 def page_of(answer):
@@ -136,7 +136,7 @@ def test_ratios_are_those_of_the_cutoffs_of_their_side():
     data = edges().sel(FIRST)
     table, figure = figures.draw_cutoffs(datasets())
     curves = lines_of(figure)
-    for side, (label, _) in figures.SIDES.items():
+    for side, (label, _) in figures.SIDE_LOOKS.items():
         known = data["scale_ratio"].sel(side=side).dropna("cutoff_wavelength")
         x, y = curves[label].get_data()
         assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == known.values.tolist()
@@ -187,7 +187,7 @@ def test_forces_of_every_model_stand_over_the_range():
     assert not [path for path in band.get_paths() if len(path.vertices)]
 
 
-@pytest.mark.parametrize("name", OF_OWN_SURFACES)
+@pytest.mark.parametrize("name", OWN_FIGURES)
 def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name):
     with style.print_style():
         table, figure = figures.FIGURES[name](CASES[FORCES][0])
@@ -206,11 +206,11 @@ def test_files_of_figures_are_the_same_each_time_and_small(tmp_path):
     made = []
     for folder in (tmp_path / "first", tmp_path / "second"):
         folder.mkdir()
-        paths = {kind: [str(folder / f"{name}.{kind}") for name in OF_OWN_SURFACES]
+        paths = {kind: [str(folder / f"{name}.{kind}") for name in OWN_FIGURES]
                  for kind in KINDS}  # fmt: skip
         pictures = figures.write_figures(given, paths)
         made.append({path.name: path.read_bytes() for path in folder.iterdir()})
-    assert made[0] == made[1] and len(made[0]) == len(OF_OWN_SURFACES) * len(KINDS)
+    assert made[0] == made[1] and len(made[0]) == len(OWN_FIGURES) * len(KINDS)
     for name, picture in pictures.items():
         assert picture == made[0][f"{name}.svg"] and b"<svg" in picture
         assert len(picture) < 150_000

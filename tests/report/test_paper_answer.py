@@ -12,7 +12,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.base.number import Number
 from hardcontact.report.paper_answer import (
-    ANSWERS,
+    ANSWER_CLAIMS,
     paper_head,
     paper_headline,
     paper_quantities,
@@ -27,7 +27,7 @@ def changed(name, **values):
     """The claims with other values of one of them."""
     table = claims()
     for column, value in values.items():
-        table.loc[table["id"] == ANSWERS[name], column] = value
+        table.loc[table["id"] == ANSWER_CLAIMS[name], column] = value
     return table
 
 
@@ -53,7 +53,7 @@ def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
     Draft202012Validator(SCHEMA).validate(content)
     rows = {(row["surface"], row["name"]): row for row in content["quantities"]}
     table = claims().set_index("id")
-    for name, claim in ANSWERS.items():
+    for name, claim in ANSWER_CLAIMS.items():
         low = table["low"][claim]
         assert rows["", name]["value"] == table["computed"][claim]
         assert rows["", name]["low"] == (None if np.isnan(low) else low)
@@ -106,10 +106,10 @@ def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
     assert answer(changed(name, **{end: inside}), sets=fewer).numbers[name].status == ""
 
 
-@pytest.mark.parametrize("name", ANSWERS)
+@pytest.mark.parametrize("name", ANSWER_CLAIMS)
 def test_a_claim_without_a_number_is_not_in_the_answer(name):
-    for rows in (claims()[claims()["id"] != ANSWERS[name]], changed(name, computed=np.nan)):
-        assert ANSWERS.keys() - answer(rows).numbers.keys() == {name}
+    for rows in (claims()[claims()["id"] != ANSWER_CLAIMS[name]], changed(name, computed=np.nan)):
+        assert ANSWER_CLAIMS.keys() - answer(rows).numbers.keys() == {name}
 
 
 def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():

@@ -10,7 +10,7 @@ from paper_study import CITATION, answer, captions, claims, datasets, figures, m
 from refusals import assert_says
 
 from hardcontact.base.printing import print_as_paper
-from hardcontact.report.figures.listing import OF_PAPER
+from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_answer import MAIN_FINDINGS
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
@@ -39,7 +39,7 @@ def test_links_lead_into_the_page_beside_it_or_to_the_paper(shown):
     anchors, links = shown.values("id"), shown.values("href")
     assert len(anchors) == len(set(anchors))
     assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
-    beside = {f"figures/{name}.{kind}" for name in OF_PAPER for kind in ("csv", "pdf")}
+    beside = {f"figures/{name}.{kind}" for name in PAPER_FIGURES for kind in ("csv", "pdf")}
     beside |= {f"report/claims.html#{name}" for name in MAIN_FINDINGS}
     beside |= {"answer.json", "claims.csv", "insight.html", "report/claims.html"}
     assert beside <= set(links)
@@ -65,9 +65,9 @@ def test_coarse_grids_are_said_before_any_number():
 
 def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(shown):
     pictures = [base64.b64decode(of["src"].partition(",")[2]) for of in shown.attributes["img"]]
-    order = ["fig6", *(name for name in OF_PAPER if name != "fig6")]
+    order = ["fig6", *(name for name in PAPER_FIGURES if name != "fig6")]
     assert pictures == [figures()[name] for name in order]
-    for name in OF_PAPER:
+    for name in PAPER_FIGURES:
         assert captions()[name].title in shown.values("alt")
         assert any(captions()[name].short in text for text in shown.texts["figcaption"])
 
@@ -97,5 +97,5 @@ def test_what_tables_say_is_text_not_markup(html, column):
 def test_a_page_without_the_numbers_of_the_answer_has_all_the_rest():
     table = claims().assign(computed=np.nan, low=np.nan, high=np.nan, frequency=np.nan)
     made = Page(made_page(answer(table)))
-    assert len(made.attributes["img"]) == len(OF_PAPER)
+    assert len(made.attributes["img"]) == len(PAPER_FIGURES)
     assert not re.search(r"\bnan\b", made.texts["main"][0], re.I)

@@ -26,7 +26,7 @@ def test_colours_and_markers_follow_the_order_of_any_surfaces():
 def test_logarithmic_axes_have_plain_numbers_and_over_many_decades_only_those(limits, expected):
     axes = Figure().subplots()
     axes.set(xscale="log", xlim=limits)
-    style.label_logarithmic(axes.xaxis, at=(1, 5))
+    style.label_logarithmic(axes.xaxis, digits=(1, 5))
     ticks = axes.get_xticks()
     low, high = limits
     assert np.allclose(ticks[(ticks >= 0.999 * low) & (ticks <= 1.001 * high)], expected)

@@ -23,7 +23,7 @@ CONSTANTS = pd.DataFrame(
 
 
 def test_values_have_the_ends_of_their_interval():
-    curves = tables.bounded(FITS, "force")
+    curves = tables.value_and_interval(FITS, "force")
     assert list(curves["low"]) == [0.8, 1.6] and curves["high"].isnull().values.tolist() == [0, 1]
     assert "bound" not in curves.coords
     assert tables.value_and_bounds(FITS.sel(surface="uncd"), "force") == {
@@ -40,13 +40,13 @@ def test_published_values_have_the_ends_of_their_uncertainty():
 
 def test_rows_get_the_label_of_their_surface():
     rows = pd.DataFrame({"group": ["mcd", "pooled"]})
-    table = tables.labelled([rows], FITS, ["group", "label", "basis"], "group")
+    table = tables.label_rows([rows], FITS, ["group", "label", "basis"], "group")
     assert table.iloc[0].tolist() == ["mcd", "MCD", "substitute"]
     assert table.loc[1, "group"] == "pooled" and table.loc[1, ["label", "basis"]].isna().all()
 
 
 def test_sets_are_summed_up_by_their_median_and_nine_tenths():
     values = xr.DataArray(np.arange(101.0), dims="set")
-    summary = tables.over_sets(values[::-1])
+    summary = tables.summarize_sets(values[::-1])
     numbers = {str(name): number.item() for name, number in summary.items()}
     assert numbers == pytest.approx({"value": 50.0, "low": 5.0, "high": 95.0})

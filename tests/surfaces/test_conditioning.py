@@ -17,7 +17,7 @@ from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, spectrum_dataset, spectrum_from
-from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, synthesize_scan
 from hardcontact.surfaces.substitute_spectra import (
     expected_moments,
     rows_of_surface,
@@ -37,17 +37,17 @@ def generators(*numbers, seed=7, surface="uncd"):
     return {number: partial(generator, seed, surface, number, "scan") for number in numbers}
 
 
-def assert_met(targets, found):
+def assert_met(targets, scan_metrics):
     """Expect the means, and the deviation if there is more than one scan."""
     for name, mean in targets.means.items():
-        assert found[name].mean() == pytest.approx(mean, rel=1e-6)
-    if len(found) > 1:
-        assert found.rms_height.std(ddof=1) == pytest.approx(targets.deviation, rel=1e-6)
+        assert scan_metrics[name].mean() == pytest.approx(mean, rel=1e-6)
+    if len(scan_metrics) > 1:
+        assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(targets.deviation, rel=1e-6)
 
 
 @pytest.fixture(scope="module")
 def spectrum():
-    """UNCD's spectrum as it is stored, calibrated to the AFM rows of Table 1."""
+    """UNCD's spectrum, calibrated to the AFM rows of Table 1."""
     moments = expected_moments(UNCD, transfer_weights(256, PIXEL, 64))
     return spectrum_dataset(UNCD.density).assign_attrs(
         calibrated_to_table1="afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope",
@@ -55,14 +55,14 @@ def spectrum():
     )
 
 
-def measured(spectrum, group, grid, seed=7, surface="uncd"):
-    """The metrics of every scan of a group, as they are synthesized: {metric: (scan,)}."""
-    density = conditioning.amplified(spectrum_from(spectrum), group.gain.values)
+def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
+    """Metrics of every synthesized scan of a group: a column each metric."""
+    density = conditioning.multiply_amplitudes(spectrum_from(spectrum), group.gain.values)
     values = []
     for number in group.scan.values:
         rng = generator(seed, surface, number, "scan")
-        stored = synthesized_scan(rng, density, grid, float(group.factor.sel(scan=number)))
-        heights = stored["heights"].values.T
+        scan_dataset = synthesize_scan(rng, density, grid, float(group.factor.sel(scan=number)))
+        heights = scan_dataset["heights"].values.T
         scan = level(HeightMap(heights, grid.pixel_size, periodic=False, basis="substitute"))
         values.append(metrics(scan))
     return pd.DataFrame(values)
@@ -78,10 +78,10 @@ def measured(spectrum, group, grid, seed=7, surface="uncd"):
 )
 def test_scans_have_the_statistics_that_they_are_given(spectrum, numbers, names):
     moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
-    units = [conditioning.OVER_MOMENTS[name] for name in names]
+    units = [conditioning.METRIC_PER_MOMENT[name] for name in names]
     targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
     group = conditioning.conditioned_group(spectrum, targets, generators(*numbers), GRID)
-    assert_met(targets, measured(spectrum, group, GRID))
+    assert_met(targets, synthesized_metrics(spectrum, group, GRID))
 
 
 PAPER_GRID = ScanGrid(PAPER["scan"]["pixels"], 2500.0, realization_pixels(PAPER["scan"]["pixels"]))
@@ -100,16 +100,19 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     table1 = published.table1(ROOT / "resources/paper/table1.csv")
     table1 = rows_of_surface(table1, surface, *DEFINITIONS.values())
     constants = published.constants(ROOT / "resources/paper/parameters.csv")
-    stored = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
-    targets = conditioning.scan_targets(stored, table1, constants, DEFINITIONS, grid)
+    spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
+    targets = conditioning.scan_targets(spectrum, table1, constants, DEFINITIONS, grid)
     assert targets.rows == tuple(rows)
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.deviation == pytest.approx(table1.uncertainty["afm_rms_height"])
     group = conditioning.conditioned_group(
-        stored, targets, generators(*range(1, count + 1), seed=PAPER["seed"], surface=surface), grid
+        spectrum,
+        targets,
+        generators(*range(1, count + 1), seed=PAPER["seed"], surface=surface),
+        grid,
     )
-    assert_met(targets, measured(stored, group, grid, PAPER["seed"], surface))
+    assert_met(targets, synthesized_metrics(spectrum, group, grid, PAPER["seed"], surface))
 
 
 def test_targets_on_the_pixels_of_the_paper_are_what_the_spectrum_expects(spectrum):
@@ -124,8 +127,8 @@ def test_on_coarser_pixels_the_rms_height_stays(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, coarse)
     height = spectrum.attrs["expected_scan_moments"][0]
-    expected = expected_moments(uncd, transfer_weights(128, 2 * PIXEL, 32))
-    np.testing.assert_allclose(list(targets.means.values()), [height, *expected[1:]], rtol=1e-3)
+    moments = expected_moments(uncd, transfer_weights(128, 2 * PIXEL, 32))
+    np.testing.assert_allclose(list(targets.means.values()), [height, *moments[1:]], rtol=1e-3)
     assert targets.rows == ("afm_rms_height",)
     group = conditioning.conditioned_group(spectrum, targets, generators(1, 2), coarse)
     assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
@@ -145,9 +148,9 @@ def test_metrics_of_a_sum_are_a_quadratic_form():
     matrices = conditioning.second_moments(bands, NAMES)
     amplitudes = np.array([0.3, 1.7, 0.9])
     total = sum(a * band.heights for a, band in zip(amplitudes, bands, strict=True))
-    found = metrics(HeightMap(total, PIXEL, periodic=False, basis="substitute"))
+    total_metrics = metrics(HeightMap(total, PIXEL, periodic=False, basis="substitute"))
     forms = np.sqrt(np.einsum("mij,i,j->m", matrices, amplitudes, amplitudes))
-    np.testing.assert_allclose(forms, [found[name] for name in NAMES], rtol=1e-12)
+    np.testing.assert_allclose(forms, [total_metrics[name] for name in NAMES], rtol=1e-12)
 
 
 def test_negative_heights_are_refused_in_one_line(spectrum):
@@ -164,16 +167,16 @@ def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
     group = conditioning.conditioned_group(spectrum, targets, generators(1, 2, 3), GRID)
     assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
-    found = measured(spectrum, group, GRID)
-    assert found.rms_height.mean() == pytest.approx(height, rel=1e-6)
-    assert found.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
+    scan_metrics = synthesized_metrics(spectrum, group, GRID)
+    assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
+    assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
 
 
 def test_on_another_size_nothing_of_table_1_is_met(spectrum):
     grid = ScanGrid(128, 2 * GRID.size, 256)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
-    expected = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
-    np.testing.assert_allclose(list(targets.means.values()), expected)
+    moments = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
+    np.testing.assert_allclose(list(targets.means.values()), moments)
     assert targets.rows == ()
 
 

@@ -33,8 +33,8 @@ def test_interpolation_of_a_wave_is_that_wave():
     x = np.arange(24) / 24
     wave = np.cos(2 * np.pi * (3 * x[:, None] - 5 * x))
     u = np.arange(100) / 100
-    expected = np.cos(2 * np.pi * (3 * u[:, None] - 5 * u))
-    np.testing.assert_allclose(interpolate(periodic(wave), 100).heights, expected, atol=1e-6)
+    fine_wave = np.cos(2 * np.pi * (3 * u[:, None] - 5 * u))
+    np.testing.assert_allclose(interpolate(periodic(wave), 100).heights, fine_wave, atol=1e-6)
 
 
 @pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0])
@@ -42,9 +42,9 @@ def test_lowpass_keeps_just_the_long_waves(cutoff):
     surface = noise(64)
     band = lowpass(surface, cutoff)
     wave = 2 * np.pi * np.fft.fftfreq(64, 10.0)
-    keep = np.hypot(wave[:, None], wave) <= 2 * np.pi / cutoff * (1 + 1e-12)
-    expected = np.fft.ifft2(np.fft.fft2(surface.heights) * keep).real
-    np.testing.assert_allclose(interpolate(band, 64).heights, expected, atol=1e-6)
+    is_long = np.hypot(wave[:, None], wave) <= 2 * np.pi / cutoff * (1 + 1e-12)
+    long_waves = np.fft.ifft2(np.fft.fft2(surface.heights) * is_long).real
+    np.testing.assert_allclose(interpolate(band, 64).heights, long_waves, atol=1e-6)
     assert band.size == pytest.approx(640.0)
 
 
@@ -56,7 +56,7 @@ def test_a_wave_at_the_cutoff_is_kept_once():
 
 
 @pytest.mark.parametrize(
-    ("side", "cutoff", "pixels", "expected"),
+    ("side", "cutoff", "pixels", "message"),
     [
         ("small", 20.0, 64, "more than two pixels"),
         ("large", None, 32, "at least 64 pixels to interpolate to, found 32"),
@@ -64,8 +64,8 @@ def test_a_wave_at_the_cutoff_is_kept_once():
         ("small", 25.0, 32, "at least 52 pixels to interpolate to, found 32"),
     ],
 )
-def test_waves_that_the_pixels_do_not_hold_are_refused(side, cutoff, pixels, expected):
-    with pytest.raises(ValueError, match=expected):
+def test_waves_that_the_pixels_do_not_hold_are_refused(side, cutoff, pixels, message):
+    with pytest.raises(ValueError, match=message):
         filtered(noise(64), side, cutoff, pixels)
 
 
@@ -73,19 +73,19 @@ def test_waves_that_the_pixels_do_not_hold_are_refused(side, cutoff, pixels, exp
 @pytest.mark.parametrize("side", ["small", "large"])
 def test_a_series_is_the_master_cut_off_at_each_wavelength(side, pixels):
     master, cutoffs = noise(64), [None, 25.0, 640.0, 60.0, None, 333.0]
-    whole = interpolate(master, pixels).heights
+    unfiltered = interpolate(master, pixels).heights
     for cutoff, surface in zip(
         cutoffs, filtered_series(master, side, cutoffs, pixels), strict=True
     ):
-        expected = whole
+        heights = unfiltered
         if cutoff is not None:
             low = interpolate(lowpass(master, cutoff), pixels).heights
-            expected = low if side == "small" else whole - low
-        np.testing.assert_allclose(surface.heights, expected, atol=2e-6)
+            heights = low if side == "small" else unfiltered - low
+        np.testing.assert_allclose(surface.heights, heights, atol=2e-6)
         assert surface.size == pytest.approx(master.size)
 
 
 def test_short_waves_left_out_need_no_more_pixels_than_the_rest():
     shorter = filtered(noise(64), "small", 100.0, 32)
-    expected = interpolate(lowpass(noise(64), 100.0), 32)
-    np.testing.assert_allclose(shorter.heights, expected.heights, atol=1e-6)
+    interpolated = interpolate(lowpass(noise(64), 100.0), 32)
+    np.testing.assert_allclose(shorter.heights, interpolated.heights, atol=1e-6)

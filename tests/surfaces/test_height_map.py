@@ -29,9 +29,13 @@ def test_a_map_comes_back_as_it_was_written(tmp_path):
     heights = np.random.default_rng(0).standard_normal((8, 12))
     surface = HeightMap(heights, 2500 / 512, periodic=True, basis="measured")
     dataset.write(surface.dataset(), tmp_path / "a.nc")
-    again = read_height_map(tmp_path / "a.nc")
-    np.testing.assert_array_equal(again.heights, heights.astype(np.float32))
-    assert (again.pixel_size, again.periodic, again.basis) == (2500 / 512, True, "measured")
+    read_map = read_height_map(tmp_path / "a.nc")
+    np.testing.assert_array_equal(read_map.heights, heights.astype(np.float32))
+    assert (read_map.pixel_size, read_map.periodic, read_map.basis) == (
+        2500 / 512,
+        True,
+        "measured",
+    )
     message = refusal(read_height_map, cut(tmp_path / "a.nc", 0.5))
     assert_says(message, "a.nc: expected a complete netCDF file, found")
 
@@ -40,8 +44,8 @@ def test_a_map_comes_back_as_it_was_written(tmp_path):
 @pytest.mark.parametrize("dtype", [np.float32, float])
 def test_levelling_is_that_of_the_library_bit_by_bit(shape, dtype):
     scan = scan_of(np.random.default_rng(0).standard_normal(shape).cumsum(0).astype(dtype))
-    expected = library_map(scan).detrend("height").heights().T
-    np.testing.assert_array_equal(level(scan).heights, expected)
+    library_heights = library_map(scan).detrend("height").heights().T
+    np.testing.assert_array_equal(level(scan).heights, library_heights)
 
 
 def test_levelling_by_lines_is_a_fit_and_a_median_of_each_along_x():
@@ -49,8 +53,8 @@ def test_levelling_by_lines_is_a_fit_and_a_median_of_each_along_x():
     x = np.arange(24)
     lines = [line - np.polyval(np.polyfit(x, line, 1), x) for line in heights]
     aligned = np.array([line - np.median(line) for line in lines])
-    expected = level(scan_of(aligned)).heights
-    np.testing.assert_allclose(level_lines(scan_of(heights)).heights, expected, atol=1e-9)
+    levelled = level(scan_of(aligned)).heights
+    np.testing.assert_allclose(level_lines(scan_of(heights)).heights, levelled, atol=1e-9)
 
 
 def test_a_sphere_is_removed_wherever_its_apex_lies():
@@ -87,13 +91,13 @@ def test_metrics_of_a_wave():
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
 def test_metrics_are_those_of_the_library(shape):
     scan = scan_of(np.random.default_rng(3).standard_normal(shape).cumsum(axis=0), 4.9)
-    values, expected = metrics(scan), library_map(scan)
+    values, topography = metrics(scan), library_map(scan)
     for name, value in (
-        ("rms_height", expected.Sq()),
-        ("rms_gradient", expected.rms_gradient()),
-        ("rms_profile_slope", expected.Rdq()),
-        ("rms_half_laplacian", expected.rms_curvature_from_area()),
-        ("rms_laplacian", 2 * expected.rms_curvature_from_area()),
+        ("rms_height", topography.Sq()),
+        ("rms_gradient", topography.rms_gradient()),
+        ("rms_profile_slope", topography.Rdq()),
+        ("rms_half_laplacian", topography.rms_curvature_from_area()),
+        ("rms_laplacian", 2 * topography.rms_curvature_from_area()),
         ("skewness", stats.skew(scan.heights, axis=None)),
         ("kurtosis", stats.kurtosis(scan.heights, axis=None, fisher=False)),
     ):

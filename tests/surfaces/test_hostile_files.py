@@ -47,14 +47,14 @@ def text(values):
     return lines.getvalue()
 
 
-def listed(member="a.txt", **other):
+def scan_list(member="a.txt", **other):
     """A container's meta.yml with one scan, called one."""
     entry = {"name": "one", "datafile": {"original": member}, "size": [320, 320], "unit": "nm"}
     return yaml.safe_dump({"surfaces": [{"topographies": [entry | other]}]})
 
 
 def container(path, content, member="a.txt"):
-    archive(path, {"meta.yml": listed(member), member: content})
+    archive(path, {"meta.yml": scan_list(member), member: content})
 
 
 def listing(content):
@@ -62,31 +62,31 @@ def listing(content):
     return lambda path: archive(path, {"meta.yml": content, "a.txt": text(heights(32, 32))})
 
 
-def hdf5(write, inside):
+def hdf5(write_content, in_container):
     """Write an HDF5 file, alone or in a container."""
 
-    def written(path):
-        file = path.with_suffix(".h5") if inside else path
+    def write_file(path):
+        file = path.with_suffix(".h5") if in_container else path
         with h5py.File(file, "w") as target:
-            write(target, path.parent / "outside.h5")
-        if inside:
+            write_content(target, path.parent / "outside.h5")
+        if in_container:
             container(path, file.read_bytes(), "a.h5")
 
-    return written
+    return write_file
 
 
-def external_storage(file, outside):
-    file.create_dataset("h", (32, 32), "f8", external=[(str(outside), 0, h5py.h5f.UNLIMITED)])
+def external_storage(file, outside_path):
+    file.create_dataset("h", (32, 32), "f8", external=[(str(outside_path), 0, h5py.h5f.UNLIMITED)])
 
 
-def external_link(file, outside):
-    file["e"] = h5py.ExternalLink(outside, "/")
+def external_link(file, outside_path):
+    file["e"] = h5py.ExternalLink(outside_path, "/")
     file["h"] = h5py.SoftLink("/e/h")
 
 
-def virtual(file, outside):
+def virtual(file, outside_path):
     layout = h5py.VirtualLayout((32, 32), "f8")
-    layout[:] = h5py.VirtualSource(outside, "h", (32, 32))
+    layout[:] = h5py.VirtualSource(outside_path, "h", (32, 32))
     file.create_virtual_dataset("h", layout)
 
 
@@ -141,7 +141,8 @@ HOSTILE = {
     "lying zip": (altered(24, "<I", 1000), "Bad CRC-32"),
     "encrypted zip": (altered(8, "<H", 1), "encrypted"),
     "container in a container": (
-        lambda path: container(path, listed().encode(), "inner.zip"), "none of its readers takes",
+        lambda path: container(path, scan_list().encode(), "inner.zip"),
+        "none of its readers takes",
     ),
     "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels along an edge"),
     "external storage": (hdf5(external_storage, False), "found"),
@@ -157,15 +158,15 @@ HOSTILE = {
     "aliases": (listing(ALIASES + "surfaces: *a11\n"), "lists surfaces"),
     "deep list": (listing("[" * 1200), "lists surfaces"),
     "aliased unit": (listing(ALIASED_UNIT), "found"),
-    "no text": (listing(listed(["a.txt"])), "lists surfaces"),
-    "letters": (listing(listed("b\n\033[31m.txt")), "found"),
-    "size in words": (listing(listed(size="large")), "found"),
-    "unit of no length": (listing(listed(unit="V")), "a unit of length"),
-    "infinite size": (listing(listed(size=[float("inf")] * 2)), "2 positive numbers"),
-    "large size": (listing(listed(size=[1e30] * 2)), "pixels and differences of height"),
-    "no height scale": (listing(listed(height_scale=float("nan"))), "a positive height scale"),
-    "steep heights": (listing(listed(height_scale=1e6)), "a mean slope of at most 10"),
-    "channel": (listing(listed(data_source=99)), "a data_source from 0 to 0"),
+    "no text": (listing(scan_list(["a.txt"])), "lists surfaces"),
+    "letters": (listing(scan_list("b\n\033[31m.txt")), "found"),
+    "size in words": (listing(scan_list(size="large")), "found"),
+    "unit of no length": (listing(scan_list(unit="V")), "a unit of length"),
+    "infinite size": (listing(scan_list(size=[float("inf")] * 2)), "2 positive numbers"),
+    "large size": (listing(scan_list(size=[1e30] * 2)), "pixels and differences of height"),
+    "no height scale": (listing(scan_list(height_scale=float("nan"))), "a positive height scale"),
+    "steep heights": (listing(scan_list(height_scale=1e6)), "a mean slope of at most 10"),
+    "channel": (listing(scan_list(data_source=99)), "a data_source from 0 to 0"),
 }  # fmt: skip
 
 
@@ -189,23 +190,23 @@ def folder(tmp_path, monkeypatch):
 def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
     monkeypatch.setattr(limited_process, "SMALL_FILE_MEMORY", 2**26)
     monkeypatch.setattr(limited_process, "SMALL_FILE_SECONDS", 1)
-    write, part = HOSTILE[name]
+    write, message_part = HOSTILE[name]
     path = folder / "a.zip"
     write(path)
-    before = sorted(folder.rglob("*"))
+    files_before = sorted(folder.rglob("*"))
     start = time.monotonic()
     message = refusal(read_all, path)
     assert time.monotonic() - start < 60  # a few seconds of computing, on a busy machine
     assert message.isprintable() and len(message) < 2500
-    assert_says(message, f"{path}: expected", "found", part)
-    assert sorted(folder.rglob("*")) == before  # nothing unpacked, executed or left behind
+    assert_says(message, f"{path}: expected", "found", message_part)
+    assert sorted(folder.rglob("*")) == files_before  # nothing unpacked, executed or left behind
 
 
 def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
     container(folder / "a.zip", text(heights(32, 32)), "../outside.txt")
-    before = sorted(folder.parent.rglob("*"))
+    files_before = sorted(folder.parent.rglob("*"))
     np.testing.assert_allclose(scans.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
-    assert sorted(folder.parent.rglob("*")) == before
+    assert sorted(folder.parent.rglob("*")) == files_before
 
 
 def crash(_):
@@ -238,7 +239,7 @@ def chatter(_):
 
 
 @pytest.mark.parametrize(
-    ("reader", "part"),
+    ("reader", "message_part"),
     [
         (crash, "whose reader crashes"),
         (loop, "takes more than 1 s"),
@@ -248,11 +249,11 @@ def chatter(_):
         (chatter, "(RuntimeError: two lines [31m)"),
     ],
 )
-def test_whatever_a_reader_does(folder, monkeypatch, capfd, reader, part):
+def test_whatever_a_reader_does(folder, monkeypatch, capfd, reader, message_part):
     monkeypatch.setattr(limited_process, "MAX_SECONDS", 1)
     path = scan(folder / "a.nc")
     message = refusal(limited_process.read_in_child, reader, path)
-    assert_says(message, "a.nc: expected a readable", "found", part)
+    assert_says(message, "a.nc: expected a readable", "found", message_part)
     assert capfd.readouterr() == ("", "")
     assert multiprocessing.active_children() == []
 

@@ -7,21 +7,21 @@ from random_scans import gentle
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.mean_spectrum import smoothed
-from hardcontact.surfaces.measured_spectrum import CALIBRATION, variance_of_log
+from hardcontact.surfaces.mean_spectrum import smooth_curve
+from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, smooth_rolloff
 
 
 def pattern(kind, seed, pixels=192, pixel=50.0):
     """A height map (nm) of a grating, a step or waves without a roll-off, with some roughness."""
     rng = generator(61, seed)
-    place = np.arange(pixels) * pixel
+    position = np.arange(pixels) * pixel
     period, edge = pixels * pixel / rng.uniform(4, 12), pixels * pixel * rng.uniform(0.2, 0.8)
     heights = {
-        "grating": 20 * np.cos(2 * np.pi * place / period),
-        "square grating": 10 * np.sign(np.cos(2 * np.pi * place / period)),
-        "step": 25.0 * (place > edge),
-        "waves": 0.0 * place,
+        "grating": 20 * np.cos(2 * np.pi * position / period),
+        "square grating": 10 * np.sign(np.cos(2 * np.pi * position / period)),
+        "step": 25.0 * (position > edge),
+        "waves": 0.0 * position,
     }[kind]
     rough = map_of(rng, pixels, pixel, lambda q: smooth_rolloff(q, 1e10, 1e5, 0.8))
     return measurement(heights + rough.heights, pixel)
@@ -31,14 +31,14 @@ def pattern(kind, seed, pixels=192, pixel=50.0):
 def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
     for seed in range(5):
         scan = pattern(kind, seed)
-        joined = joined_spectrum([scan], [1e-3])
-        is_reliable = joined["reliable"].values[0] == 1
-        power = BIN_CENTRES[is_reliable] ** 2 * joined["psd"].values[0, is_reliable]
-        kept = BIN_CENTRES[is_reliable] ** 2 * joined["joined"].values[is_reliable]
-        assert kept.sum() == pytest.approx(power.sum(), rel=0.01)
+        joined_data = joined_spectrum([scan], [1e-3])
+        is_reliable = joined_data["reliable"].values[0] == 1
+        power = BIN_CENTRES[is_reliable] ** 2 * joined_data["psd"].values[0, is_reliable]
+        joined_power = BIN_CENTRES[is_reliable] ** 2 * joined_data["joined"].values[is_reliable]
+        assert joined_power.sum() == pytest.approx(power.sum(), rel=0.01)
         if "grating" in kind:  # The line stands where it was measured.
             peak = power.argmax()
-            assert kept[peak] == pytest.approx(power[peak], rel=0.05)
+            assert joined_power[peak] == pytest.approx(power[peak], rel=0.05)
 
 
 def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
@@ -50,10 +50,12 @@ def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
         np.where(is_measured, gentle(BIN_CENTRES), np.nan),
         np.where(is_measured, variance_of_log(waves), np.nan),
     )
-    wavevector, mean, variance = smoothed(*points)
-    drawn = np.log([smoothed(*points, generator(23, draw))[1] for draw in range(400)])
-    np.testing.assert_allclose(drawn.std(axis=0), np.sqrt(variance - CALIBRATION**2), rtol=0.15)
-    assert (np.abs(drawn.mean(axis=0) - np.log(mean)) < 0.25 * drawn.std(axis=0)).all()
+    wavevector, mean, variance = smooth_curve(*points)
+    drawn_logs = np.log([smooth_curve(*points, generator(23, draw))[1] for draw in range(400)])
+    np.testing.assert_allclose(
+        drawn_logs.std(axis=0), np.sqrt(variance - CALIBRATION_SCATTER**2), rtol=0.15
+    )
+    assert (np.abs(drawn_logs.mean(axis=0) - np.log(mean)) < 0.25 * drawn_logs.std(axis=0)).all()
     # A power law has no bends: it is its own mean.
     slope = np.where(is_measured, BIN_CENTRES**-3.0, np.nan)
-    np.testing.assert_allclose(smoothed(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)
+    np.testing.assert_allclose(smooth_curve(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)

@@ -13,16 +13,16 @@ from hardcontact.surfaces.measured_spectrum import (
     isotropic_from_profile,
     local_slopes,
     measured_psd,
-    size_of,
+    measured_size,
     variance_of_log,
 )
 from hardcontact.surfaces.spectrum import BIN_EDGES, profile_from_isotropic_power_law
 
 
 def test_a_tilt_does_not_matter():
-    for one in (map_of(generator(2), 64, PIXEL), line_of(generator(2), 300, PIXEL)):
-        tilted = measurement(one.heights + 3.0 * np.arange(one.heights.shape[-1]), PIXEL)
-        np.testing.assert_allclose(measured_psd(tilted)[1], measured_psd(one)[1], rtol=1e-6)
+    for scan in (map_of(generator(2), 64, PIXEL), line_of(generator(2), 300, PIXEL)):
+        tilted = measurement(scan.heights + 3.0 * np.arange(scan.heights.shape[-1]), PIXEL)
+        np.testing.assert_allclose(measured_psd(tilted)[1], measured_psd(scan)[1], rtol=1e-6)
 
 
 def test_line_scans_have_the_spectrum_of_their_surface():
@@ -30,9 +30,13 @@ def test_line_scans_have_the_spectrum_of_their_surface():
     wavevector = measured_psd(lines[0])[0]
     mean = np.mean([measured_psd(line)[1] for line in lines], axis=0)
     wavelength = 2 * np.pi / wavevector
-    seen = np.isfinite(mean) & (wavelength > 40) & (wavelength < size_of(lines[0]) / 3)
-    np.testing.assert_allclose(np.log(mean[seen] / uncd(wavevector[seen])), 0, atol=0.5)
-    assert np.median(mean[seen] / uncd(wavevector[seen])) == pytest.approx(1, abs=0.07)
+    is_reliable = np.isfinite(mean) & (wavelength > 40) & (wavelength < measured_size(lines[0]) / 3)
+    np.testing.assert_allclose(
+        np.log(mean[is_reliable] / uncd(wavevector[is_reliable])), 0, atol=0.5
+    )
+    assert np.median(mean[is_reliable] / uncd(wavevector[is_reliable])) == pytest.approx(
+        1, abs=0.07
+    )
 
 
 @pytest.mark.parametrize("kind", ["map", "profile"])
@@ -44,9 +48,15 @@ def test_scatter_is_that_of_the_independent_waves(kind):
     wavevector = measured_psd(draws[0])[0]
     logs = np.log([measured_psd(draw)[1] for draw in draws])
     wavelength = 2 * np.pi / wavevector
-    seen = np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < size_of(draws[0]) / 3)
-    expected = np.sqrt(variance_of_log(independent_waves(draws[0])[seen]))
-    assert np.median(logs.std(axis=0)[seen] / expected) == pytest.approx(1, abs=0.25)
+    is_reliable = (
+        np.isfinite(logs).all(axis=0)
+        & (wavelength > 60)
+        & (wavelength < measured_size(draws[0]) / 3)
+    )
+    predicted_scatter = np.sqrt(variance_of_log(independent_waves(draws[0])[is_reliable]))
+    assert np.median(logs.std(axis=0)[is_reliable] / predicted_scatter) == pytest.approx(
+        1, abs=0.25
+    )
 
 
 def test_local_slopes_and_their_errors_are_those_of_power_laws():
@@ -74,8 +84,8 @@ def test_axes_differ_where_the_lines_of_a_scan_are_smoothed():
 
 
 BINS = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-MEASURED = BINS[(BINS > 1e-4) & (BINS < 2)]
-MANY = np.full(MEASURED.shape, 1e3)
+WAVEVECTORS = BINS[(BINS > 1e-4) & (BINS < 2)]
+MANY_WAVES = np.full(WAVEVECTORS.shape, 1e3)
 
 
 def two_slopes(q):
@@ -90,35 +100,37 @@ def two_rolloffs(q):
 
 @pytest.mark.parametrize("hurst", [0.1, 0.5, 0.8, 1.0, 1.4])
 def test_power_laws_are_converted_as_in_closed_form(hurst):
-    profile = 3.0 * MEASURED ** (-1 - 2 * hurst)
-    expected = profile / profile_from_isotropic_power_law(MEASURED, hurst)
-    np.testing.assert_allclose(isotropic_from_profile(MEASURED, profile, MANY), expected, rtol=1e-3)
+    profile = 3.0 * WAVEVECTORS ** (-1 - 2 * hurst)
+    density = profile / profile_from_isotropic_power_law(WAVEVECTORS, hurst)
+    np.testing.assert_allclose(
+        isotropic_from_profile(WAVEVECTORS, profile, MANY_WAVES), density, rtol=1e-3
+    )
 
 
 @pytest.mark.parametrize(
-    ("density", "within"), [(two_slopes, 0.02), (uncd, 0.07), (two_rolloffs, 0.11)]
+    ("density", "tolerance"), [(two_slopes, 0.02), (uncd, 0.07), (two_rolloffs, 0.11)]
 )
-def test_bent_spectra_come_back_from_their_integrals(density, within):
-    converted = isotropic_from_profile(MEASURED, profile_of(density, MEASURED), MANY)
-    np.testing.assert_allclose(converted / density(MEASURED), 1, atol=within)
+def test_bent_spectra_come_back_from_their_integrals(density, tolerance):
+    converted = isotropic_from_profile(WAVEVECTORS, profile_of(density, WAVEVECTORS), MANY_WAVES)
+    np.testing.assert_allclose(converted / density(WAVEVECTORS), 1, atol=tolerance)
 
 
 def test_scatter_is_not_amplified_and_empty_bins_stay_empty():
     # A line of 20 µm: half a wave in a bin at its longest wavelengths, a hundred at 100 nm.
-    seen = MEASURED > 2 * np.pi / 20_000
-    waves = np.maximum(0.37e3 * MEASURED[seen], 1)
+    is_reliable = WAVEVECTORS > 2 * np.pi / 20_000
+    waves = np.maximum(0.37e3 * WAVEVECTORS[is_reliable], 1)
     errors = []
     for k in range(50):
         scatter = generator(1, k).gamma(waves, 1 / waves)
-        profile = profile_of(uncd, MEASURED[seen]) * scatter
+        profile = profile_of(uncd, WAVEVECTORS[is_reliable]) * scatter
         profile[[1, 3]] = np.nan
-        converted = isotropic_from_profile(MEASURED[seen], profile, waves)
+        converted = isotropic_from_profile(WAVEVECTORS[is_reliable], profile, waves)
         np.testing.assert_array_equal(np.isnan(converted), np.isnan(profile))
-        errors.append(np.log(converted / uncd(MEASURED[seen])))
-    known = np.isfinite(profile)
-    error = np.array(errors)[:, known]
-    expected = np.sqrt(variance_of_log(waves[known]))
-    assert np.median(error.std(axis=0) / expected) < 1.25
+        errors.append(np.log(converted / uncd(WAVEVECTORS[is_reliable])))
+    is_finite = np.isfinite(profile)
+    error = np.array(errors)[:, is_finite]
+    predicted_scatter = np.sqrt(variance_of_log(waves[is_finite]))
+    assert np.median(error.std(axis=0) / predicted_scatter) < 1.25
     # The median logarithm of one wave is -0.37, and the plateau falls in steps that scatter gives.
     bias = np.abs(np.median(error, axis=0))
-    assert bias.max() < 1.1 and bias[waves[known] > 10].max() < 0.25
+    assert bias.max() < 1.1 and bias[waves[is_finite] > 10].max() < 0.25

@@ -34,10 +34,10 @@ METRES = matrix("\t", "{:.6e}", 1e-9)
 def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, comma):
     head = [line if comma else line.replace(",", ".") for line in HEAD]
     lines = [*head, *(commas(METRES) if comma else METRES)]
-    measured = read_measurement(written(tmp_path / "a.txt", lines, encoding, "\r\n"))
-    assert measured.pixel_size == pytest.approx(10.0)
-    np.testing.assert_allclose(measured.heights, MAP, atol=1e-4)
-    assert measured.notes == (("decimal commas read",) if comma else ())
+    measurement = read_measurement(written(tmp_path / "a.txt", lines, encoding, "\r\n"))
+    assert measurement.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
+    assert measurement.notes == (("decimal commas read",) if comma else ())
 
 
 MATRICES = {
@@ -57,9 +57,9 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     message = refusal(read_measurement, path)
     assert_says(message, "physical size and unit", "found none", "--size 5um", "--unit nm")
     assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "--size 5um", "scan.edge")
-    measured = read_measurement(path, unit="nm", edge=240.0)
-    assert measured.pixel_size == pytest.approx(10.0)
-    np.testing.assert_allclose(measured.heights, MAP, atol=1e-4)
+    measurement = read_measurement(path, unit="nm", edge=240.0)
+    assert measurement.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
     coarse = read_measurement(path, unit="mm,nm", edge=480.0)  # the unit of positions is not used
     assert coarse.pixel_size == pytest.approx(20.0)
     np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
@@ -69,8 +69,8 @@ def test_the_size_is_the_longer_edge_and_of_files_that_state_none(tmp_path):
     path = written(tmp_path / "a.txt", matrix(" ")[:20])
     assert read_measurement(path, unit="nm", edge=240.0).pixel_size == pytest.approx(10.0)
     path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
-    stated = read_measurement(path, unit="nm", edge=999.0)
-    assert stated.pixel_size == pytest.approx(10.0) and stated.notes == ()
+    measurement = read_measurement(path, unit="nm", edge=999.0)
+    assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == ()
 
 
 @pytest.mark.parametrize("word", ["", "nan", "***", "undefined"])
@@ -78,11 +78,11 @@ def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
     rows = matrix(";")
     rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
     path = written(tmp_path / "a.csv", rows)
-    measured = read_measurement(path, "", "harmonic", "nm", 240.0)
-    assert measured.undefined == 1
+    measurement = read_measurement(path, "", "harmonic", "nm", 240.0)
+    assert measurement.undefined == 1
     defined = np.ones((PIXELS, PIXELS), bool)
     defined[3, 5] = False
-    np.testing.assert_allclose(measured.heights[defined], MAP[defined], atol=1e-4)
+    np.testing.assert_allclose(measurement.heights[defined], MAP[defined], atol=1e-4)
 
 
 Y, X = (10.0 * axis.ravel() for axis in np.indices((PIXELS, PIXELS)))
@@ -101,20 +101,20 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
     points = np.delete(POINTS, GAPS, axis=0)[::order]
     path = coordinates(tmp_path / "a.xyz", points, separator)
     assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "undefined", "found 30")
-    measured = read_measurement(path, "", "harmonic", "nm")
-    assert measured.pixel_size == pytest.approx(10.0) and measured.undefined == 30
+    measurement = read_measurement(path, "", "harmonic", "nm")
+    assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined == 30
     defined = np.delete(np.arange(len(POINTS)), GAPS)
-    np.testing.assert_allclose(measured.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
-    assert measured.notes == ("30 undefined pixels of 576 filled", "unit nm as given")[::-1]
+    np.testing.assert_allclose(measurement.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
+    assert measurement.notes == ("30 undefined pixels of 576 filled", "unit nm as given")[::-1]
 
 
-@pytest.mark.parametrize("missing", [[], GAPS])
-def test_points_may_have_two_units(tmp_path, missing):
-    scaled = np.delete(POINTS, missing, axis=0) * [1e-3, 1e-3, 1]
+@pytest.mark.parametrize("gaps", [[], GAPS])
+def test_points_may_have_two_units(tmp_path, gaps):
+    scaled = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]
     path = coordinates(tmp_path / "a.xyz", scaled)
-    measured = read_measurement(path, "", "harmonic", "um,nm")
-    assert measured.pixel_size == pytest.approx(10.0)
-    assert measured.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
+    measurement = read_measurement(path, "", "harmonic", "um,nm")
+    assert measurement.pixel_size == pytest.approx(10.0)
+    assert measurement.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
     assert_says(refusal(read_measurement, path, "", "harmonic", "um"), "--unit mm,nm gives")
     line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
     np.testing.assert_allclose(read_measurement(line, unit="um,nm").heights, MAP[0], atol=1e-5)

@@ -1,4 +1,4 @@
-"""Protrusions: their shape, their number and what published roughness permits."""
+"""Protrusions: their shape, their number and their limit by published roughness."""
 
 from dataclasses import replace
 from itertools import product
@@ -43,22 +43,22 @@ def test_rms_height_and_slope_follow_campbells_theorem(density, width):
     protrusions = Protrusions(density, 4.0, width)
     rng = np.random.default_rng(3)
     heights = [add_protrusions(rng, FLAT, protrusions, 3.2).heights for _ in range(60)]
-    inside = np.array(heights)[:, 40:-40, 40:-40]  # the edges lack protrusions from outside
-    assert inside.std() == pytest.approx(3.2 * protrusions.rms_height, rel=0.05)
-    slopes = [metrics(replace(FLAT, heights=scan))["rms_gradient"] for scan in inside]
+    inner_heights = np.array(heights)[:, 40:-40, 40:-40]  # the edges lack protrusions from outside
+    assert inner_heights.std() == pytest.approx(3.2 * protrusions.rms_height, rel=0.05)
+    slopes = [metrics(replace(FLAT, heights=scan))["rms_gradient"] for scan in inner_heights]
     slope = np.sqrt(np.mean(np.square(slopes)))
     assert slope == pytest.approx(3.2 * protrusions.rms_slope, rel=0.05)
 
 
-@pytest.mark.parametrize("on_sphere", [False, True])
-def test_what_is_drawn_is_as_smooth_as_published(on_sphere):
+@pytest.mark.parametrize("is_sphere", [False, True])
+def test_what_is_drawn_is_as_smooth_as_published(is_sphere):
     rng = np.random.default_rng(2)
-    drawn = [draw_protrusions(rng, POLISHED, on_sphere) for _ in range(2000)]
-    densities = np.array([protrusions.density for protrusions in drawn])
+    surfaces = [draw_protrusions(rng, POLISHED, is_sphere) for _ in range(2000)]
+    densities = np.array([protrusions.density for protrusions in surfaces])
     assert (densities == 0).mean() == pytest.approx(GAUSSIAN_SHARE, abs=0.03)
-    rms_heights = np.array([3.2 * protrusions.rms_height for protrusions in drawn])
-    slopes = np.array([3.2 * protrusions.rms_slope for protrusions in drawn])
-    if on_sphere:
+    rms_heights = np.array([3.2 * protrusions.rms_height for protrusions in surfaces])
+    slopes = np.array([3.2 * protrusions.rms_slope for protrusions in surfaces])
+    if is_sphere:
         assert 0.95 < rms_heights.max() <= 1
     else:
         scaled = np.sqrt((0.04**2 + slopes**2) / (3.2**2 + rms_heights**2)) * 3.2

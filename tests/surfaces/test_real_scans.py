@@ -29,18 +29,20 @@ def test_levelled_rms_height(path, member, size, rms_height):
 
 
 def test_the_whole_container():
-    measured = [read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)]
-    assert [one.kind for one in measured] == ["profile", "map", "profile"]
-    tem, afm, stylus = measured
-    assert [one.tip_radius for one in measured] == [None, 26.0, 5000.0]
-    assert [one.file_unit for one in measured] == ["nm", "nm", "mm"]
+    measurements = [
+        read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)
+    ]
+    assert [measurement.kind for measurement in measurements] == ["profile", "map", "profile"]
+    tem, afm, stylus = measurements
+    assert [measurement.tip_radius for measurement in measurements] == [None, 26.0, 5000.0]
+    assert [measurement.file_unit for measurement in measurements] == ["nm", "nm", "mm"]
     assert afm.channel == "Height" and afm.pixel_size == pytest.approx(100 / 512)
     length = (len(tem.heights) - 1) * tem.pixel_size
     assert length == pytest.approx(228.9, abs=tem.pixel_size)  # 76 uneven points
     assert any("resampled" in note for note in tem.notes)
     assert len(stylus.heights) == 3001 and stylus.pixel_size == pytest.approx(99.6, abs=0.05)
     assert not any("resampled" in note for note in stylus.notes)
-    assert [one.undefined for one in measured] == [0, 0, 0]
+    assert [measurement.undefined for measurement in measurements] == [0, 0, 0]
 
 
 def test_no_defect_is_named():
@@ -88,19 +90,17 @@ def test_a_study_with_an_own_scan(tmp_path):
     (folder / "own.tsv").write_text(TABLE)
     run = run_snakemake(folder, "topography", "adhesion", overlays=[OWN])
     assert run.returncode == 0, run.stdout[-3000:]
-    topography, adhesion = (
-        xr.load_dataset(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")
-    )
-    own = topography.sel(surface="uncd")
-    assert own.basis == "measured" and topography.basis.sel(surface="mcd") == "substitute"
-    assert float(own.rms_height.sel(scan=1)) == pytest.approx(14.3, abs=0.05)
-    assert np.isnan(own.rms_height.sel(scan=2))
-    assert float(own.scan_size) == pytest.approx(10_000.0)
+    topography = xr.load_dataset(folder / "results/own/topography.nc")
+    adhesion = xr.load_dataset(folder / "results/own/adhesion.nc")
+    uncd = topography.sel(surface="uncd")
+    assert uncd.basis == "measured" and topography.basis.sel(surface="mcd") == "substitute"
+    assert float(uncd.rms_height.sel(scan=1)) == pytest.approx(14.3, abs=0.05)
+    assert np.isnan(uncd.rms_height.sel(scan=2))
+    assert float(uncd.scan_size) == pytest.approx(10_000.0)
     force = adhesion.pull_off_force
-    rigid, plastic = (
-        force.sel(surface="uncd", scan=1, sphere_scan=1, contact_model=model)
-        for model in ("rigid", "plastic")
-    )
+    scan_force = force.sel(surface="uncd", scan=1, sphere_scan=1)
+    rigid = scan_force.sel(contact_model="rigid")
+    plastic = scan_force.sel(contact_model="plastic")
     assert (rigid > 0).all() and (plastic >= rigid).all()
     assert force.sel(surface="uncd", scan=2).isnull().all()
     assert force.sel(surface="mcd", sphere_scan=1).notnull().all()

@@ -41,10 +41,9 @@ def imaged_by_tip(heights, pixel, radius):
 def test_a_tip_ends_the_band_where_its_image_leaves_the_surface():
     pixel, radius = 2.5, 40.0
     heights = random_surface(generator(2), 384, pixel, uncd).heights
-    true, imaged = (
-        measurement(np.asarray(surface[32:-32, 32:-32], float), pixel)
-        for surface in (heights, imaged_by_tip(heights, pixel, radius))
-    )
+    image = imaged_by_tip(heights, pixel, radius)
+    true = measurement(heights[32:-32, 32:-32].astype(float), pixel)
+    imaged = measurement(image[32:-32, 32:-32].astype(float), pixel)
     band = reliable_band(imaged, radius)
     cutoff = levelled_topography(imaged).scanning_probe_reliability_cutoff(radius)
     assert band.shortest == pytest.approx(cutoff, rel=0.01)
@@ -52,10 +51,10 @@ def test_a_tip_ends_the_band_where_its_image_leaves_the_surface():
     wavevector, density = measured_psd(imaged)
     ratio = density / measured_psd(true)[1]
     wavelength = 2 * np.pi / wavevector
-    within = (wavelength > band.shortest) & (wavelength < band.longest)
-    below = (wavelength > 4 * pixel) & (wavelength < band.shortest / 3)
-    assert within.sum() >= 3 and below.sum() >= 3
-    assert (np.abs(np.log(ratio[within])) < 0.35).all() and (ratio[below] < 0.6).all()
+    is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
+    is_short = (wavelength > 4 * pixel) & (wavelength < band.shortest / 3)
+    assert is_in_band.sum() >= 3 and is_short.sum() >= 3
+    assert (np.abs(np.log(ratio[is_in_band])) < 0.35).all() and (ratio[is_short] < 0.6).all()
 
 
 @pytest.mark.parametrize(("make", "pixels"), [(map_of, 256), (line_of, 2000)])
@@ -67,8 +66,8 @@ def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, p
     wavelength = 2 * np.pi / wavevector
     excess = density / measured_psd(scan)[1]
     assert band.limited_by == "noise"
-    within = (wavelength > band.shortest) & (wavelength < band.longest)
-    assert (excess[within & np.isfinite(excess)] < 2).all()
+    is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
+    assert (excess[is_in_band & np.isfinite(excess)] < 2).all()
     # What is lost is at most half a decade of wavelengths at which noise is less than the surface.
     passed = wavelength[np.argmax(excess > 2)]
     assert passed < band.shortest < 3.2 * passed
@@ -84,22 +83,23 @@ def test_white_noise_alone_is_nowhere_reliable():
     assert band.shortest > band.longest and band.limited_by == "noise"
 
 
-@pytest.mark.parametrize("along_lines", [True, False])
-def test_smoothing_is_cut_before_it_takes_much(along_lines):
+@pytest.mark.parametrize("is_along_lines", [True, False])
+def test_smoothing_is_cut_before_it_takes_much(is_along_lines):
     surface = random_surface(generator(8), 512, PIXEL, uncd).heights.astype(float)
-    if along_lines:  # a feedback that lags
+    if is_along_lines:  # a feedback that lags
         smoothed = gaussian_filter1d(surface, 3.0, axis=1, mode="wrap")
     else:
         smoothed = gaussian_filter(surface, 3.0, mode="wrap")
-    true, scan = (measurement(one[:256, :256], PIXEL) for one in (surface, smoothed))
+    true = measurement(surface[:256, :256], PIXEL)
+    scan = measurement(smoothed[:256, :256], PIXEL)
     band = reliable_band(scan, None)
     assert band.limited_by == "smoothing"
     wavevector, density = measured_psd(scan)
-    kept = density / measured_psd(true)[1]
+    transfer = density / measured_psd(true)[1]
     wavelength = 2 * np.pi / wavevector
-    within = (wavelength > band.shortest) & (wavelength < band.longest)
-    assert within.sum() >= 5 and (kept[within] > 0.4).all()
-    assert (kept[(wavelength > 4 * PIXEL) & (wavelength < band.shortest / 2)] < 0.4).all()
+    is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
+    assert is_in_band.sum() >= 5 and (transfer[is_in_band] > 0.4).all()
+    assert (transfer[(wavelength > 4 * PIXEL) & (wavelength < band.shortest / 2)] < 0.4).all()
 
 
 def test_noise_beyond_smoothing_does_not_hide_it():

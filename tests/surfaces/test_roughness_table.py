@@ -11,10 +11,10 @@ from random_scans import PIXEL, UNCD, levelled_scan
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import bounds
 from hardcontact.surfaces.height_map import METRICS, flat_map, metrics
-from hardcontact.surfaces.roughness_table import averages, measured_roughness, roughness_table
+from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table, scan_averages
 from hardcontact.surfaces.scans import level_and_stitch
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
-from hardcontact.surfaces.substitute_scans import sphere_scan
+from hardcontact.surfaces.substitute_scans import add_sphere
 
 SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},
@@ -29,19 +29,19 @@ SETTINGS = dict(
 def test_averages_over_scans():
     rows = [[1.0, 2.0, 3.0], [5.0, 7.0, np.nan]]
     scans = xr.Dataset({name: (("surface", "scan"), rows, {"units": "nm"}) for name in METRICS})
-    mean = averages(scans, 0.95)
+    mean = scan_averages(scans, 0.95)
     np.testing.assert_allclose(mean["rms_height_mean"], [2, 6])
     np.testing.assert_allclose(mean["rms_height_std"], [1, np.sqrt(2)])
     # Student's t: 4.303 for two degrees of freedom, 12.706 for one.
     reach = np.array([4.3027 / 3**0.5, 12.7062])
-    expected = [[2, 6] - reach, [2, 6] + reach]
-    np.testing.assert_allclose(bounds(mean, "rms_height_mean"), expected, rtol=1e-4)
+    ends = [[2, 6] - reach, [2, 6] + reach]
+    np.testing.assert_allclose(bounds(mean, "rms_height_mean"), ends, rtol=1e-4)
 
 
 @pytest.fixture(scope="module")
 def maps():
-    """Two scans of UNCD and one of the sphere, of more pixels, as they are read."""
-    sphere = sphere_scan(generator(3), levelled_scan(generator(3), 48), 250e3)
+    """Two scans of UNCD, and a scan of the sphere with more pixels."""
+    sphere = add_sphere(generator(3), levelled_scan(generator(3), 48), 250e3)
     uncd = {("uncd", number): levelled_scan(generator(number), 32) for number in (1, 2)}
     return uncd | {("ruby", 1): sphere}
 
@@ -86,5 +86,5 @@ def test_a_prepared_scan_is_levelled_stitched_and_keeps_what_its_file_says(maps,
     assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped; filled"
     assert (levelled.attrs["periodic"], stitched.attrs["periodic"]) == (0, 1)
     assert ("as_scanned" in levelled) == (radius is not None)
-    expected = flat_map(maps["ruby", 1], radius, "lines").heights
-    np.testing.assert_allclose(levelled.heights, expected, atol=1e-4)
+    heights = flat_map(maps["ruby", 1], radius, "lines").heights
+    np.testing.assert_allclose(levelled.heights, heights, atol=1e-4)

@@ -32,7 +32,7 @@ def defects_of(heights, pixel_size=PIXEL, **options):
     return examine(measurement(heights, pixel_size), **options).defects
 
 
-def with_spikes(seed, share):
+def add_spikes(seed, share):
     heights = rough(seed, 12.0)
     rng = generator(seed + 1)
     places = rng.choice(heights.size, round(share * heights.size), replace=False)
@@ -40,10 +40,10 @@ def with_spikes(seed, share):
     return heights
 
 
-def stopped(seed, lines, filling, axis=0):
+def stop_scan(seed, lines, filling, axis=0):
     heights = rough(seed, 5.0) + 40
-    last = heights[lines - 1] if filling == "repeated" else 0.0
-    heights[lines:] = last
+    filling_heights = heights[lines - 1] if filling == "repeated" else 0.0
+    heights[lines:] = filling_heights
     return heights if axis == 0 else heights.T
 
 
@@ -59,23 +59,23 @@ def curved(seed, rms_height, radius_x, radius_y):
 
 def pillars(rng):
     """Round pillars, twenty rms heights of the floor high."""
-    places = rng.uniform(0, PIXELS, (60, 2))
+    centres = rng.uniform(0, PIXELS, (60, 2))
     rows, columns = np.indices((PIXELS, PIXELS))
-    on_pillar = np.zeros((PIXELS, PIXELS), bool)
-    for y, x in places:
-        on_pillar |= (rows - y) ** 2 + (columns - x) ** 2 < 9
-    return 40.0 * on_pillar + rough(51, 1.0)
+    is_pillar = np.zeros((PIXELS, PIXELS), bool)
+    for y, x in centres:
+        is_pillar |= (rows - y) ** 2 + (columns - x) ** 2 < 9
+    return 40.0 * is_pillar + rough(51, 1.0)
 
 
 ROUGH = rough(3, 6.0)
 #: Heights, and the defects that they have with the numbers that they were made with.
 CASES = {
-    "few spikes": (with_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
-    "spikes": (with_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
-    "many spikes": (with_spikes(13, 0.03), {"spikes": (0.03, 12.0)}),
-    "stopped, zero": (stopped(21, 96, "zero"), {"equal_lines": [0.25]}),
-    "stopped, repeated": (stopped(22, 64, "repeated"), {"equal_lines": [0.5]}),
-    "stopped, along y": (stopped(23, 100, "repeated", 1), {"equal_lines": [28 / PIXELS]}),
+    "few spikes": (add_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
+    "spikes": (add_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
+    "many spikes": (add_spikes(13, 0.03), {"spikes": (0.03, 12.0)}),
+    "stopped, zero": (stop_scan(21, 96, "zero"), {"equal_lines": [0.25]}),
+    "stopped, repeated": (stop_scan(22, 64, "repeated"), {"equal_lines": [0.5]}),
+    "stopped, along y": (stop_scan(23, 100, "repeated", 1), {"equal_lines": [28 / PIXELS]}),
     "clipped at the top": (np.minimum(ROUGH, np.quantile(ROUGH, 0.96)), {"highest": [0.04]}),
     "clipped at both ends": (
         np.clip(ROUGH, *np.quantile(ROUGH, [0.05, 0.99])),
@@ -97,13 +97,13 @@ CASES = {
 
 @pytest.mark.parametrize("case", CASES)
 def test_each_kind_is_named_with_its_numbers(case):
-    heights, expected = CASES[case]
+    heights, true_defects = CASES[case]
     defects = defects_of(heights)
-    assert set(defects) == set(expected)
-    for code, numbers in expected.items():
+    assert set(defects) == set(true_defects)
+    for code, numbers in true_defects.items():
         assert list(defects[code]) == list(DEFECTS[code].units)
-        for number, wanted in zip(defects[code].values(), numbers, strict=True):
-            assert wanted is None or number == pytest.approx(wanted, rel=0.05)
+        for number, true_number in zip(defects[code].values(), numbers, strict=True):
+            assert true_number is None or number == pytest.approx(true_number, rel=0.05)
 
 
 @pytest.mark.parametrize("code", DEFECTS)
@@ -121,8 +121,8 @@ def test_a_sentence_has_every_number_with_its_unit(code):
 def test_the_share_of_the_rms_height_without_a_curvature():
     defects = defects_of(curved(31, 1.0, 30e3, 30e3))
     bow = (X**2 + Y**2).std() / 60e3
-    expected = 1 / np.hypot(1, bow)
-    assert defects["curvature"]["uncurved_share"] == pytest.approx(expected, rel=0.05)
+    share = 1 / np.hypot(1, bow)
+    assert defects["curvature"]["uncurved_share"] == pytest.approx(share, rel=0.05)
 
 
 def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
@@ -133,10 +133,10 @@ def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
     assert not flat.defects
 
 
-@pytest.mark.parametrize("part", range(4))
-def test_no_self_affine_surface_is_alarmed(part):
+@pytest.mark.parametrize("batch", range(4))
+def test_no_self_affine_surface_is_alarmed(batch):
     """Forty: H from 0.3 to 1, roll-offs from a twentieth to twice the size of the scan."""
-    rng = generator(100 + part)
+    rng = generator(100 + batch)
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
         assert not examine(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects

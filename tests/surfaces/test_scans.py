@@ -27,7 +27,7 @@ from hardcontact.surfaces.scans import (
 )
 
 
-def written(write, path, topography):
+def write_and_list(write, path, topography):
     """Write a topography; return its path and the name of the dataset."""
     write(topography, path)
     (member,) = list_measurements(path)
@@ -55,12 +55,12 @@ def coordinates(path, *columns, unit="nm"):
 )
 def test_a_map_is_read_as_its_central_square(tmp_path, form, shape, square, notes):
     values = heights(*shape)
-    file = written(MAPS[form], tmp_path / f"a.{form}", map_of(values))
-    measured = read_measurement(*file)
-    np.testing.assert_allclose(measured.heights, values[square].T, atol=1e-12)
-    assert measured.pixel_size == pytest.approx(10.0)
-    assert (measured.kind, measured.undefined, measured.tip_radius) == ("map", 0, None)
-    assert [note for note in measured.notes if "cropped" in note] == notes
+    file = write_and_list(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    measurement = read_measurement(*file)
+    np.testing.assert_allclose(measurement.heights, values[square].T, atol=1e-12)
+    assert measurement.pixel_size == pytest.approx(10.0)
+    assert (measurement.kind, measurement.undefined, measurement.tip_radius) == ("map", 0, None)
+    assert [note for note in measurement.notes if "cropped" in note] == notes
 
 
 @pytest.mark.parametrize("form", MAPS)
@@ -69,12 +69,12 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     plane = 0.3 * x - 0.2 * y + 0.01 * x * y  # harmonic, so that gaps are filled by itself
     values = np.ma.masked_array(plane, False)
     values[3, 4:9] = values[20:24, 20:24] = np.ma.masked
-    file = written(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    file = write_and_list(MAPS[form], tmp_path / f"a.{form}", map_of(values))
     assert_says(refusal(read_measurement, *file), "found 21", "scan.undefined_pixels: harmonic")
-    measured = read_measurement(*file, "harmonic")
-    np.testing.assert_allclose(measured.heights, plane.T, atol=1e-9)
-    assert measured.undefined == 21
-    assert "21 undefined pixels of 1024 filled" in measured.notes
+    measurement = read_measurement(*file, "harmonic")
+    np.testing.assert_allclose(measurement.heights, plane.T, atol=1e-9)
+    assert measurement.undefined == 21
+    assert "21 undefined pixels of 1024 filled" in measurement.notes
 
 
 def test_only_gaps_in_the_square_count_and_at_most_half_are_filled(tmp_path):
@@ -92,12 +92,12 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     values = np.ma.masked_array(0.3 * x - 0.2 * y, False)  # linear: interpolation is exact
     values[20, 31] = np.ma.masked
     file = scan(tmp_path / "a.nc", values, (960.0, 640.0))  # 20 nm x 10 nm
-    measured = read_measurement(file, "", "harmonic")
-    assert measured.pixel_size == pytest.approx(20.0) and measured.undefined == 0
-    expected = (0.3 * x - 0.2 * y)[8:40, ::2].T
-    np.testing.assert_allclose(measured.heights, expected, atol=1e-9)
-    assert measured.notes[0] == "resampled from pixels of 20 nm x 10 nm to 20 nm"
-    assert len(measured.notes) == 2  # with the gap that was filled
+    measurement = read_measurement(file, "", "harmonic")
+    assert measurement.pixel_size == pytest.approx(20.0) and measurement.undefined == 0
+    heights_on_grid = (0.3 * x - 0.2 * y)[8:40, ::2].T
+    np.testing.assert_allclose(measurement.heights, heights_on_grid, atol=1e-9)
+    assert measurement.notes[0] == "resampled from pixels of 20 nm x 10 nm to 20 nm"
+    assert len(measurement.notes) == 2  # with the gap that was filled
     square = read_measurement(scan(tmp_path / "b.nc", heights(48, 32), (300.0, 300.0)))
     assert_says(
         square.notes[1],
@@ -116,10 +116,10 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
 
 def test_an_offset_is_subtracted_before_heights_are_judged(tmp_path):
     values = heights(32, 32)
-    measured = read_measurement(scan(tmp_path / "a.nc", values + 1e8))  # 10 cm
-    centred = measured.heights - measured.heights.mean()
+    measurement = read_measurement(scan(tmp_path / "a.nc", values + 1e8))  # 10 cm
+    centred = measurement.heights - measurement.heights.mean()
     np.testing.assert_allclose(centred, values.T - values.mean(), atol=1e-6)
-    assert measured.notes == ("offset of 100 mm subtracted",)
+    assert measurement.notes == ("offset of 100 mm subtracted",)
     for lost in (1e14, np.inf):  # no digits of a height are left
         message = refusal(read_measurement, scan(tmp_path / "b.nc", values + lost), "", "harmonic")
         assert_says(message, "b.nc: expected")
@@ -129,11 +129,13 @@ def test_a_unit_counts_for_files_that_state_none(tmp_path):
     positions, values = np.arange(100) * 0.01, 1e-3 * heights(100)
     np.savetxt(tmp_path / "a.txt", np.column_stack([positions, values]))
     assert_says(refusal(read_measurement, tmp_path / "a.txt"), "unit", "found none", "--unit")
-    measured = read_measurement(tmp_path / "a.txt", unit="um")
-    assert measured.pixel_size == pytest.approx(10.0) and measured.notes == ("unit um as given",)
-    np.testing.assert_allclose(measured.heights, 1e3 * values)
-    stated = read_measurement(scan(tmp_path / "a.nc"), unit="um")
-    assert stated.pixel_size == pytest.approx(10.0) and not stated.notes
+    measurement = read_measurement(tmp_path / "a.txt", unit="um")
+    assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == (
+        "unit um as given",
+    )
+    np.testing.assert_allclose(measurement.heights, 1e3 * values)
+    measurement_in_nm = read_measurement(scan(tmp_path / "a.nc"), unit="um")
+    assert measurement_in_nm.pixel_size == pytest.approx(10.0) and not measurement_in_nm.notes
 
 
 @pytest.mark.parametrize("form", MAPS_AND_LINES)
@@ -141,13 +143,13 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     values = np.ma.masked_array(np.linspace(0, 8, 41), False)
     values[5:9] = np.ma.masked
     profile = UniformLineScan(values, 410.0, unit="nm")
-    file = written(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
+    file = write_and_list(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
     assert_says(refusal(read_measurement, *file), "found 4", "undefined_pixels")
-    measured = read_measurement(*file, "harmonic")
-    assert (measured.kind, measured.file_unit, measured.undefined) == ("profile", "nm", 4)
-    assert measured.pixel_size == pytest.approx(10.0)
-    np.testing.assert_allclose(measured.heights, np.linspace(0, 8, 41), atol=1e-12)
-    assert not any("resampled" in note for note in measured.notes)
+    measurement = read_measurement(*file, "harmonic")
+    assert (measurement.kind, measurement.file_unit, measurement.undefined) == ("profile", "nm", 4)
+    assert measurement.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measurement.heights, np.linspace(0, 8, 41), atol=1e-12)
+    assert not any("resampled" in note for note in measurement.notes)
     message = refusal(read_scan, *file, "harmonic")
     assert_says(message, f"a.{form}", "expected a height map, found a line scan")
 
@@ -159,28 +161,30 @@ def test_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form, uni
     positions = np.concatenate([np.arange(0, 300, 10.0), np.arange(300, 401, 20.0)])
     corner = np.abs(positions - 200.0) / 50  # straight between points: interpolation is exact
     line = NonuniformLineScan(positions / nanometres, corner / nanometres, unit=unit)
-    measured = read_measurement(*written(UNEVEN_LINES[form], tmp_path / f"a.{form}", line))
-    assert measured.pixel_size == pytest.approx(10.0)
-    expected = np.abs(np.arange(0, 401, 10) - 200.0) / 50
-    np.testing.assert_allclose(measured.heights, expected, atol=1e-9)
-    assert measured.notes == ("resampled from spacings of 10 to 20 nm to their median of 10 nm",)
+    measurement = read_measurement(
+        *write_and_list(UNEVEN_LINES[form], tmp_path / f"a.{form}", line)
+    )
+    assert measurement.pixel_size == pytest.approx(10.0)
+    resampled = np.abs(np.arange(0, 401, 10) - 200.0) / 50
+    np.testing.assert_allclose(measurement.heights, resampled, atol=1e-9)
+    assert measurement.notes == ("resampled from spacings of 10 to 20 nm to their median of 10 nm",)
 
 
 def test_rounded_positions_are_uniform_and_may_run_from_right_to_left(tmp_path):
     positions, values = np.round(np.arange(200) * 0.09956, 4), heights(200)
     for name, order in (("a.xyz", slice(None)), ("b.xyz", slice(None, None, -1))):
         columns = positions[order], 1e-3 * values[order]
-        measured = read_measurement(coordinates(tmp_path / name, *columns, unit="µm"))
-        assert measured.pixel_size == pytest.approx(99.56, rel=1e-4)
-        np.testing.assert_allclose(measured.heights, values, rtol=1e-6)
-        assert measured.notes == ()
+        measurement = read_measurement(coordinates(tmp_path / name, *columns, unit="µm"))
+        assert measurement.pixel_size == pytest.approx(99.56, rel=1e-4)
+        np.testing.assert_allclose(measurement.heights, values, rtol=1e-6)
+        assert measurement.notes == ()
 
 
 BACKWARDS, REPEATED = (np.cumsum([0.0, *[10.0] * 20, step, *[10.0] * 20]) for step in (-4.0, 0.0))
 
 
 @pytest.mark.parametrize(
-    ("positions", "parts"),
+    ("positions", "message_parts"),
     [
         (BACKWARDS, ["a reentrant one at point 22"]),
         (REPEATED, ["a reentrant one at point 22"]),
@@ -188,19 +192,23 @@ BACKWARDS, REPEATED = (np.cumsum([0.0, *[10.0] * 20, step, *[10.0] * 20]) for st
         (np.arange(9) * 10, ["16 to 1048576 points", "found 9"]),
     ],
 )
-def test_positions_of_no_line_scan_are_refused(tmp_path, positions, parts):
+def test_positions_of_no_line_scan_are_refused(tmp_path, positions, message_parts):
     path = coordinates(tmp_path / "a.xyz", positions, heights(len(positions)))
-    assert_says(refusal(read_measurement, path), "a.xyz: expected", *parts)
+    assert_says(refusal(read_measurement, path), "a.xyz: expected", *message_parts)
 
 
 def test_a_nanoscope_file_is_read_with_y_upwards_from_its_channel_of_heights(tmp_path):
     counts = np.round(heights(24, 40) * 100)
     path = nanoscope(tmp_path / "a.001", counts, (400.0, 240.0), ["Phase", "Height Sensor"])
-    measured = read_measurement(path)
-    assert (measured.channel, measured.file_unit, measured.kind) == ("Height Sensor", "nm", "map")
-    assert measured.notes[0] == "channel Height Sensor read: Phase holds no heights"
-    assert measured.pixel_size == pytest.approx(10.0)
-    np.testing.assert_allclose(measured.heights, 0.1 * counts[::-1, 8:32], atol=1e-9)
+    measurement = read_measurement(path)
+    assert (measurement.channel, measurement.file_unit, measurement.kind) == (
+        "Height Sensor",
+        "nm",
+        "map",
+    )
+    assert measurement.notes[0] == "channel Height Sensor read: Phase holds no heights"
+    assert measurement.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measurement.heights, 0.1 * counts[::-1, 8:32], atol=1e-9)
     nanoscope(path, counts, (400.0, 240.0), ["Height", "Height Sensor", "Phase"])
     channels = [read_measurement(path, name).channel for name in ("", "Height Sensor", "2")]
     assert channels == ["Height", "Height Sensor", "Height Sensor"]
@@ -222,9 +230,9 @@ def test_the_channel_that_a_container_names_is_read(tmp_path):
     file = nanoscope(tmp_path / "a.001", counts, (400.0, 400.0), ["Height", "Height Sensor"])
     entry = {"name": "one", "datafile": {"original": "a.001"}, "data_source": 1}
     path = container(tmp_path / "a.zip", [entry | {"height_scale": 0.5}], {"a.001": file})
-    measured = read_measurement(path, "one")
-    assert measured.channel == "Height Sensor" and measured.notes == ()
-    assert measured.heights.std() == pytest.approx(0.1 * counts.std())  # never scaled twice
+    measurement = read_measurement(path, "one")
+    assert measurement.channel == "Height Sensor" and measurement.notes == ()
+    assert measurement.heights.std() == pytest.approx(0.1 * counts.std())  # never scaled twice
 
 
 def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_path):
@@ -234,12 +242,12 @@ def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_p
         for name, file in (("one", "1.txt"), ("one", "2.txt"), ("two", "3.txt"))
     ]
     path = container(tmp_path / "a.zip", entries, {"2.txt": tmp_path / "a.txt"})
-    for name, parts in (
+    for name, message_parts in (
         ("one", ["column dataset", "found 2 of 'one' among one (1.txt), one (2.txt)"]),
         ("three", ["column dataset", "found 0 of 'three'"]),
         ("two", ["found one damaged", "no item named '3.txt'"]),
     ):
-        assert_says(refusal(read_scan, path, name), "a.zip", *parts)
+        assert_says(refusal(read_scan, path, name), "a.zip", *message_parts)
     assert read_scan(path, "2.txt").pixel_size == pytest.approx(10.0)
 
 
@@ -248,7 +256,7 @@ def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_p
 )
 @pytest.mark.parametrize("fields", [{"tip_radius": 8.0}, {"tip_radius": None, "notes": ()}])
 def test_a_measurement_is_stored_whole(tmp_path, topography, fields):
-    file = written(MAPS["nc"], tmp_path / "a.nc", topography)
+    file = write_and_list(MAPS["nc"], tmp_path / "a.nc", topography)
     measured = replace(read_measurement(*file), **fields)
     dataset.write(measured.to_dataset(), tmp_path / "stored.nc")
     again = read_stored(tmp_path / "stored.nc")
@@ -283,8 +291,8 @@ WORDS = {"description": "tip radius 7 nm"}
 def test_the_stated_tip_radius_is_that_of_the_file_and_the_largest_in_words(
     file, container, radius
 ):
-    stated, notes = stated_tip_radius(file, container)
-    assert stated == (None if radius is None else pytest.approx(radius))
+    stated_radius, notes = stated_tip_radius(file, container)
+    assert stated_radius == (None if radius is None else pytest.approx(radius))
     assert len(notes) == (radius is not None)
 
 
@@ -292,32 +300,37 @@ def test_radius_in_a_stylus_file(tmp_path):
     rows = "\n".join(f"{0.1 * k:.1f},{height:.6f}," for k, height in enumerate(heights(40) / 100))
     text = "Scan Parameters,\nStylus,Radius: 2.5 um\nScan Data,\n\nLateral um,Raw Micrometer,\n"
     (tmp_path / "a.csv").write_text(text + rows + "\n")
-    measured = read_measurement(tmp_path / "a.csv")
-    assert (measured.kind, measured.tip_radius) == ("profile", pytest.approx(2500.0))
-    assert measured.pixel_size == pytest.approx(100.0)
-    np.testing.assert_allclose(measured.heights, 10 * heights(40), atol=1e-3)
+    measurement = read_measurement(tmp_path / "a.csv")
+    assert (measurement.kind, measurement.tip_radius) == ("profile", pytest.approx(2500.0))
+    assert measurement.pixel_size == pytest.approx(100.0)
+    np.testing.assert_allclose(measurement.heights, 10 * heights(40), atol=1e-3)
 
 
-def refolded(path):
+def write_in_folder(path):
     """Write an X3P whose files are in a folder."""
     map_of(heights(20, 20)).to_x3p(str(path.with_suffix(".whole")))
-    with zipfile.ZipFile(path.with_suffix(".whole")) as whole, zipfile.ZipFile(path, "w") as moved:
-        for name in whole.namelist():
-            moved.writestr(f"scan/{name}", whole.read(name))
+    with (
+        zipfile.ZipFile(path.with_suffix(".whole")) as source,
+        zipfile.ZipFile(path, "w") as target,
+    ):
+        for name in source.namelist():
+            target.writestr(f"scan/{name}", source.read(name))
 
 
 @pytest.mark.parametrize(
-    ("write", "parts"),
+    ("write", "message_parts"),
     [
-        (refolded, ["an X3P whose files are in a folder", "X3PReader: ", "main.xml"]),
+        (write_in_folder, ["an X3P whose files are in a folder", "X3PReader: ", "main.xml"]),
         (lambda path: path.write_bytes(b"DSCOMPRESSED" + bytes(600)), ["without compression"]),
         (lambda path: path.write_bytes(b"DIGITAL SURF" + bytes(600)), ["SURReader: "]),
     ],
 )
-def test_a_file_that_no_reader_takes_is_refused_with_the_reason_of_its_own(tmp_path, write, parts):
+def test_a_file_that_no_reader_takes_is_refused_with_the_reason_of_its_own(
+    tmp_path, write, message_parts
+):
     write(tmp_path / "a.dat")
     message = refusal(read_measurement, tmp_path / "a.dat")
-    assert_says(message, "a.dat: expected a whole file in a format", *parts)
+    assert_says(message, "a.dat: expected a whole file in a format", *message_parts)
     assert "none of its readers" not in message
 
 

@@ -1,4 +1,4 @@
-"""Spectra: published twins, moments, models, tails, what is measured of scans."""
+"""Spectra: published twins, moments, models, tails, PSDs of scans."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
     wave = np.geomspace(0.01, 10, 30)
     q = np.array([0.0, 0.001, 0.02, 0.333, 9.9, 10.1])
     density = Spectrum(wave, 5 * wave**-3.4)(q)
-    expected = 5 * np.array([0.01, 0.01, 0.02, 0.333, 9.9, np.nan]) ** -3.4
-    np.testing.assert_allclose(density[:-1], expected[:-1], rtol=1e-9)
+    power_law = 5 * np.array([0.01, 0.01, 0.02, 0.333, 9.9, np.nan]) ** -3.4
+    np.testing.assert_allclose(density[:-1], power_law[:-1], rtol=1e-9)
     assert density[-1] == 0
 
 
@@ -34,17 +34,17 @@ def test_moments_of_a_band_are_its_integrals():
 
 
 def test_measured_psd_of_scans_is_the_spectrum():
-    measured = [measured_psds(levelled_scan(generator(3, k), 256)) for k in range(12)]
-    wave, isotropic = measured[0][0], np.array([density for _, _, density in measured])
-    middle = (wave > 0.03) & (wave < 0.3)
-    ratio = isotropic[:, middle].mean(axis=0) / uncd(wave[middle])
+    psds = [measured_psds(levelled_scan(generator(3, k), 256)) for k in range(12)]
+    wave, isotropic = psds[0][0], np.array([density for _, _, density in psds])
+    is_reliable = (wave > 0.03) & (wave < 0.3)
+    ratio = isotropic[:, is_reliable].mean(axis=0) / uncd(wave[is_reliable])
     np.testing.assert_allclose(ratio, 1, atol=0.15)
 
 
 def test_profile_of_a_power_law_is_its_integral():
     q, hurst = 0.3, 0.7
-    along = np.linspace(0, 600, 4_000_001)
-    integral = np.trapezoid((q**2 + along**2) ** (-1 - hurst), along) / np.pi
+    q_y = np.linspace(0, 600, 4_000_001)
+    integral = np.trapezoid((q**2 + q_y**2) ** (-1 - hurst), q_y) / np.pi
     ratio = spectrum.profile_from_isotropic_power_law(q, hurst)
     assert ratio * q ** (-2 - 2 * hurst) == pytest.approx(integral, rel=1e-4)
 
@@ -67,23 +67,25 @@ def test_published_model_of_ncd_has_its_published_height():
 def test_a_varying_hurst_exponent_is_that_of_the_power_law_at_each_wavelength():
     q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])
     step = 1e-6
-    around = [
+    log_densities = [
         np.log(spectrum.varying_hurst(q * (1 + s), 1e10, 2000.0, 1.7, -0.5)) for s in (-step, step)
     ]
-    exponent = (around[1] - around[0]) / (2 * step)
+    exponent = (log_densities[1] - log_densities[0]) / (2 * step)
     np.testing.assert_allclose(-1 - exponent / 2, [1.2, 0.7], rtol=1e-5)
 
 
 @pytest.fixture
-def above():
+def longer_waves():
     """A power law of H = 0.8 down to 20 nm."""
     return np.where(2 * np.pi / WAVEVECTORS > 20, WAVEVECTORS**-3.6, 0)
 
 
-def test_a_tail_continues_the_power_law_above_it(above):
-    tail = spectrum.power_law_tail(above, 0.8, 1.0)
-    inside = 2 * np.pi / WAVEVECTORS > 1.1
-    np.testing.assert_allclose((above + tail)[inside], WAVEVECTORS[inside] ** -3.6, rtol=1e-9)
+def test_a_tail_continues_the_power_law_above_it(longer_waves):
+    tail = spectrum.power_law_tail(longer_waves, 0.8, 1.0)
+    is_in_tail = 2 * np.pi / WAVEVECTORS > 1.1
+    np.testing.assert_allclose(
+        (longer_waves + tail)[is_in_tail], WAVEVECTORS[is_in_tail] ** -3.6, rtol=1e-9
+    )
     assert (tail[2 * np.pi / WAVEVECTORS < 0.9] == 0).all()
 
 

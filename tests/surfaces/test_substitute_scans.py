@@ -21,13 +21,13 @@ from hardcontact.surfaces.scans import Measurement, level_and_stitch, read_measu
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import (
     ScanGrid,
-    _opened,
-    _remapped,
-    as_measurement,
-    skewed_surface,
-    sphere_scan,
-    substitute_scan,
-    synthesized_scan,
+    _open_with_paraboloid,
+    _remap_heights,
+    add_sphere,
+    convert_to_measurement,
+    cut_scan,
+    skew_surface,
+    synthesize_scan,
 )
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -39,7 +39,7 @@ WINDOW = 128
 def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
     flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, basis="substitute")
     for k in range(20):
-        scan = sphere_scan(generator(k), flat, SPHERE_RADIUS)
+        scan = add_sphere(generator(k), flat, SPHERE_RADIUS)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
         assert 15 <= row <= 48 and 15 <= column <= 48
         np.testing.assert_allclose(flat_map(scan, SPHERE_RADIUS).heights, 0, atol=1e-9)
@@ -48,9 +48,9 @@ def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
 @pytest.mark.parametrize("skewness", [-0.8, 0.0, 1e-3, 0.5])
 def test_remapped_heights_have_a_pearson_distribution(skewness):
     heights = np.random.default_rng(3).standard_normal((512, 512))
-    remapped, shares = _remapped(heights, skewness, 2.0), np.linspace(0.01, 0.99, 99)
-    expected = 2 * pearson3.ppf(shares, skewness)
-    np.testing.assert_allclose(np.quantile(remapped, shares), expected, atol=2e-3)
+    remapped, shares = _remap_heights(heights, skewness, 2.0), np.linspace(0.01, 0.99, 99)
+    quantiles = 2 * pearson3.ppf(shares, skewness)
+    np.testing.assert_allclose(np.quantile(remapped, shares), quantiles, atol=2e-3)
     order = heights.argsort(axis=None)
     assert (np.diff(remapped.ravel()[order]) >= 0).all()
 
@@ -62,13 +62,13 @@ def read_back(tmp_path, synthesized):
 
 def test_a_synthesized_scan_is_read_as_any_other_flat_or_of_the_sphere(tmp_path):
     grid = ScanGrid(64, 64 * PIXEL, 128)
-    scan = read_back(tmp_path, synthesized_scan(generator(1), uncd, grid, 0.7))
+    scan = read_back(tmp_path, synthesize_scan(generator(1), uncd, grid, 0.7))
     assert (scan.basis, scan.periodic) == ("substitute", False)
     assert scan.pixel_size == pytest.approx(PIXEL)
-    expected = substitute_scan(random_surface(generator(1), 128, PIXEL, uncd), 64, 0.7)
-    np.testing.assert_array_equal(scan.heights, expected.heights)
+    corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd), 64, 0.7)
+    np.testing.assert_array_equal(scan.heights, corner.heights)
     choices = {"sphere_radius": SPHERE_RADIUS}
-    sphere = read_back(tmp_path, synthesized_scan(generator(1), uncd, grid, 0.7, **choices))
+    sphere = read_back(tmp_path, synthesize_scan(generator(1), uncd, grid, 0.7, **choices))
     flat = flat_map(sphere, SPHERE_RADIUS).heights
     np.testing.assert_allclose(flat, level(scan).heights, atol=1e-9)
 
@@ -76,9 +76,9 @@ def test_a_synthesized_scan_is_read_as_any_other_flat_or_of_the_sphere(tmp_path)
 @pytest.mark.parametrize("radius", [None, SPHERE_RADIUS])
 def test_a_synthesized_scan_is_prepared_as_if_it_was_read_from_its_file(tmp_path, radius):
     grid, path = ScanGrid(48, 48 * PIXEL, 96), str(tmp_path / "a.nc")
-    synthesized = synthesized_scan(generator(1), uncd, grid, 0.7, sphere_radius=radius)
+    synthesized = synthesize_scan(generator(1), uncd, grid, 0.7, sphere_radius=radius)
     dataset.write(synthesized, path, "NETCDF3_64BIT")
-    measurement, expected = as_measurement(synthesized, path), read_measurement(path)
+    measurement, expected = convert_to_measurement(synthesized, path), read_measurement(path)
     for made, read in zip(
         level_and_stitch(measurement, "substitute", radius),
         level_and_stitch(expected, "substitute", radius),
@@ -92,9 +92,9 @@ def test_a_synthesized_scan_is_prepared_as_if_it_was_read_from_its_file(tmp_path
 
 
 def scan_with(pixels=128, **choices):
-    """A synthesized scan of 64 pixels with these choices, cut out of a surface of `pixels`."""
+    """A synthesized scan of 64 pixels, cut out of a surface of `pixels`."""
     grid = ScanGrid(64, 64 * PIXEL, pixels)
-    heights = synthesized_scan(generator(1), uncd, grid, 0.7, **choices).heights.values.T
+    heights = synthesize_scan(generator(1), uncd, grid, 0.7, **choices).heights.values.T
     return HeightMap(heights, PIXEL, periodic=False, basis="substitute")
 
 
@@ -121,7 +121,7 @@ def summit_curvature(scan):
 
 @pytest.mark.parametrize("skewness", [-1.0, -0.5, 0.0, 0.5, 1.0])
 def test_heights_have_the_skewness_and_keep_their_spectrum(surface, skewness):
-    skewed = skewed_surface(surface, skewness)
+    skewed = skew_surface(surface, skewness)
     np.testing.assert_allclose(
         np.abs(np.fft.rfft2(skewed.heights))[1:, 1:],
         np.abs(np.fft.rfft2(surface.heights))[1:, 1:],
@@ -134,23 +134,23 @@ def test_heights_have_the_skewness_and_keep_their_spectrum(surface, skewness):
 def test_rounding_errors_do_not_grow(surface, skewness):
     heights = surface.heights.astype(float)
     errors = 1e-13 * np.random.default_rng(2).standard_normal(heights.shape)
-    exact = skewed_surface(replace(surface, heights=heights), skewness).heights
-    perturbed = skewed_surface(replace(surface, heights=heights + errors), skewness).heights
+    exact = skew_surface(replace(surface, heights=heights), skewness).heights
+    perturbed = skew_surface(replace(surface, heights=heights + errors), skewness).heights
     assert (perturbed - exact).std() < 1e-8 * exact.std()
 
 
 def test_tops_are_blunter_than_those_of_a_gaussian_surface(surface):
     gaussian = summit_curvature(replace(surface, heights=surface.heights.astype(float)))
     for skewness in (-0.5, 0.5):
-        assert summit_curvature(skewed_surface(surface, skewness)) < 0.7 * gaussian
+        assert summit_curvature(skew_surface(surface, skewness)) < 0.7 * gaussian
 
 
 def windows(heights, pixel_size):
     """All levelled windows of 2.5 µm, of whole scans side by side."""
-    for place in np.ndindex(heights.shape[0] // WINDOW, heights.shape[1] // WINDOW):
-        y, x = (slice(WINDOW * i, WINDOW * (i + 1)) for i in place)
-        part = replace(random_surface(generator(0), 2, pixel_size, uncd), heights=heights[y, x])
-        yield level(replace(part, periodic=False))
+    for row, column in np.ndindex(heights.shape[0] // WINDOW, heights.shape[1] // WINDOW):
+        y = slice(WINDOW * row, WINDOW * (row + 1))
+        x = slice(WINDOW * column, WINDOW * (column + 1))
+        yield level(HeightMap(heights[y, x], pixel_size, periodic=False, basis="substitute"))
 
 
 def forces(scan):
@@ -163,26 +163,33 @@ def forces(scan):
     return 1e6 * pull_off_force(totals, np.array(ranges), scan.pixel_size, 0.0463)
 
 
+def window_forces(scan):
+    """Forces (window, range) in µN on all windows of a scan."""
+    heights = scan.heights.astype(float)
+    return np.array([forces(window) for window in windows(heights, scan.pixel_size)])
+
+
+def standard_error(values):
+    return values.std(axis=0, ddof=1) / np.sqrt(len(values))
+
+
 @pytest.mark.study
 @pytest.mark.skipif(not AFM.is_file(), reason="no folder ../shared/scans")
 def test_the_scan_that_it_was_fitted_to_is_reproduced():
     """A check of the fit, no test of it: forces within two errors of their mean, summits in 20 %.
 
-    Windows of a surface of skewness 0.65 have the mean skewness of those of the scan, 0.53.
+    Windows of a surface with skewness 0.65 have a mean skewness of 0.53, as windows of the scan.
     """
     scan = level(read_scan(AFM))
     wave, _, isotropic = measured_psds(scan)
-    known = np.isfinite(isotropic)
-    density = Spectrum(wave[known], isotropic[known])
-    made = skewed_surface(random_surface(generator(1), 1024, scan.pixel_size, density), 0.65)
-    measured, modelled = (
-        list(windows(one.heights.astype(float), scan.pixel_size)) for one in (scan, made)
-    )
-    real, model = (np.array([forces(one) for one in part]) for part in (measured, modelled))
-    error = np.hypot(*(part.std(axis=0, ddof=1) / np.sqrt(len(part)) for part in (real, model)))
-    assert (np.abs(model.mean(axis=0) - real.mean(axis=0)) < 2 * error).all()
-    summits = [summit_curvature(replace(one, heights=one.heights)) for one in (scan, made)]
-    assert summits[1] == pytest.approx(summits[0], rel=0.2)
+    is_finite = np.isfinite(isotropic)
+    density = Spectrum(wave[is_finite], isotropic[is_finite])
+    model = skew_surface(random_surface(generator(1), 1024, scan.pixel_size, density), 0.65)
+    scan_forces = window_forces(scan)
+    model_forces = window_forces(model)
+    error = np.hypot(standard_error(scan_forces), standard_error(model_forces))
+    assert (np.abs(model_forces.mean(axis=0) - scan_forces.mean(axis=0)) < 2 * error).all()
+    assert summit_curvature(model) == pytest.approx(summit_curvature(scan), rel=0.2)
 
 
 @pytest.mark.parametrize("reach", [0, 1, 7])
@@ -190,13 +197,13 @@ def test_tops_are_rounded_as_by_grey_morphology(reach):
     heights = np.random.default_rng(reach).standard_normal((90, 90))
     depth = np.arange(reach + 1.0) ** 2 / 5
     opened, parabola = heights, -np.concatenate([depth[:0:-1], depth])
-    for change in (grey_erosion, grey_dilation):
-        for along in (parabola[None], parabola[:, None]):
-            opened = change(opened, structure=along, mode="wrap")
-    np.testing.assert_array_equal(_opened(heights, depth), opened)
+    for morphology in (grey_erosion, grey_dilation):
+        for structure in (parabola[None], parabola[:, None]):
+            opened = morphology(opened, structure=structure, mode="wrap")
+    np.testing.assert_array_equal(_open_with_paraboloid(heights, depth), opened)
 
 
 def test_heights_and_lengths_have_no_scale_of_their_own(surface):
-    skewed = skewed_surface(surface, 0.5).heights
+    skewed = skew_surface(surface, 0.5).heights
     larger = replace(surface, heights=4 * surface.heights, pixel_size=2 * surface.pixel_size)
-    np.testing.assert_allclose(skewed_surface(larger, 0.5).heights, 4 * skewed, rtol=1e-9)
+    np.testing.assert_allclose(skew_surface(larger, 0.5).heights, 4 * skewed, rtol=1e-9)

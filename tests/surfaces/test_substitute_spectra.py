@@ -14,7 +14,7 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
-from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -30,20 +30,20 @@ def weights():
 
 
 @pytest.mark.parametrize(
-    ("model", "described", "truth", "names"),
+    ("model", "rolloff", "truth", "names"),
     [
         ("self-affine", np.nan, (1.0e7, 800.0, 0.9), ["plateau_nm4", "rolloff_nm", "hurst"]),
         ("varying Hurst", 2000.0, (1.0e10, 1.6, -0.5), ["plateau_nm4", "hurst", "hurst_change"]),
     ],
 )
-def test_a_spectrum_is_found_again_from_its_scans(weights, model, described, truth, names):
+def test_a_spectrum_is_found_again_from_its_scans(weights, model, rolloff, truth, names):
     if model == "self-affine":
         density = spectrum.self_affine(WAVEVECTORS, *truth)
     else:
-        density = spectrum.varying_hurst(WAVEVECTORS, truth[0], described, *truth[1:])
+        density = spectrum.varying_hurst(WAVEVECTORS, truth[0], rolloff, *truth[1:])
     moments = expected_moments(Spectrum(WAVEVECTORS, density), weights)
     table1 = pd.DataFrame({"value": moments}, index=list(spectrum.AFM_ROWS))
-    parameters = substitute_spectra.calibrate_model(band(model, described), table1, weights)
+    parameters = substitute_spectra.calibrate_model(band(model, rolloff), table1, weights)
     assert list(parameters) == names
     np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
 
@@ -58,16 +58,18 @@ def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
 
 
 @pytest.fixture
-def above():
+def longer_waves():
     """UNCD's spectrum on WAVEVECTORS down to 20 nm."""
     return np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
 
 
 @pytest.mark.parametrize("moments", [(1.17, 6.32), (1.0, 4.0), (0.9, 5.9)])
-def test_a_tail_completes_slope_and_curvature(above, moments):
-    tail = spectrum.power_law_tail(above, *substitute_spectra.calibrate_tail(above, *moments))
-    found = all_scales_moments(Spectrum(WAVEVECTORS, above + tail))[1:]
-    np.testing.assert_allclose(found, moments, rtol=1e-9)
+def test_a_tail_completes_slope_and_curvature(longer_waves, moments):
+    tail = spectrum.power_law_tail(
+        longer_waves, *substitute_spectra.calibrate_tail(longer_waves, *moments)
+    )
+    completed_moments = all_scales_moments(Spectrum(WAVEVECTORS, longer_waves + tail))[1:]
+    np.testing.assert_allclose(completed_moments, moments, rtol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -77,18 +79,18 @@ def test_a_tail_completes_slope_and_curvature(above, moments):
         ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
     ],
 )
-def test_a_tail_refuses_what_it_cannot_add(above, moments, message):
+def test_a_tail_refuses_what_it_cannot_add(longer_waves, moments, message):
     with pytest.raises(ValueError, match=message):
-        substitute_spectra.calibrate_tail(above, *moments)
+        substitute_spectra.calibrate_tail(longer_waves, *moments)
 
 
 def test_table1_is_turned_into_gradient_and_half_laplacian():
     quantities = ["afm_rms_height", "afm_rms_slope", "all_rms_curvature"]
     table = pd.DataFrame({"surface": "uncd", "quantity": quantities, "value": [2.0, 3.0, 4.0]})
     table["uncertainty"] = 0.1 * table.value
-    other = substitute_spectra.rows_of_surface(table, "uncd", "profile", "laplacian")
-    np.testing.assert_allclose(other.value, [2, 3 * 2**0.5, 2])
-    np.testing.assert_allclose(other.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])
+    rows = substitute_spectra.rows_of_surface(table, "uncd", "profile", "laplacian")
+    np.testing.assert_allclose(rows.value, [2, 3 * 2**0.5, 2])
+    np.testing.assert_allclose(rows.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])
     assert substitute_spectra.rows_of_surface(table, "my own", "gradient", "laplacian").empty
 
 
@@ -100,7 +102,7 @@ NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 
 
 @pytest.fixture
-def described(tmp_path):
+def write_description(tmp_path):
     """Write a description of these bands; its path."""
 
     def write(*bands):
@@ -111,29 +113,31 @@ def described(tmp_path):
     return write
 
 
-def test_bands_with_all_parameters_are_their_models(described, tmp_path):
+def test_bands_with_all_parameters_are_their_models(write_description, tmp_path):
     (tmp_path / "points.csv").write_text("wavelength_nm,c1d_nm3\n66,234\n24,6.7\n7,0.095\n")
-    path = described(
+    path = write_description(
         "inf,1000,varying Hurst,5e9,2000,0.8,-0.1,",
         "1000,500,self-affine,5e9,2000,0.8,,",
         "500,50,smooth roll-off,6.1e7,930,0.84,,",
         "50,7,profile,,,,,points.csv",
         "7,0.31,power law,,,0.5,,",
     )
-    density, bands, calibrated = substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
+    density, bands, calibrated = substitute_spectra.spectrum_from_description(
+        path, NO_TABLE1, WEIGHTS
+    )
     assert calibrated == [] and len(bands) == 5
     table = Spectrum(WAVEVECTORS, density)
     q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
-    expected = [
+    models = [
         spectrum.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
         spectrum.self_affine(q[1], 5e9, 2000.0, 0.8),
         spectrum.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
     ]
-    np.testing.assert_allclose(table(q)[:3], expected, rtol=1e-3)
+    np.testing.assert_allclose(table(q)[:3], models, rtol=1e-3)
     points = np.array([66.0, 24.0, 7.0]), np.array([234.0, 6.7, 0.095])
-    inside = (WAVEVECTORS > 2 * np.pi / 50) & (WAVEVECTORS < 2 * np.pi / 7)
+    is_profile = (WAVEVECTORS > 2 * np.pi / 50) & (WAVEVECTORS < 2 * np.pi / 7)
     np.testing.assert_allclose(
-        density[inside], spectrum.profile_points(WAVEVECTORS, *points)[inside]
+        density[is_profile], spectrum.profile_points(WAVEVECTORS, *points)[is_profile]
     )
     tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
     slopes = np.diff(np.log(density[tail])) / np.diff(np.log(WAVEVECTORS[tail]))
@@ -162,35 +166,37 @@ def test_no_default_spectrum_jumps(surface):
 
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_default_spectra_meet_every_row_of_table_1_but_the_height_over_all_scales(surface):
-    table1, stored = default_spectrum(surface)
+    table1, default = default_spectrum(surface)
     calibrated = [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
-    assert stored.attrs["calibrated_to_table1"] == ",".join(calibrated)
-    moments = all_scales_moments(Spectrum(WAVEVECTORS, stored.spectrum.values))
-    found = [*stored.attrs["expected_scan_moments"], *moments[1:]]
-    np.testing.assert_allclose(found, table1.value[calibrated], rtol=1e-9)
+    assert default.attrs["calibrated_to_table1"] == ",".join(calibrated)
+    moments = all_scales_moments(Spectrum(WAVEVECTORS, default.spectrum.values))
+    all_moments = [*default.attrs["expected_scan_moments"], *moments[1:]]
+    np.testing.assert_allclose(all_moments, table1.value[calibrated], rtol=1e-9)
 
 
 def test_uncd_is_near_what_is_measured_of_it_in_public():
     """The ratios that workflow/report/departures.md reports."""
-    table1, stored = default_spectrum("uncd")
+    table1, default = default_spectrum("uncd")
     path = ROOT / "resources/spectra/uncd-measured.csv"
-    measured, *_ = substitute_spectra.from_description(path, table1, WEIGHTS)
+    measured_density, *_ = substitute_spectra.spectrum_from_description(path, table1, WEIGHTS)
     q = 2 * np.pi / np.array([2000, 1000, 500, 200, 100, 50])
-    ratio = Spectrum(WAVEVECTORS, stored.spectrum.values)(q) / Spectrum(WAVEVECTORS, measured)(q)
+    ratio = Spectrum(WAVEVECTORS, default.spectrum.values)(q) / Spectrum(
+        WAVEVECTORS, measured_density
+    )(q)
     np.testing.assert_allclose(ratio, [1.29, 2.00, 0.86, 0.68, 0.71, 0.75], atol=0.005)
 
 
 @pytest.mark.parametrize(
-    ("band", "part"),
+    ("band", "message_part"),
     [
         ("inf,20,profile,,,,,none.csv", "none.csv"),
         ("inf,20,self-affine,,,,,", "afm_rms_height"),
     ],
 )
-def test_a_band_that_cannot_be_made_is_named(described, band, part):
-    path = described(band)
-    with pytest.raises(ValueError, match=f"surface.csv: band from inf nm: .*{part}"):
-        substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
+def test_a_band_that_cannot_be_made_is_named(write_description, band, message_part):
+    path = write_description(band)
+    with pytest.raises(ValueError, match=f"surface.csv: band from inf nm: .*{message_part}"):
+        substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
 
 
 MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")
@@ -198,13 +204,13 @@ MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 
 def test_expected_moments_are_those_of_scans():
     weights = substitute_spectra.transfer_weights(1024, PIXEL, 256)
-    expected = substitute_spectra.expected_moments(uncd, weights)
+    moments = substitute_spectra.expected_moments(uncd, weights)
     squares = []
     for k in range(6):
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd)
         for start in range(0, 1024, 256):
             strip = type(surface)(surface.heights[start:], PIXEL, True, "substitute")
-            values = metrics(level(substitute_scan(strip, 256)))
+            values = metrics(level(cut_scan(strip, 256)))
             squares.append([values[name] ** 2 for name in MOMENTS])
     error = np.std(squares, axis=0) / np.sqrt(len(squares))
-    assert (np.abs(np.mean(squares, axis=0) - expected**2) < 4 * error).all()
+    assert (np.abs(np.mean(squares, axis=0) - moments**2) < 4 * error).all()

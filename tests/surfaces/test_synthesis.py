@@ -60,8 +60,8 @@ def band(surface, low, high):
 def test_small_scale_master_keeps_the_scan_above_the_transition(stitched):
     master = small_scale_master(generator(1), stitched, 512, 100.0, np.zeros_like)
     assert master.pixel_size == 5.0
-    kept = interpolate(lowpass(stitched, 100.0), 512)
-    np.testing.assert_allclose(master.heights, kept.heights, atol=1e-4)
+    long_waves = interpolate(lowpass(stitched, 100.0), 512)
+    np.testing.assert_allclose(master.heights, long_waves.heights, atol=1e-4)
 
 
 def test_small_scale_master_adds_the_spectrum_below_and_a_plateau_above(stitched):
@@ -71,10 +71,10 @@ def test_small_scale_master_adds_the_spectrum_below_and_a_plateau_above(stitched
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0) * (5 / 512) ** 2
     radius = radii(512, 5.0)
     edge = 2 * np.pi / 100.0
-    above = (radius < edge) & (radius > 0)
-    below = (radius > edge) & (radius < 0.5)
-    assert power[above].mean() == pytest.approx(uncd(edge), rel=0.1)
-    assert (power[below] / uncd(radius[below])).mean() == pytest.approx(1, abs=0.05)
+    is_long = (radius < edge) & (radius > 0)
+    is_short = (radius > edge) & (radius < 0.5)
+    assert power[is_long].mean() == pytest.approx(uncd(edge), rel=0.1)
+    assert (power[is_short] / uncd(radius[is_short])).mean() == pytest.approx(1, abs=0.05)
 
 
 def test_large_scale_master_keeps_the_scan_below_the_transition(stitched):
@@ -91,6 +91,6 @@ def test_large_scale_master_adds_the_spectrum_above_the_transition(stitched):
     pixels, radius = masters[0].pixels, radii(masters[0].pixels, 20.0)
     power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)
     power *= (20.0 / pixels) ** 2
-    above = (radius < 2 * np.pi / 500) & (radius > 0)
-    assert (power[above] / uncd(radius[above])).mean() == pytest.approx(1, abs=0.1)
-    assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[above].mean()
+    is_long = (radius < 2 * np.pi / 500) & (radius > 0)
+    assert (power[is_long] / uncd(radius[is_long])).mean() == pytest.approx(1, abs=0.1)
+    assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[is_long].mean()

@@ -55,7 +55,7 @@ def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_c
     with open(library / "paper/force_quantities.py", "a", encoding="utf-8") as file:
         file.write(QUANTITY)
     (library / "report/figures/fig_mine.py").write_text(FIGURE, "utf-8")
-    insert(library / "report/figures/listing.py", "OF_PAPER = (\n", '    "fig_mine",\n')
+    insert(library / "report/figures/listing.py", "PAPER_FIGURES = (\n", '    "fig_mine",\n')
     insert(library / "config/keys.py", '"""Inference."""\n\n', KEY)
     insert(library / "theory/interaction_laws.py", "LAWS = (\n    EXPONENTIAL,\n", LAW)
     overlay = finished_copy / "mine.yaml"

@@ -15,7 +15,7 @@ from refusals import assert_says
 from repository import ROOT
 from scipy import stats
 
-from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
+from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
 from hardcontact.theory.closed_form import gaussian_share
 
 pytestmark = pytest.mark.study
@@ -46,7 +46,7 @@ def assert_honest(results, fitted=False):
     schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
     figures = {figure["id"].removesuffix("-figure") for figure in page.attributes["figure"]}
-    assert figures == set(OF_OWN_SURFACES) - (set() if fitted else {"works"})
+    assert figures == set(OWN_FIGURES) - (set() if fitted else {"works"})
     figure_files = {path.name for path in (results / "figures").glob("*.*")}
     assert figure_files >= {f"{name}.{kind}" for name in figures for kind in KINDS}
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))

@@ -15,8 +15,8 @@ from hardcontact.base.number import Number
 from hardcontact.config.configuration import PAGES
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
-from hardcontact.report.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
-from hardcontact.report.paper_answer import ANSWERS, EDGES
+from hardcontact.report.figures.listing import FIGURES, INSIGHT_FIGURES, PAPER_FIGURES
+from hardcontact.report.paper_answer import ANSWER_CLAIMS, EDGE_SIDES
 from hardcontact.report.quantities import printed
 
 
@@ -55,7 +55,7 @@ def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
     Draft202012Validator(schema).validate(answer)
     numbers = {row["name"]: row for row in answer["quantities"] if row["surface"] == ""}
     claims = pd.read_csv(results / "claims.csv").set_index("id")
-    for name, claim in ANSWERS.items():
+    for name, claim in ANSWER_CLAIMS.items():
         assert numbers[name]["value"] == claims.computed[claim]
     rho = dataset.read(results / "scales.nc").attrs["rho"]
     assert numbers["range_of_band"]["value"] == rho == 5.6
@@ -67,7 +67,7 @@ def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
 def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(results):
     page = Page((results / "answer.html").read_text())
     sources = page.values("src")
-    assert len(sources) == len(OF_PAPER)
+    assert len(sources) == len(PAPER_FIGURES)
     assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
     assert len(" ".join(page.texts["main"]).split()) <= 3000
 
@@ -75,7 +75,7 @@ def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(result
 def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results):
     page = Page((results / "insight.html").read_text())
     sources = page.values("src")
-    assert len(sources) == len(page.texts["h2"]) == len(OF_INSIGHT)
+    assert len(sources) == len(page.texts["h2"]) == len(INSIGHT_FIGURES)
     assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
     assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
     claims = pd.read_csv(results / "insight_claims.csv")
@@ -87,7 +87,7 @@ def test_the_page_on_the_band_has_the_edges_of_the_answer(results):
     edges = [
         printed(Number(row["name"], row["value"], row["unit"]), 2)
         for row in answer["quantities"]
-        if row["surface"] and row["name"] in EDGES and row["status"] == "known"
+        if row["surface"] and row["name"] in EDGE_SIDES and row["status"] == "known"
     ]
     assert edges and not_told(edges, Page((results / "insight.html").read_text())) == []
 
@@ -99,7 +99,7 @@ def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
         page = page.replace(f"{fold}>", f"{fold} open>")
     for text_box in shown(page, tmp_path):
         assert text_box["overflow"] == 0 and text_box["requests"] == 0
-        assert text_box["loaded"] == len(OF_PAPER)
+        assert text_box["loaded"] == len(PAPER_FIGURES)
 
 
 def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):

@@ -1,9 +1,9 @@
 # The page on what decides the band: question, numbers and figure of each part.
 
-from hardcontact.report.figures.listing import OF_INSIGHT, describe
+from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe
 
 #: The dataset of each figure, and the band.
-INSIGHT_SOURCES = ["band", *(describe(name).inputs[0] for name in OF_INSIGHT)]
+INSIGHT_SOURCES = ["band", *(describe(name).inputs[0] for name in INSIGHT_FIGURES)]
 
 
 rule answer_insight:
@@ -12,10 +12,10 @@ rule answer_insight:
         **{source: PATTERNS.dataset(source) for source in INSIGHT_SOURCES},
         claims=PATTERNS.result("insight_claims.csv"),
         statements="resources/paper/insight_claims.csv",
-        figures=[PATTERNS.figure(name, "svg") for name in OF_INSIGHT],
-        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in OF_INSIGHT],
+        figures=[PATTERNS.figure(name, "svg") for name in INSIGHT_FIGURES],
+        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in INSIGHT_FIGURES],
         templates=template_inputs(
-            "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in OF_INSIGHT)
+            "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in INSIGHT_FIGURES)
         ),
         published_constants=PUBLISHED["published_constants"],
         validation="resources/validation/prediction.csv",

@@ -7,9 +7,9 @@ from hardcontact.config.configuration import (
     read_yaml,
 )
 from hardcontact.config.model import NONE
-from hardcontact.report.figures.listing import KINDS, OF_OWN_SURFACES
+from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
 
-OWN_FIGURES = [name for name in OF_OWN_SURFACES if name != "works" or STUDY["forces"] != NONE]
+OWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"] != NONE]
 
 
 rule answer_surfaces:

@@ -1,7 +1,7 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
 from hardcontact.report.captions import caption
-from hardcontact.report.figures.listing import FIGURES, OF_PAPER, describe
+from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe
 
 for name in FIGURES:
 

@@ -1,7 +1,7 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
 from hardcontact.config.configuration import PAGES, available_targets, omitted_targets
-from hardcontact.report.figures.listing import FIGURES, KINDS, OF_INSIGHT, OF_PAPER
+from hardcontact.report.figures.listing import FIGURES, INSIGHT_FIGURES, KINDS, PAPER_FIGURES
 
 #: The datasets of each target that makes some.
 DATASETS_OF_TARGETS = {
@@ -25,13 +25,13 @@ FILES_OF_TARGETS = {
         for target, names in DATASETS_OF_TARGETS.items()
     },
     "claims": [PATTERNS.result("claims.csv")],
-    "figures": [FIGURE_FILES[figure] for figure in OF_PAPER],
+    "figures": [FIGURE_FILES[figure] for figure in PAPER_FIGURES],
     "pages": PAGES_OF_STUDY,
     "answer": [
         *(rules.answer_paper.output if COMPARED else rules.answer_surfaces.output),
         *PAGES_OF_STUDY,
     ],
-    "insight": [PATTERNS.result("insight.html"), *(FIGURE_FILES[name] for name in OF_INSIGHT)],
+    "insight": [PATTERNS.result("insight.html"), *(FIGURE_FILES[name] for name in INSIGHT_FIGURES)],
 }
 
 

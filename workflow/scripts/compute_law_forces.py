@@ -6,7 +6,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.synthesis import SIDES, synthesized_master
+from hardcontact.surfaces.synthesis import SIDES, synthesize_master
 from hardcontact.theory.interaction_laws import range_grid
 from hardcontact.theory.law_forces import MIXED_RANGES, filtered_range_forces, scan_range_forces
 
@@ -24,7 +24,7 @@ with job(snakemake) as job:
     )
     for side in SIDES:
         scales = params["scales"][side]
-        master = synthesized_master(
+        master = synthesize_master(
             side,
             generator(params["seed"], surface, number, f"{side}-scale laws"),
             scan,

@@ -2,14 +2,14 @@
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
-from hardcontact.surfaces.joined_spectrum import drawn_spectra
+from hardcontact.surfaces.joined_spectrum import draw_spectra
 from hardcontact.surfaces.scans import flatten, read_stored
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as job:
     params = job.parameters
     surface, contact_indices = params["surface"], params["contact_places"]
-    spectra = drawn_spectra(
+    spectra = draw_spectra(
         (
             generator(params["seed"], surface, realization, "drawn spectrum")
             for realization in range(1, len(job.output) + 1)

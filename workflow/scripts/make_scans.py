@@ -3,20 +3,20 @@
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
-from hardcontact.surfaces.conditioning import amplified
+from hardcontact.surfaces.conditioning import multiply_amplitudes
 from hardcontact.surfaces.scans import LEVELLED, STITCHED, level_and_stitch
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.substitute_scans import ScanGrid, as_measurement, synthesized_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, convert_to_measurement, synthesize_scan
 
 with job(snakemake) as job:
     params, surface, scans = job.parameters, job.parameters["surface"], job.parameters["scans"]
     conditioning = dataset.read(job.input.conditioning)
-    density = amplified(read_spectrum(job.input.spectrum), conditioning["gain"].values)
+    density = multiply_amplitudes(read_spectrum(job.input.spectrum), conditioning["gain"].values)
     for index, number in enumerate(scans):
         # Substitutes of all scans come first among the outputs, then levelled and stitched scans.
         levelled_output = index + len(scans)
         stitched_output = index + 2 * len(scans)
-        scan = synthesized_scan(
+        scan = synthesize_scan(
             generator(params["seed"], surface, number, "scan"),
             density,
             ScanGrid(**params["scan"]),
@@ -30,7 +30,7 @@ with job(snakemake) as job:
             output=index,
             file_format="NETCDF3_64BIT",
         )
-        measurement = as_measurement(scan, job.output[index])
+        measurement = convert_to_measurement(scan, job.output[index])
         levelled_scan, stitched_scan = level_and_stitch(
             measurement, "substitute", params["sphere_radius"]
         )

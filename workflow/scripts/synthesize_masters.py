@@ -4,7 +4,7 @@ from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.synthesis import synthesized_master
+from hardcontact.surfaces.synthesis import synthesize_master
 
 with job(snakemake) as job:
     params = job.parameters
@@ -12,7 +12,7 @@ with job(snakemake) as job:
     scan, spectrum = read_height_map(job.input.scan), read_spectrum(job.input.spectrum)
     for side, scales in params["sides"].items():
         rng = generator(params["seed"], surface, realization, f"{side}-scale master")
-        master = synthesized_master(side, rng, scan, scales, spectrum)
+        master = synthesize_master(side, rng, scan, scales, spectrum)
         job.write(
             master.dataset(),
             title=f"{side}-scale master: realization {realization} of {surface}",

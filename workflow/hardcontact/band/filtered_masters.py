@@ -28,7 +28,7 @@ from hardcontact.contact.pull_off import (
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 from hardcontact.surfaces.spectrum import spectrum_from
-from hardcontact.surfaces.synthesis import synthesized_master
+from hardcontact.surfaces.synthesis import synthesize_master
 
 
 class Filters(NamedTuple):
@@ -149,7 +149,7 @@ def varied_master(
         Path of its spectrum. A spectrum drawn within its uncertainty has the attribute
         ``height_factor``, by which the heights of the scan are multiplied.
     scales : mapping
-        Argument of `synthesized_master`.
+        Argument of `synthesize_master`.
 
     Returns
     -------
@@ -161,4 +161,4 @@ def varied_master(
     if "height_factor" in density.attrs:
         heights = stitched.heights * density.attrs["height_factor"]
         stitched = replace(stitched, heights=heights)
-    return synthesized_master(side, generator(*key), stitched, scales, spectrum_from(density))
+    return synthesize_master(side, generator(*key), stitched, scales, spectrum_from(density))

@@ -16,7 +16,7 @@ import xarray as xr
 
 from hardcontact.base.units import magnitude
 from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
-from hardcontact.surfaces.contradictions import contradictions, told_contradictions
+from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
@@ -152,7 +152,7 @@ def own_spectrum(
         notes.append("; ".join([f"{name}: reliable {ReliableBand(*band)}", *changes]))
         notes += [f"{TAKE_CARE}{name}: {line}" for line in cautions]
     columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
-    differing = told_contradictions(contradictions(*columns), names)
+    differing = contradiction_lines(contradictions(*columns), names)
     notes += [f"{TAKE_CARE}{line}" for line in differing]
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
     skewnesses = [metrics(height_map(scan))["skewness"] for scan in scans if scan.kind == "map"]

@@ -18,7 +18,13 @@ import pandas as pd
 
 from hardcontact.config.faults import quote_key, refuse_lines
 from hardcontact.config.key_types import Quantity
-from hardcontact.surfaces.spectrum import CALIBRATED, KNOWN, PARAMETERS, is_calibrated, read_bands
+from hardcontact.surfaces.spectrum import (
+    CALIBRATION_ROWS,
+    KNOWN_BASES,
+    NUMBER_COLUMNS,
+    is_calibrated,
+    read_bands,
+)
 
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
@@ -183,10 +189,12 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
     """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
-    for line, row in _description(path, PARAMETERS, ("model", "table")).items():
+    for line, row in _description(path, NUMBER_COLUMNS, ("model", "table")).items():
         model, hurst = row["model"], row["hurst"]
         models = [name for name in MODELS if line > 2 or name != "power law"]
-        missing_rows = set() if hurst else set(CALIBRATED.get(model, ())).difference(published)
+        missing_rows = (
+            set() if hurst else set(CALIBRATION_ROWS.get(model, ())).difference(published)
+        )
         is_faulty_by_message = {
             f"a model, one of {', '.join(models)}; found {quote_cell(model)}": model not in models,
             f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing_rows))} in "
@@ -219,10 +227,10 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
             "config key published: expected paper in a study with substitutes for its surfaces "
             f"({surface}), found none"
         )
-    if not bands.basis.isin(KNOWN).any():
+    if not bands.basis.isin(KNOWN_BASES).any():
         raise ValueError(
             f"{path}: expected, in a study of own surfaces, a band whose basis is "
-            f"{' or '.join(KNOWN)}, found {', '.join(map(quote_key, bands.basis.unique()))}"
+            f"{' or '.join(KNOWN_BASES)}, found {', '.join(map(quote_key, bands.basis.unique()))}"
         )
 
 

@@ -11,9 +11,9 @@ from hardcontact.base.printing import print_length
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.own.request import Source
-from hardcontact.surfaces.contradictions import contradictions, told_contradictions
+from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
-from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
+from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import (
     Measurement,
@@ -162,7 +162,7 @@ def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
     return surfaces
 
 
-def contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
+def entry_contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
     """Yield a line for each surface whose scans contradict each other."""
     for scans in entries_by_surface(entries).values():
         differences = contradictions(
@@ -171,7 +171,7 @@ def contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
             [scan.kind for scan in scans],
             [scan.size for scan in scans],
         )
-        yield from told_contradictions(differences, [scan.name for scan in scans])
+        yield from contradiction_lines(differences, [scan.name for scan in scans])
 
 
 def _entry(
@@ -237,7 +237,7 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
         )
         notes += [f"{number}: {note}" for note in split_notes(entry.notes)[0]]
         if band.limited_by != "pixels":
-            limit = LIMITS[band.limited_by]
+            limit = LIMIT_NAMES[band.limited_by]
             notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join([*("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows), *notes])

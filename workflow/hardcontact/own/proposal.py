@@ -22,8 +22,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
-from hardcontact.own.inventory import FILLING, Entry, contradiction_lines, entries_by_surface
-from hardcontact.surfaces.reliable_band import LIMITS
+from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_contradiction_lines
+from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS
@@ -147,7 +147,7 @@ def propose(
     ]
     cautions += _contact_cautions(substrates, probe.range, contact, contact_reasons, summits)
     cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]
-    cautions += contradiction_lines(entries)
+    cautions += entry_contradiction_lines(entries)
     cautions += [
         f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and filled with "
         "heights smoother than the surface"
@@ -393,7 +393,7 @@ def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
     """
     longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in substrates):.3g}")
     ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
-    ends += [(scan.band.shortest, LIMITS[scan.band.limited_by]) for scan in substrates]
+    ends += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in substrates]
     wavelength, reason = max(ends)
     shortest = min(float(f"{wavelength:.3g}"), longest)
     return shortest, longest, f"{reason}; below, roughness is artificial"

@@ -20,7 +20,7 @@ from hardcontact.paper.inference import Published, infer
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.height_map import METRICS
-from hardcontact.surfaces.roughness_table import averages
+from hardcontact.surfaces.roughness_table import scan_averages
 
 Floats = NDArray[np.float64]
 
@@ -214,7 +214,9 @@ def set_topography(study: xr.Dataset, drawn_scans: DrawnScans, confidence: float
     set_scans = xr.concat(metrics, study["surface"], join="outer")
     constant = [name for name in study if str(name).startswith("all_scales_")]
     labels = study[[*constant, "label", "basis", "calibrated_to_table1"]]
-    return xr.merge([labels, set_scans, averages(set_scans, confidence)], combine_attrs="override")
+    return xr.merge(
+        [labels, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
+    )
 
 
 def set_adhesion(

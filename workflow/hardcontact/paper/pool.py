@@ -21,7 +21,7 @@ from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
 from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_from
-from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 #: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
@@ -174,7 +174,7 @@ def _pool_scan(number: int, sources: PoolSources) -> xr.Dataset:
     """Return the forces and the roughness of one scan."""
     density, _, heights, settings = sources
     rng = generator(settings["seed"], settings["surface"], number, "pool")
-    scan = level(drawn_scan(rng, density, settings["scan"]))
+    scan = level(draw_scan(rng, density, settings["scan"]))
     return forces_at_heights(scan, heights, settings["contact"], settings["ranges"])
 
 

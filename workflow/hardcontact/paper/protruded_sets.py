@@ -23,7 +23,7 @@ from hardcontact.paper.pool import PoolSettings, PoolSources
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.protrusions import Roughness, add_protrusions, draw_protrusions
-from hardcontact.surfaces.substitute_scans import drawn_scan
+from hardcontact.surfaces.substitute_scans import draw_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 #: Largest factor between computed and published force of a set that agrees. It holds for the mean
@@ -118,7 +118,7 @@ def _protruded_forces(
         generator(seed, coating, number, scan_number, "protruded scan")
         for scan_number in range(1, scans + 1)
     ]
-    unscaled = [level(drawn_scan(rng, density, settings["scan"])) for rng in generators]
+    unscaled = [level(draw_scan(rng, density, settings["scan"])) for rng in generators]
     rms_heights = np.array([scan.heights.std() for scan in unscaled])
     target_heights = group_heights(rms_heights, targets.means["rms_height"], targets.deviation)
     # With six scans or more a height may be below the smallest height of the forces of sets.

@@ -8,18 +8,18 @@ from hardcontact.report.figures.listing import describe
 
 
 class Caption(NamedTuple):
-    """A caption in plain text, a line each."""
+    """A caption in plain text, one line a field."""
 
     title: str
     short: str  #: The first paragraph.
-    more: str = ""  #: The other paragraphs.
+    details: str = ""  #: The other paragraphs.
 
 
 def caption(figure: str, configuration: Mapping[str, Any]) -> Caption:
     """Return the caption of a figure.
 
-    Its template in the module of the figure names keys of the configuration, as Jinja does. A key
-    that is not there is a jinja2.UndefinedError.
+    The CAPTION of the figure's module is a Jinja template with keys of the configuration. Raises
+    jinja2.UndefinedError if the configuration lacks a key.
     """
     from jinja2 import Environment, StrictUndefined
 
@@ -27,5 +27,5 @@ def caption(figure: str, configuration: Mapping[str, Any]) -> Caption:
     environment = Environment(undefined=StrictUndefined)
     environment.filters["percent"] = print_share
     text = environment.from_string(description.caption).render(configuration)
-    short, *more = (" ".join(paragraph.split()) for paragraph in text.split("\n\n"))
-    return Caption(description.title, short, " ".join(more))
+    paragraphs = [" ".join(paragraph.split()) for paragraph in text.split("\n\n")]
+    return Caption(description.title, paragraphs[0], " ".join(paragraphs[1:]))

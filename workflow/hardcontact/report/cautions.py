@@ -1,7 +1,7 @@
-"""What makes the answer of a surface less sure, as codes with values: scans, pixels, intervals.
+"""Cautions about the answer of a surface, as codes with values: scans, pixels, intervals.
 
-Each caution is a mapping with its `code`; the words for it stand in the template of the page. What
-an edge or a force rests on, and what a measurement cannot see, stands in their own rows.
+Each caution is a mapping with its `code`. The template of the page has the sentence for each code.
+The sources of edges and forces, and the limits of measurements, are in tables of their own.
 """
 
 from collections.abc import Collection, Mapping
@@ -22,51 +22,61 @@ from hardcontact.theory.prediction import HARD
 
 Caution = Mapping[str, Any]
 
-#: Share of the force on a smooth sphere that a window holds as good as whole.
-WHOLE = 0.99
-#: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
-FEW_PIXELS = 10
-#: Pixels in the shortest wavelength that a scan shows at all.
-RESOLVED = 2
-#: Added power over that of the scans beyond which it is named.
-MUCH_MORE = 2.0
-#: Defects of scans that change the highest points, and the force with them.
-MISLEADING = frozenset({"spikes", "equal_lines", "highest"})
+#: Least share of the force on a smooth sphere in a window without a caution.
+MIN_WINDOW_SHARE = 0.99
+#: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
+MIN_CONTACT_PIXELS = 10
+#: Pixels in the shortest wavelength of a scan.
+MIN_WAVELENGTH_PIXELS = 2
+#: Largest ratio of added power to the power in the scans without a caution.
+MAX_POWER_RATIO = 2.0
+#: Codes of defects that change the highest points, and thus the force.
+MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
 
 
-def cautions(of: Datasets) -> list[Caution]:
-    """Return what makes the answer of one surface less sure, the gravest first.
+def cautions(datasets: Datasets) -> list[Caution]:
+    """Return the cautions about the answer of one surface, the gravest first.
 
-    Those that change the force by more than the tolerance of the band are `grave`.
+    A caution is `grave` if its cause changes the force by more than the tolerance of the band.
+
+    Parameters
+    ----------
+    datasets : Datasets
+        Datasets of one surface.
+
+    Returns
+    -------
+    list of mapping
+        Each has `code`, `grave` and the values of its sentence.
     """
-    tolerance = of.edges.attrs["tolerance"]
-    too_small = of.force["finite_scan_ratio"].values[0] > 1 + tolerance
-    cut = forces_at_range(of.force)["window_share"].item() < 1 - tolerance
-    one_pixel = of.force.attrs["contact_area"] < of.force["pixel_area"].item()
-    window_and_scan = [{"code": "window_and_small_scan"}] if cut and too_small else []
-    judged = [
-        (_blind_scans(of), True),
-        (_defects(of.spectra, MISLEADING), True),
-        (_few_places(of.force), True),
-        (_soft_bodies(of.force), True),
-        (_window(of.force), cut),
-        (_scan_size(of), too_small),
+    tolerance = datasets.edges.attrs["tolerance"]
+    too_small = datasets.force["finite_scan_ratio"].values[0] > 1 + tolerance
+    is_window_small = forces_at_range(datasets.force)["window_share"].item() < 1 - tolerance
+    one_pixel = datasets.force.attrs["contact_area"] < datasets.force["pixel_area"].item()
+    window_and_scan = [{"code": "window_and_small_scan"}] if is_window_small and too_small else []
+    groups = [
+        (_blind_scans(datasets), True),
+        (_defects(datasets.spectra, MISLEADING_DEFECTS), True),
+        (_few_places(datasets.force), True),
+        (_soft_bodies(datasets.force), True),
+        (_small_window(datasets.force), is_window_small),
+        (_small_scans(datasets), too_small),
         (window_and_scan, True),
-        (_pixels(of.force), one_pixel),
-        (_intervals(of.force), False),
-        (_defects(of.spectra, set(DEFECTS) - MISLEADING), False),
-        (_contradictions(of.spectra), False),
-        (_more_than_measured(of.spectra), False),
-        (_beyond_scans(of), False),
+        (_few_pixels(datasets.force), one_pixel),
+        (_conditional_intervals(datasets.force), False),
+        (_defects(datasets.spectra, set(DEFECTS) - MISLEADING_DEFECTS), False),
+        (_contradictions(datasets.spectra), False),
+        (_excess_roughness(datasets.spectra), False),
+        (_extrapolations(datasets), False),
     ]
-    return [caution | {"grave": bool(grave)} for group, grave in judged for caution in group]
+    return [caution | {"grave": bool(grave)} for group, grave in groups for caution in group]
 
 
-def _blind_scans(of: Datasets) -> list[dict[str, Any]]:
-    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
-    all_scans = measurements(of.spectra)
+def _blind_scans(datasets: Datasets) -> list[dict[str, Any]]:
+    """Return a caution if the scans in contact, known by their pixels, are reliable nowhere."""
+    all_scans = measurements(datasets.spectra)
     makes_contacts = (all_scans["kind"].values.astype(str) == "map") & np.isclose(
-        all_scans["pixel_size"].values ** 2, of.force["pixel_area"].item()
+        all_scans["pixel_size"].values ** 2, datasets.force["pixel_area"].item()
     )
     reliable = (all_scans["reliable"].values == 1).any(axis=1)
     blind = makes_contacts.any() and not reliable[makes_contacts].any()
@@ -74,7 +84,7 @@ def _blind_scans(of: Datasets) -> list[dict[str, Any]]:
 
 
 def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]]:
-    """Return the defects of these codes of the measurements of a surface, with sentences."""
+    """Return the defects with these codes in the measurements of a surface, with sentences."""
     defects = []
     for measurement in split_measurements(measurements(spectra)):
         for code, defect in DEFECTS.items():
@@ -92,7 +102,7 @@ def _defects(spectra: xr.Dataset, codes: Collection[str]) -> list[dict[str, Any]
 
 
 def _few_places(force: xr.Dataset) -> list[dict[str, Any]]:
-    """Return that the contacts on a scan touch too few places for an interval."""
+    """Return a caution if the contacts on a scan touch too few places for an interval."""
     if force["interval_source"].item() != "few_places":
         return []
     counts = {name: int(force[name].item()) for name in ("contacts", "touched_places")}
@@ -100,19 +110,20 @@ def _few_places(force: xr.Dataset) -> list[dict[str, Any]]:
 
 
 def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:
-    """Return that the bodies are too soft for a hard contact, or may be."""
+    """Return a caution if the bodies are, or may be, too soft for a hard contact."""
     number = tabor_number(force)
     return [] if number.status == HARD else [{"code": "soft_bodies", "tabor": number}]
 
 
-def _window(force: xr.Dataset) -> list[dict[str, Any]]:
-    """Return that the window holds too little of the force, at the range asked for or others."""
-    rho, share, asked = force["rho"].values, force["window_share"].values, forces_at_range(force)
-    if asked["window_share"] < WHOLE:
+def _small_window(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return a caution if the window has too little of the force, at any range."""
+    rho, share = force["rho"].values, force["window_share"].values
+    study_force = forces_at_range(force)
+    if study_force["window_share"] < MIN_WINDOW_SHARE:
         shortest_range = np.nan
-        range_shown, share_shown = asked["rho"].item(), asked["window_share"].item()
-    elif (share < WHOLE).any():
-        shortest_range = float(rho[share < WHOLE].min())
+        range_shown, share_shown = study_force["rho"].item(), study_force["window_share"].item()
+    elif (share < MIN_WINDOW_SHARE).any():
+        shortest_range = float(rho[share < MIN_WINDOW_SHARE].min())
         range_shown, share_shown = float(rho.max()), float(share.min())
     else:
         return []
@@ -127,12 +138,12 @@ def _window(force: xr.Dataset) -> list[dict[str, Any]]:
     ]
 
 
-def _scan_size(of: Datasets) -> list[dict[str, Any]]:
-    """Return that scans are smaller than contacts need, and by how much that raises forces."""
-    low, high = map(float, of.force["finite_scan_ratio"].values)
+def _small_scans(datasets: Datasets) -> list[dict[str, Any]]:
+    """Return a caution if scans are smaller than contacts need, with its effect on forces."""
+    low, high = datasets.force["finite_scan_ratio"].values.tolist()
     if high == 1:
         return []
-    size, draw_size = of.topography["scan_size"].item(), of.force["draw_size"].item()
+    size, draw_size = datasets.topography["scan_size"].item(), datasets.force["draw_size"].item()
     return [
         {
             "code": "small_scan",
@@ -145,10 +156,10 @@ def _scan_size(of: Datasets) -> list[dict[str, Any]]:
     ]
 
 
-def _pixels(force: xr.Dataset) -> list[dict[str, Any]]:
-    """Return that few pixels carry the preload, or one that is larger than need be."""
+def _few_pixels(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return a caution if few pixels, or only a part of a pixel, carry the preload."""
     area, pixel = float(force.attrs["contact_area"]), force["pixel_area"].item()
-    if area >= FEW_PIXELS * pixel:
+    if area >= MIN_CONTACT_PIXELS * pixel:
         return []
     return [
         {
@@ -160,10 +171,10 @@ def _pixels(force: xr.Dataset) -> list[dict[str, Any]]:
     ]
 
 
-def _intervals(force: xr.Dataset) -> list[dict[str, Any]]:
-    """Return that intervals are conditional on the scans at hand; why some miss their rows tell."""
-    without = force["interval_source"].item() in ("none", "few_places")
-    if not force["conditional"].item() or without:
+def _conditional_intervals(force: xr.Dataset) -> list[dict[str, Any]]:
+    """Return a caution if intervals are conditional on the scans at hand."""
+    has_no_interval = force["interval_source"].item() in ("none", "few_places")
+    if not force["conditional"].item() or has_no_interval:
         return []
     shared = number_of(force, "correlation_of_parts", name="correlation", strict=False)
     scans = int(force["interval_scans"].item())
@@ -171,7 +182,7 @@ def _intervals(force: xr.Dataset) -> list[dict[str, Any]]:
 
 
 def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
-    """Return the two measurements of a surface that contradict each other most, if any do."""
+    """Return a caution about the two measurements that contradict each other most, if any do."""
     all_scans = measurements(spectra)
     pairs = contradictions(
         *(all_scans[name].values for name in ("psd", "reliable", "kind", "size"))
@@ -191,36 +202,43 @@ def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
     ]
 
 
-def _more_than_measured(spectra: xr.Dataset) -> list[dict[str, Any]]:
-    """Return where more roughness is added than the scans show, which is taken for smoothing."""
+def _excess_roughness(spectra: xr.Dataset) -> list[dict[str, Any]]:
+    """Return a caution if the added roughness exceeds that in the scans, which may be smoothed."""
     q, shortest = spectra["bin_wavevector"].values, spectra["shortest_measured"].item()
     wavelength = 2 * np.pi / q
     scans = measurements(spectra)
-    resolved = wavelength >= RESOLVED * scans["pixel_size"].values[:, None]
-    measured = np.where(resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
-    measured = measured.max(axis=0, initial=0.0)
-    added = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)
-    more = (wavelength < shortest) & (measured > 0) & (added > MUCH_MORE * measured)
-    if not more.any():
+    is_resolved = wavelength >= MIN_WAVELENGTH_PIXELS * scans["pixel_size"].values[:, None]
+    densities = np.where(is_resolved & np.isfinite(scans["psd"].values), scans["psd"].values, 0.0)
+    scan_density = densities.max(axis=0, initial=0.0)
+    added_density = np.interp(q, spectra["wavevector"].values, spectra["spectrum"].values)
+    is_excess = (
+        (wavelength < shortest)
+        & (scan_density > 0)
+        & (added_density > MAX_POWER_RATIO * scan_density)
+    )
+    if not is_excess.any():
         return []
-    factor = float((added[more] / measured[more]).max())
-    shortest_more, longest_more = float(wavelength[more].min()), float(wavelength[more].max())
+    factor = float((added_density[is_excess] / scan_density[is_excess]).max())
+    shortest_excess, longest_excess = (
+        float(wavelength[is_excess].min()),
+        float(wavelength[is_excess].max()),
+    )
     return [
         {
             "code": "more_than_measured",
-            "band": bounds_only("band", shortest_more, longest_more, "nm"),
+            "band": bounds_only("band", shortest_excess, longest_excess, "nm"),
             "factor": Number("factor", factor),
         }
     ]
 
 
-def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
-    """Return how the spectrum continues below the wavelengths measured, and above them."""
-    spectra, topography = of.spectra, of.topography
+def _extrapolations(datasets: Datasets) -> list[dict[str, Any]]:
+    """Return the extrapolations of the spectrum below and above the wavelengths measured."""
+    spectra, topography = datasets.spectra, datasets.topography
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
     shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
     hurst = spectra["tail_hurst"].item()
-    errors = NormalDist().inv_cdf((1 + of.edges.attrs["confidence"]) / 2)
+    errors = NormalDist().inv_cdf((1 + datasets.edges.attrs["confidence"]) / 2)
     half_width = errors * spectra["tail_hurst_error"].item()
     low, high = max(hurst - half_width, 0.0), min(hurst + half_width, 1.0)
     tail = {

@@ -1,8 +1,8 @@
-"""The page on what decides the band: a question, its numbers and a figure for each part.
+"""The page about the causes of the band: a question, its numbers and a figure for each part.
 
-A part needs a figure in `report.figures.listing.OF_INSIGHT`, a rule that makes the dataset of that
-figure, a question in ``insight.html``, and words in ``insight/<figure>.html``. The words take
-their numbers from the dataset.
+A part needs a figure in `report.figures.listing.INSIGHT_FIGURES`, a rule that makes the dataset of
+that figure, a question in ``insight.html``, and text in ``insight/<figure>.html``. The text takes
+its numbers from the dataset.
 """
 
 import math
@@ -46,15 +46,20 @@ def insight_page(
     figures : mapping
         SVG and caption by the names of the figures, in the order of the page.
     claims : pandas.DataFrame
-        The statements as from `verdicts.read_verdicts`, and the `dataset` that each is about.
+        The table that `verdicts.read_verdicts` returns, with the `dataset` of each statement.
     constants : pandas.DataFrame
-        As from `published.constants`.
+        The table that `published.constants` returns.
     pixels : int
         Pixels along an edge of the scans.
     errors : mapping
-        Errors of the closed form as from `prediction.validated_errors`.
+        Errors of the closed form, from `prediction.validated_errors`.
+
+    Returns
+    -------
+    str
+        HTML.
     """
-    # The first is the band, which knows the study's own scans; a validation table does not.
+    # The band has the bases of the study's own surfaces, validation tables those of others.
     bases: dict[str, str] = {}
     for dataset in (datasets["band"], *datasets.values()):
         if "surface" in dataset.dims:
@@ -83,21 +88,21 @@ def insight_page(
 
 
 def band_edge(band: xr.Dataset, side: str, group: str = POOLED) -> Number:
-    """Return the edge of the band at one side, of one surface or of the mean over all."""
+    """Return the edge of the band at one side, for one surface or the mean over all surfaces."""
     return number_of(band.sel(side=side, group=group), "critical_wavelength", "nm", "no_edge")
 
 
-def long_edge(of_size: xr.Dataset) -> Number:
-    """Return the long edge on windows of one size of scan_size.nc, or the bound on an open one."""
-    bound = of_size["long_edge_bound"].item()
-    if np.isfinite(of_size["long_edge"]) or np.isnan(bound):
-        return number_of(of_size, "long_edge", "nm", "no_edge")
-    status = "open_above" if of_size["long_edge_at_least"] else "open_below"
+def long_edge(size_data: xr.Dataset) -> Number:
+    """Return the long edge on windows of one size of scan_size.nc, or its bound if it is open."""
+    bound = size_data["long_edge_bound"].item()
+    if np.isfinite(size_data["long_edge"]) or np.isnan(bound):
+        return number_of(size_data, "long_edge", "nm", "no_edge")
+    status = "open_above" if size_data["long_edge_at_least"] else "open_below"
     return Number("long_edge", bound, "nm", status=status)
 
 
 def half_factor(closed_form: xr.Dataset) -> float:
-    """Return the factor within which half of the forces of the closed form lie."""
+    """Return the median error, as a factor, of forces from the closed form."""
     errors = closed_form["error"].isel(map_size=-1).sel(source="spectrum")
     return float(np.exp(np.median(np.abs(np.log(errors.values)))))
 
@@ -105,36 +110,37 @@ def half_factor(closed_form: xr.Dataset) -> float:
 def edge_errors(scaling: xr.Dataset) -> Iterator[dict[str, Any]]:
     """Yield the errors of predicted edges of designed surfaces held out, by side and regime.
 
-    An error is the computed edge relative to the predicted one: the median, and the middle 90 % as
-    the interval.
+    An error is the computed edge relative to the predicted edge: the median, with the middle 90 %
+    as its interval.
     """
     held_out = scaling.sel(designed=scaling["held_back"] == 1)
-    many = held_out["designed_level"] > held_out["designed_over_range"]
+    has_many_points = held_out["designed_level"] > held_out["designed_over_range"]
     for side in SIDES:
-        for regime, chosen in ((MANY_POINTS, many), (SINGLE_PEAKS, ~many)):
+        for regime, in_regime in ((MANY_POINTS, has_many_points), (SINGLE_PEAKS, ~has_many_points)):
             is_edge = held_out["designed_bound"].sel(side=side) == 0
-            errors = held_out["designed_error"].sel(side=side, designed=chosen & is_edge)
+            errors = held_out["designed_error"].sel(side=side, designed=in_regime & is_edge)
             row: dict[str, Any] = {"side": side, "regime": regime}
             for prediction in (FORMULA, CLOSED_FORM):
-                known = errors.sel(prediction=prediction).dropna("designed")
-                low, median, high = known.quantile([0.05, 0.5, 0.95]).values
+                prediction_errors = errors.sel(prediction=prediction).dropna("designed")
+                low, median, high = prediction_errors.quantile([0.05, 0.5, 0.95]).values
                 row[prediction] = Number("error", median, "1", low, high)
-            yield row | {"surfaces": known.size}
+            yield row | {"surfaces": prediction_errors.size}
 
 
 def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
     """Yield the errors of the predicted scatter on designed surfaces held out.
 
-    There is a row below and a row above a modulus of 1. It has the number of cases, the rms error
-    of the standard deviation of ln F, and the median Kolmogorov-Smirnov distances of DISTANCES.
+    The first row is for a modulus below 1, the second for a modulus above 1. A row has the number
+    of cases, the rms error of the standard deviation of ln F, and the median Kolmogorov-Smirnov
+    distances of DISTANCES.
     """
     cases = held_back(statistics)
-    low = cases["designed_modulus"] < 1
-    for modulus, chosen in (("below 1", low), ("above 1", ~low)):
-        part = cases.isel(case=np.flatnonzero(chosen))
-        ratio = np.log(part["designed_spread"] / part["designed_predicted_spread"])
-        row = {"modulus": modulus, "cases": part.sizes["case"]}
+    is_below = cases["designed_modulus"] < 1
+    for modulus, in_group in (("below 1", is_below), ("above 1", ~is_below)):
+        group = cases.isel(case=np.flatnonzero(in_group))
+        ratio = np.log(group["designed_spread"] / group["designed_predicted_spread"])
+        row = {"modulus": modulus, "cases": group.sizes["case"]}
         row["error"] = Number("error", float(np.expm1(np.sqrt((ratio**2).mean()))))
         for name in DISTANCES:
-            row[name] = Number(name, part[f"designed_distance_{name}"].median().item())
+            row[name] = Number(name, group[f"designed_distance_{name}"].median().item())
         yield row

@@ -15,7 +15,7 @@ from hardcontact.report.artificial import (
 from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
 from hardcontact.report.force_facts import Row, fit_facts, preferred_fit
-from hardcontact.report.own_figures import heights_shown
+from hardcontact.report.own_figures import mean_free_heights
 from hardcontact.report.quantities import Quantity, number_of, numbers_within, quantity
 from hardcontact.report.surface_facts import (
     answer_rows,
@@ -199,7 +199,7 @@ def own_page(
 def _shown(surface: OwnSurface) -> dict[str, Any]:
     """Return what the page shows of one surface."""
     data = surface.data
-    heights = heights_shown(data.topography)
+    heights = mean_free_heights(data.topography)
     lengths = zip(split_measurements(measurements(data.spectra)), surface.scan_lengths, strict=True)
     return surface._asdict() | {
         "basis": surface.basis,

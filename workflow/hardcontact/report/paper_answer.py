@@ -16,14 +16,14 @@ from hardcontact.paper.inference import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
 from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import OF_PAPER, describe
+from hardcontact.report.figures.listing import PAPER_FIGURES, describe
 from hardcontact.report.quantities import Quantity, number_of, on_scans, quantity
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.table1 import table1_rows
 from hardcontact.report.templates import rendered, rendered_lines
 
-#: Claims whose numbers the answer has, by their names in the answer.
-ANSWERS = {
+#: Claims with numbers in the answer, by the names of these numbers.
+ANSWER_CLAIMS = {
     "short_edge": "edge_small_pooled",
     "long_edge": "edge_large_pooled",
     "first_short_edge": "edge_small_first",
@@ -34,7 +34,7 @@ ANSWERS = {
     "rigid_over_plastic_error": "plasticity_is_crucial",
     "range_exceeds": "range_exceeds_5_nm",
 }
-#: The findings that matter most, by their claims, in the order of the page.
+#: Claims of the most important findings, in the order of the page.
 MAIN_FINDINGS = (
     "edge_small_first",
     "edge_large_first",
@@ -51,24 +51,27 @@ MAIN_FINDINGS = (
     "numerical_beats_classical",
     "few_asperities_ncd",
 )
-#: Side of each edge of the band in the datasets, and the status of one beyond the cutoffs.
-EDGES = {"short_edge": ("small", "open_above"), "long_edge": ("large", "open_below")}
+#: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
+EDGE_SIDES = {
+    "short_edge": ("small", "open_above"),
+    "long_edge": ("large", "open_below"),
+}
 #: Parameters that are fitted to the forces of each set of scans, with units.
-FITTED = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
-#: Names of the sets by whether their range exceeds that of the paper's statement.
+FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+#: Names of groups of sets: those whose range exceeds that of the paper's statement, and others.
 FIT_GROUPS = {True: "long_range_sets", False: "short_range_sets"}
-#: Sizes of the study that the paper prints too, with units.
-GRIDS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
+#: Sizes in the study that the paper also prints, with units.
+GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 
 
 class PaperAnswer(NamedTuple):
     """The numbers and labels from which the paper's page and answer.json are made."""
 
-    claims: pd.DataFrame  #: As from `verdicts.add_open_ends`.
-    numbers: dict[str, Number]  #: Those of the whole study, by their names in answer.json.
-    #: Of each substrate: label, basis, both edges and the force on scans over that on large ones.
+    claims: pd.DataFrame  #: The table from `verdicts.add_open_ends`.
+    numbers: dict[str, Number]  #: Numbers of the whole study, by their names in answer.json.
+    #: For each substrate: label, basis, both edges, and force on scans relative to large surfaces.
     surfaces: dict[str, dict[str, Any]]
-    sphere: dict[str, Any]  #: Label and basis.
+    sphere: dict[str, Any]  #: Label and basis of the sphere.
     decisive: str  #: Label of the surface that decides range and work of adhesion most.
     protruded: str  #: Label of the surface that has protrusions in some sets.
     table1: list[list[str]]
@@ -89,18 +92,30 @@ def paper_answer(
 ) -> PaperAnswer:
     """Return the answer, in the units of the claims.
 
-    Claims are as from `verdicts.read_verdicts`, constants and Table 1 as from `published`; datasets
-    are `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`, `protruded_sphere` and
-    `scan_size`, as in the final netCDF files.
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        The table that `verdicts.read_verdicts` returns.
+    datasets : mapping
+        Final datasets: `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`,
+        `protruded_sphere` and `scan_size`.
+    constants, published_table1 : pandas.DataFrame
+        The tables that `published.constants` and `published.table1` return.
+
+    Returns
+    -------
+    PaperAnswer
+        The answer.
     """
-    topography, band, sets = (datasets[name] for name in ("topography", "band", "sets"))
+    topography = datasets["topography"]
+    band, sets = datasets["band"], datasets["sets"]
     claims = add_open_ends(claims, [band, sets])
     rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
     numbers: list[Number] = []
-    for name, claim in ANSWERS.items():
+    for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
             numbers += _numbers_of_claim(name, rows[claim], band)
-    numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
+    numbers += _fit_numbers(sets, rows.get(ANSWER_CLAIMS["range_exceeds"]))
     fits = datasets["leave_one_out"]
     protruded = {name: datasets[name] for name in ("protruded", "protruded_sphere")}
     decisive = _decisive_surface(fits)
@@ -110,18 +125,18 @@ def paper_answer(
         name = "verdicts_" + row["verdict"].replace(" ", "_")
         numbers += [Number(name, row["claims"]), Number(f"{name}_independent", row["independent"])]
     sphere = topography.attrs["sphere_surface"]
-    named: Any = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    known = named.to_dict("index")
+    descriptions: Any = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    surface_descriptions = descriptions.to_dict("index")
     forces = on_scans(datasets["scan_size"])
     return PaperAnswer(
         claims,
         {number.name: number for number in numbers},
         {
-            name: known[name] | _numbers_of_surface(name, band, sets, forces)
+            name: surface_descriptions[name] | _numbers_of_surface(name, band, sets, forces)
             for name in map(str, band["surface"].values)
         },
-        known[sphere],
-        str(known[decisive]["label"]),
+        surface_descriptions[sphere],
+        str(surface_descriptions[decisive]["label"]),
         datasets["protruded"].attrs["label"],
         table1_rows(topography, published_table1),
     )
@@ -130,10 +145,10 @@ def paper_answer(
 def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
     """Return the computed and the published number of a claim, and its frequency over sets."""
     status = f"interval_open_{row.open_end}" if row.open_end else ""
-    if name in EDGES:
-        side, beyond = EDGES[name]
+    if name in EDGE_SIDES:
+        side, open_status = EDGE_SIDES[name]
         if np.isnan(band["critical_wavelength"].sel(side=side, group=POOLED).item()):
-            status = beyond
+            status = open_status
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status),
         Number(f"{name}_published", row.published, row.unit, source="published"),
@@ -146,7 +161,7 @@ def _numbers_of_surface(
 ) -> dict[str, Number]:
     """Return both edges of one substrate, and its force on scans relative to large surfaces."""
     numbers = {}
-    for edge, (side, _) in EDGES.items():
+    for edge, (side, _) in EDGE_SIDES.items():
         labels = {"side": side, "group": name}
         value = edges_or_last_cutoffs(band).sel(labels).item()
         replicas = edges_or_last_cutoffs(sets).sel(labels).values
@@ -164,25 +179,25 @@ def _numbers_of_surface(
 def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
     """Yield median and extremes of the fits of sets with a long and with a short range.
 
-    A range is long if it exceeds that of the paper's statement. Nothing is yielded if the study
-    does not judge that statement.
+    A range is long if it exceeds that of the paper's statement. Yields nothing if the study does
+    not judge that statement.
     """
-    fits = sets.sel(contact_model=PLASTIC, drop=True)[[*FITTED]].to_dataframe()
+    fits = sets.sel(contact_model=PLASTIC, drop=True)[[*FITTED_UNITS]].to_dataframe()
     if statement is None or math.isnan(statement.frequency):
         return
     for exceeds, group in fits.groupby(fits["range_of_adhesion"] > statement.published):
         prefix = FIT_GROUPS[bool(exceeds)]
         yield Number(prefix, len(group))
-        for name, unit in FITTED.items():
+        for name, unit in FITTED_UNITS.items():
             values = group[name]
             yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
 
 
 def _decisive_surface(fits: xr.Dataset) -> str:
     """Return the surface without which the sets spread least over the range of adhesion."""
-    without = fits.sel(contact_model=PLASTIC).drop_sel(left_out=NONE_LEFT_OUT)
-    ranges = without["set_range_of_adhesion"].transpose("left_out", "set").values
-    return str(without["left_out"].values[np.log(ranges).std(axis=1).argmin()])
+    reduced_fits = fits.sel(contact_model=PLASTIC).drop_sel(left_out=NONE_LEFT_OUT)
+    ranges = reduced_fits["set_range_of_adhesion"].transpose("left_out", "set").values
+    return str(reduced_fits["left_out"].values[np.log(ranges).std(axis=1).argmin()])
 
 
 def _decisive_numbers(
@@ -190,11 +205,11 @@ def _decisive_numbers(
 ) -> Iterator[Number]:
     """Yield range and work of adhesion without the decisive surface, and with protrusions.
 
-    Each is the median over the sets, with the interval of the claims. With protrusions only sets
-    whose forces agree with the published ones count.
+    Each number is the median over the sets, with the interval of the claims. Among the sets with
+    protrusions, only those are used whose forces agree with the published forces.
     """
     tail = (1 - confidence) / 2
-    set_fits = {name: fits[f"set_{name}"].sel(contact_model=PLASTIC) for name in FITTED}
+    set_fits = {name: fits[f"set_{name}"].sel(contact_model=PLASTIC) for name in FITTED_UNITS}
     samples = {
         "all_surfaces": {
             name: fit.sel(left_out=NONE_LEFT_OUT).values for name, fit in set_fits.items()
@@ -208,22 +223,23 @@ def _decisive_numbers(
         if agrees.size:
             yield Number(f"{prefix}_sets_that_agree", agrees.mean())
         if agrees.any():
-            samples[prefix] = {name: dataset[name].values[agrees] for name in FITTED}
+            samples[prefix] = {name: dataset[name].values[agrees] for name in FITTED_UNITS}
     for prefix, values in samples.items():
         for name, sample in values.items():
             low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
-            yield Number(f"{prefix}_{name}", median, FITTED[name], low, high)
+            yield Number(f"{prefix}_{name}", median, FITTED_UNITS[name], low, high)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
-    """Yield the settings of the study, and the sizes of its grids beside those of the paper."""
-    topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
+    """Yield the settings of the study, and the sizes of its grids and of the paper's grids."""
+    topography = datasets["topography"]
+    scales, band = datasets["scales"], datasets["band"]
     sizes = {
         "scan_pixels": topography.sizes["row"],
         "scan_size": topography["scan_size"].min().item(),
         "contacts_per_side": scales.sizes["contact_y"],
     }
-    for name, unit in GRIDS.items():
+    for name, unit in GRID_UNITS.items():
         yield Number(name, sizes[name], unit, source="given")
         published = float(constants["value"][name])
         yield Number(f"{name}_published", published, unit, source="published")
@@ -232,14 +248,16 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("confidence", float(band.attrs["confidence"]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
-    sizes_of_forces = on_scans(datasets["scan_size"]), datasets["scan_size"].isel(edge_size=-1)
-    for name, of_size in zip(("mirrored_scan_size", "large_surface_size"), sizes_of_forces,
-                             strict=True):  # fmt: skip
-        yield Number(name, float(of_size["edge_size"]), "nm", source="given")
+    edge_sizes = {
+        "mirrored_scan_size": on_scans(datasets["scan_size"])["edge_size"],
+        "large_surface_size": datasets["scan_size"]["edge_size"][-1],
+    }
+    for name, edge_size in edge_sizes.items():
+        yield Number(name, float(edge_size), "nm", source="given")
 
 
 def paper_headline(answer: PaperAnswer) -> list[str]:
-    """Return the sentences with which the page begins, those of the terminal too."""
+    """Return the first sentences of the page, which the terminal also shows."""
     facts = claim_facts(answer.claims)
     return rendered_lines("paper_headline.txt", answer=answer, numbers=answer.numbers, **facts)
 
@@ -247,7 +265,7 @@ def paper_headline(answer: PaperAnswer) -> list[str]:
 def paper_head(
     configuration: Mapping[str, Any], version: str, headline: Sequence[str]
 ) -> dict[str, Any]:
-    """Return the head of answer.json, of the configuration of the study as it was given."""
+    """Return the head of answer.json, with values of the user's configuration."""
     contact = {"radius of the sphere": configuration["sphere"]["radius"]}
     contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
     return {
@@ -261,7 +279,7 @@ def paper_head(
 
 
 def paper_quantities(answer: PaperAnswer) -> Iterator[Quantity]:
-    """Yield the numbers of the whole study, then those of each substrate."""
+    """Yield the numbers of the whole study, then the numbers of each substrate."""
     for number in answer.numbers.values():
         yield quantity(number)
     for name, surface in answer.surfaces.items():
@@ -277,7 +295,7 @@ def paper_page(
     captions: Mapping[str, Caption],
     citation: Mapping[str, Any],
 ) -> str:
-    """Return the page, HTML.
+    """Return the page of the paper's study.
 
     The head is that of answer.json. Figures are SVG and captions by the names of the figures; the
     citation is CITATION.cff.
@@ -290,7 +308,7 @@ def paper_page(
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
         chapters=[
             (heading, list(names))
-            for heading, names in groupby(OF_PAPER, key=lambda name: describe(name).chapter)
+            for heading, names in groupby(PAPER_FIGURES, key=lambda name: describe(name).chapter)
         ],
         figures=figures,
         captions=captions,

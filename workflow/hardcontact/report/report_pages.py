@@ -1,4 +1,4 @@
-"""Pages of the report that are no figures: verdicts, chapters of text, parameters and versions."""
+"""Pages of the report: verdicts, chapters of text, parameters and versions."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -19,10 +19,10 @@ from hardcontact.report.templates import rendered
 
 
 class Chapter(NamedTuple):
-    """A chapter in Markdown as a page takes it."""
+    """A chapter in Markdown, converted for a page."""
 
     title: str  #: Plain text.
-    html: str  #: The rest.
+    html: str  #: HTML of the text below the title.
     sections: list[tuple[str, str]]  #: Anchor and heading of each section, in their order.
 
 
@@ -32,10 +32,23 @@ def pages(
     configuration: Mapping[str, Any],
     versions: Mapping[str, str],
 ) -> dict[str, str]:
-    """Return the HTML of `claims`, of each text under its name, and of `parameters`.
+    """Return the HTML of the pages by their names: `claims`, each text, and `parameters`.
 
-    Claims are as from `verdicts.add_open_ends`, texts are chapters in Markdown, the configuration
-    is that of the study as it was given, versions are those of packages.
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        The table that `verdicts.add_open_ends` returns.
+    texts : mapping of str to str
+        Chapters in Markdown, by name.
+    configuration : mapping
+        The user's configuration of the study.
+    versions : mapping of str to str
+        Versions by package.
+
+    Returns
+    -------
+    dict of str to str
+        HTML by name.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
@@ -47,19 +60,27 @@ def pages(
 
 
 def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
-    """Return the rows of a table as plain values, None for NaN, which JSON lacks."""
+    """Return the rows of a table as plain values, with None for NaN, which JSON lacks."""
     return table.astype(object).where(table.notna(), None).to_dict("records")
 
 
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
-    """Return what templates show of claims as from `verdicts.add_open_ends`.
+    """Return the facts about claims that templates show.
 
-    `claims` are rows by their ids, each with its `_meaning`; `counts` rows of
-    `verdicts.summary`; `unstable` is the number of verdicts that may change with the seed,
-    `without_scan` that of independent findings that are reproduced from printed numbers alone.
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        The table that `verdicts.add_open_ends` returns.
+
+    Returns
+    -------
+    dict
+        `claims` are rows by their ids, with printed numbers; `counts` are rows of
+        `verdicts.summary`. `unstable` is the number of verdicts that may change with the seed.
+        `without_scan` is the number of independent findings reproduced without any scan.
     """
     pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
-    facts = {str(row["id"]): plain | _meaning(row) for plain, row in pairs}
+    facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
     return {
         "claims": facts,
         "counts": summary(claims).to_dict("records"),
@@ -71,8 +92,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     }
 
 
-def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
-    """Return what a row of the claims means: its numbers as printed, and its kind."""
+def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """Return the numbers of a claim as printed, its kind, and whether its verdict may change."""
     unit, interval = row["unit"], (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     computed_text = print_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
@@ -80,15 +101,15 @@ def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
         computed_text = f"{print_as_paper(row['computed'], unit)} ({NO_INTERVAL['not_bounded']})"
     return {
         "published_text": print_as_paper(row["published"], unit),
-        "accepted_text": _accepted(row["accepted_low"], row["accepted_high"], unit),
+        "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "may_change": row["stability"] < MIN_STABILITY,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
 
 
-def _accepted(low: float, high: float, unit: str) -> str:
-    """Return the range in which a number agrees with a statement."""
+def _print_accepted_range(low: float, high: float, unit: str) -> str:
+    """Return the range of numbers that agree with a statement, in words."""
     if np.isinf(low):
         return f"below {print_as_paper(high, unit)}"
     if np.isinf(high):
@@ -99,22 +120,22 @@ def _accepted(low: float, high: float, unit: str) -> str:
 def chapter(text: str) -> Chapter:
     """Return a chapter in Markdown as HTML, with anchors at its headings.
 
-    Raises ValueError if the text does not begin with its title, ``# ...``. Links into the
-    repository are replaced by their text, because they do not work from a page.
+    Links into the repository become plain text, because they do not work from a page. Raises
+    ValueError if the text does not begin with a title, ``# ...``.
     """
-    first, _, body = text.partition("\n")
-    if not first.startswith("# "):
-        raise ValueError(f"expected a text that begins with '# ' and a title, found {first!r}")
+    heading, _, body = text.partition("\n")
+    if not heading.startswith("# "):
+        raise ValueError(f"expected a text that begins with '# ' and a title, found {heading!r}")
     unlinked = re.sub(r"\[([^\]]+)\]\((?!https?:)[^)]+\)", r"\1", body)
     markdown = MarkdownIt("commonmark").enable("table")
     tokens = markdown.parse(unlinked)
     _label_cells(tokens)
-    sections = _anchored(tokens)
-    return Chapter(first[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
+    sections = _set_anchors(tokens)
+    return Chapter(heading[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
 
 
-def _anchored(tokens: Sequence[Token]) -> list[tuple[str, str]]:
-    """Set the anchor of each heading, and return anchors and headings."""
+def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
+    """Set the anchor of each heading; return the anchors and headings."""
     sections = []
     for token, content in pairwise(tokens):
         if token.type == "heading_open":
@@ -125,9 +146,9 @@ def _anchored(tokens: Sequence[Token]) -> list[tuple[str, str]]:
 
 
 def _label_cells(tokens: Sequence[Token]) -> None:
-    """Say of each heading of a Markdown table that it is its column's, and name it in each cell.
+    """Mark the headings of Markdown tables as column headings, and label each cell with one.
 
-    Cells show the name on a page that is too narrow for a header.
+    Cells show the label on a page that is too narrow for a header.
     """
     labels: list[str] = []
     column = 0

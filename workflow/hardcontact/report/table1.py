@@ -1,4 +1,4 @@
-"""Table 1 of the paper: rms height, slope and curvature of the surfaces, published and computed."""
+"""Table 1 of the paper: published and computed rms height, slope and curvature of surfaces."""
 
 import json
 import math
@@ -10,7 +10,7 @@ import xarray as xr
 
 from hardcontact.base.published import rows_met
 
-#: Variables that the paper's quantities may be computed as, with their definitions.
+#: Variables that may correspond to the paper's quantities, with their definitions.
 DEFINITIONS = {
     "height": {"rms_height": ""},
     "slope": {"rms_gradient": "gradient", "rms_profile_slope": "slope of profiles"},
@@ -37,55 +37,71 @@ QUANTITIES = (
 
 
 def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
-    """Return the rows of Table 1 as printed: what a row is, then a text for each surface.
+    """Return the rows of Table 1 as printed: a title, then the value for each surface.
 
-    Values are mean and standard deviation over the scans of a surface; over all scales they are
-    moments of the joined spectrum, which have none. A dagger marks what substitutes are made to
-    have.
+    Computed values from scans are mean and standard deviation over the scans of a surface. Values
+    over all scales are moments of the joined spectrum, without a standard deviation. A dagger marks
+    the values that substitutes meet by construction.
+
+    Parameters
+    ----------
+    topography : xarray.Dataset
+        The dataset that `roughness_table` returns.
+    published : pandas.DataFrame
+        The table that `published.table1` returns.
+
+    Returns
+    -------
+    list of list of str
+        Rows of cells.
     """
     surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
     rows = []
     for quantity in QUANTITIES:
         values = published[published["quantity"] == quantity.name].set_index("surface")
-        cells = [_published(values, str(one["surface"].item()), quantity) for one in surfaces]
+        cells = [
+            _print_published(values, str(data["surface"].item()), quantity) for data in surfaces
+        ]
         rows.append([f"{quantity.title}, published", *cells])
         for variable, definition in _variables(quantity.name):
-            cells = [_computed(one, variable, quantity) for one in surfaces]
+            cells = [_print_computed(data, variable, quantity) for data in surfaces]
             rows.append([", ".join(filter(None, ("computed", definition))), *cells])
     return rows
 
 
 def _variables(quantity: str) -> Iterator[tuple[str, str]]:
-    """Yield variables of topography.nc that a quantity is computed as, and their definitions."""
+    """Yield the variables of topography.nc that may be a quantity, and their definitions."""
     prefix = "all_scales_" if quantity.startswith("all_") else ""
     for variable, definition in DEFINITIONS[quantity.rpartition("_")[-1]].items():
         yield prefix + variable, definition
 
 
-def _published(values: pd.DataFrame, surface: str, quantity: _Quantity) -> str:
-    """Return a published value, with the decimals of whichever number was printed with more."""
+def _print_published(values: pd.DataFrame, surface: str, quantity: _Quantity) -> str:
+    """Return a published value and its uncertainty, with equally many decimals."""
     if surface not in values.index:
         return "–"
-    of_surface = values.loc[[surface], ["value", "uncertainty"]].to_numpy(float)
-    value, uncertainty = of_surface[0] / quantity.printed_unit
+    numbers = values.loc[[surface], ["value", "uncertainty"]].to_numpy(float)
+    value, uncertainty = numbers[0] / quantity.printed_unit
     decimals = max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
-    return _printed(value, uncertainty, decimals)
+    return _print_with_uncertainty(value, uncertainty, decimals)
 
 
-def _computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> str:
-    """Return a computed value: mean over scans, or the moment of the joined spectrum."""
+def _print_computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> str:
+    """Return a computed value: mean over scans, or moment of the joined spectrum."""
     mean = f"{variable}_mean"
     value = surface[mean if mean in surface else variable].item() / quantity.printed_unit
     spread = (
         surface[f"{variable}_std"].item() / quantity.printed_unit if mean in surface else math.nan
     )
-    met = quantity.name in rows_met(surface["calibrated_to_table1"].item())
-    taken = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
-    mark = " †" if met and variable == taken else ""
-    return _printed(value, spread, decimals_of(value, spread)) + mark
+    is_calibrated = quantity.name in rows_met(surface["calibrated_to_table1"].item())
+    table1_variable = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix(
+        "_mean"
+    )
+    mark = " †" if is_calibrated and variable == table1_variable else ""
+    return _print_with_uncertainty(value, spread, decimals_of(value, spread)) + mark
 
 
-def _printed(value: float, uncertainty: float, decimals: int) -> str:
+def _print_with_uncertainty(value: float, uncertainty: float, decimals: int) -> str:
     if not math.isfinite(value):
         return "–"
     if not math.isfinite(uncertainty):
@@ -94,7 +110,7 @@ def _printed(value: float, uncertainty: float, decimals: int) -> str:
 
 
 def decimals_of(value: float, uncertainty: float) -> int:
-    """Return the decimals of two digits of the uncertainty, or of three of the value if fewer."""
+    """Return the decimals for two digits of the uncertainty and at most three of the value."""
     digits = [1 - math.floor(math.log10(uncertainty))] if uncertainty > 0 else []
     digits += [2 - math.floor(math.log10(abs(value)))] if value and math.isfinite(value) else []
     return max(0, min(digits, default=2))

@@ -16,11 +16,11 @@ import xarray as xr
 from hardcontact.base.published import rows_met
 from hardcontact.surfaces.height_map import DEFINITIONS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, Density, Floats, spectrum_from
-from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
 from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
-#: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
-OVER_MOMENTS = {
+#: Ratio of metrics of isotropic surfaces to moments: height, gradient, half-Laplacian.
+METRIC_PER_MOMENT = {
     "rms_height": 1.0,
     "rms_gradient": 1.0,
     "rms_profile_slope": 1 / np.sqrt(2),
@@ -28,19 +28,19 @@ OVER_MOMENTS = {
     "rms_laplacian": 2.0,
 }
 #: Bands whose amplitudes are free.
-BANDS = 3
+BAND_COUNT = 3
 #: Largest ratio of the amplitude of a band to that of the longest wavelengths, or its inverse.
-LARGEST_CHANGE = 4.0
+MAX_AMPLITUDE_RATIO = 4.0
 #: Relative error at which a target counts as met.
 TOLERANCE = 1e-9
 
 
 class Targets(NamedTuple):
-    """The statistics that a group of scans of one surface is given."""
+    """The statistics that a group of scans of one surface meets."""
 
-    means: Mapping[str, float]  #: By metric (METRICS): height, slope, curvature, in this order.
+    means: Mapping[str, float]  #: Mean height, slope and curvature, by METRICS.
     deviation: float  #: Standard deviation of the rms heights in nm (ddof 1).
-    rows: tuple[str, ...]  #: Of Table 1, that are met so.
+    rows: tuple[str, ...]  #: Rows of Table 1 that these targets meet.
 
 
 def scan_targets(
@@ -52,16 +52,17 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on this study's pixels.
 
-    Scans of the paper's pixels and size get the moments that the spectrum expects of a scan. Other
-    pixels change slope and curvature to those expected there, another size changes all three. The
-    deviation has the ratio to the rms height that its published uncertainty has.
+    Scans with the paper's pixels and size get the expected moments that the spectrum states. With
+    other pixels, slope and curvature are the moments expected on these pixels; with another size,
+    all three are. The ratio of deviation to rms height is the published one.
 
     Parameters
     ----------
     spectrum : xarray.Dataset
         The dataset that `substitute_spectrum` returns.
     table1, constants : pandas.DataFrame
-        Table 1 from `rows_of_surface`; `published.constants`, with the paper's pixels and size.
+        Table 1 from `rows_of_surface`, and the constants with the paper's pixels and size, which
+        `published.constants` returns.
     definitions : mapping of str to str
         Meaning of ``slope`` and ``curvature`` in Table 1: keys of DEFINITIONS.
     grid : ScanGrid
@@ -88,7 +89,7 @@ def scan_targets(
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
         {
-            name: float(OVER_MOMENTS[name] * moment)
+            name: float(METRIC_PER_MOMENT[name] * moment)
             for name, moment in zip(names, moments, strict=True)
         },
         float(moments[0] * height["uncertainty"] / height["value"]),
@@ -97,9 +98,10 @@ def scan_targets(
 
 
 def group_heights(heights: Floats, mean: float, deviation: float) -> Floats:
-    """Return rms heights (scan,) with a mean and a standard deviation (ddof 1), from random ones.
+    """Return rms heights (scan,) in nm, shifted and stretched to a mean and a standard deviation.
 
-    They keep their order and their relative distances; a single scan gets the mean.
+    The standard deviation has ddof 1. The heights keep their order and relative distances. A single
+    scan gets the mean.
     """
     deviations = heights - heights.mean()
     if len(heights) > 1:
@@ -110,18 +112,18 @@ def group_heights(heights: Floats, mean: float, deviation: float) -> Floats:
 def band_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth bands: (3, points of WAVEVECTORS).
 
-    They add up to one, and go over into each other between the size of a scan, its geometric mean
-    with two pixels, and two pixels, as sin² in the logarithm of the wavelength.
+    The shares add up to one. Each band passes into the next as sin² of the logarithm of wavelength:
+    the first from the size of a scan to its geometric mean with two pixels, the second from there
+    to two pixels.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
-    long_step, short_step = (
-        np.sin(np.pi / 2 * np.clip(2 * position - step, 0, 1)) ** 2 for step in range(BANDS - 1)
-    )
+    long_step = np.sin(np.pi / 2 * np.clip(2 * position, 0, 1)) ** 2
+    short_step = np.sin(np.pi / 2 * np.clip(2 * position - 1, 0, 1)) ** 2
     return np.array([1 - long_step, long_step - short_step, short_step])
 
 
-def amplified(density: Density, gain: Floats) -> Density:
+def multiply_amplitudes(density: Density, gain: Floats) -> Density:
     """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS."""
 
     def amplified_density(wavevector: Floats) -> Floats:
@@ -135,8 +137,7 @@ def amplified(density: Density, gain: Floats) -> Density:
 def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     """Return matrices G (names, bands, bands): metric(sum a_k h_k)² = a G a, in its unit squared.
 
-    The bands h_k are levelled; the names are of METRICS that are root mean squares of something
-    linear in the heights.
+    The bands h_k are levelled. The names are METRICS whose square is quadratic in the heights.
     """
 
     def squares(heights: np.ndarray) -> Floats:
@@ -153,39 +154,39 @@ def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     return matrices
 
 
-def _fitted(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return amplitudes (bands,), factors of heights (scan,), relative misses of the means (3,)."""
+def _fit_group(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
+    """Return amplitudes (bands,), factors of heights (scan,), relative errors of the means (3,)."""
     from scipy.optimize import least_squares
 
     means = np.array(list(targets.means.values()))
 
-    def misses(logs: Floats) -> tuple[Floats, Floats]:
-        """Return the misses (3,), and the factors (scan,) that give scans their rms heights."""
+    def relative_errors(logs: Floats) -> tuple[Floats, Floats]:
+        """Return the errors (3,), and the factors (scan,) that give scans their rms heights."""
         amplitudes = np.exp(np.append(0.0, logs))
         values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
         heights = values[:, 0]
         factors = group_heights(heights, means[0], targets.deviation) / heights
         return (factors[:, None] * values).mean(axis=0) / means - 1, factors
 
-    def slope_and_curvature_misses(logs: Floats) -> Floats:
-        return misses(logs)[0][1:]
+    def slope_and_curvature_errors(logs: Floats) -> Floats:
+        return relative_errors(logs)[0][1:]
 
     fit = least_squares(
-        slope_and_curvature_misses,
-        np.zeros(BANDS - 1),
-        bounds=(-np.log(LARGEST_CHANGE), np.log(LARGEST_CHANGE)),
+        slope_and_curvature_errors,
+        np.zeros(BAND_COUNT - 1),
+        bounds=(-np.log(MAX_AMPLITUDE_RATIO), np.log(MAX_AMPLITUDE_RATIO)),
         xtol=1e-15,
         ftol=1e-15,
         gtol=1e-15,
     )
-    missed, factors = misses(fit.x)
+    mean_errors, factors = relative_errors(fit.x)
     if factors.min() <= 0:
         raise ValueError(
             f"expected rms heights above zero of {len(moments)} scans that are {means[0]:.3g} +- "
             f"{targets.deviation:.3g} nm, found one below: fewer scans deviate less"
         )
     mean = factors.mean()
-    return mean * np.exp(np.append(0.0, fit.x)), factors / mean, missed
+    return mean * np.exp(np.append(0.0, fit.x)), factors / mean, mean_errors
 
 
 def conditioned_group(
@@ -196,9 +197,27 @@ def conditioned_group(
 ) -> xr.Dataset:
     """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
 
-    Without targets both equal 1. The generators, by number of the scan, draw the same scans as
-    later synthesis does. The attribute `calibrated_to_table1` lists the rows of Table 1 that the
-    surface meets by construction. Raises ValueError if an rms height would be negative.
+    Parameters
+    ----------
+    spectrum : xarray.Dataset
+        The dataset that `substitute_spectrum` returns.
+    targets : Targets or None
+        The targets that `scan_targets` returns; with None, gain and factors equal 1.
+    generators : mapping of int to callable
+        By number of the scan: returns a new generator that draws the scan.
+    grid : ScanGrid
+        Pixels and size of the scans.
+
+    Returns
+    -------
+    xarray.Dataset
+        The attribute `calibrated_to_table1` lists the rows of Table 1 that the surface meets by
+        construction.
+
+    Raises
+    ------
+    ValueError
+        If an rms height would be negative.
     """
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
     calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
@@ -207,19 +226,22 @@ def conditioned_group(
         shares = band_shares(grid)
         moments = [
             second_moments(
-                [level(drawn_scan(draw(), amplified(density, share), grid)) for share in shares],
+                [
+                    level(draw_scan(draw(), multiply_amplitudes(density, share), grid))
+                    for share in shares
+                ],
                 list(targets.means),
             )
             for draw in generators.values()
         ]
-        amplitudes, factors, misses = _fitted(np.array(moments), targets)
+        amplitudes, factors, mean_errors = _fit_group(np.array(moments), targets)
         gain = amplitudes @ shares
-        met = {
+        met_rows = {
             row
-            for row, miss in zip(AFM_ROWS, misses, strict=True)
-            if row in targets.rows and abs(miss) < TOLERANCE
+            for row, error in zip(AFM_ROWS, mean_errors, strict=True)
+            if row in targets.rows and abs(error) < TOLERANCE
         }
-        calibrated = [row for row in calibrated if row in met or row not in AFM_ROWS]
+        calibrated = [row for row in calibrated if row in met_rows or row not in AFM_ROWS]
     return xr.Dataset(
         {
             "gain": ("wavevector", gain, {"units": "1", "long_name": "gain of amplitudes"}),

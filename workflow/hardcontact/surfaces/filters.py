@@ -1,7 +1,6 @@
 """Fourier interpolation and cutoff filters of periodic surfaces.
 
-A surface whose shortest wavelength is known is kept on the coarsest grid that represents it
-exactly.
+A filtered surface is held on the coarsest grid that represents it exactly.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,30 +11,30 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Of a transform: orders (y, x).
-Spectrum = NDArray[np.complex128]
+#: Fourier transform over orders (y, x).
+Transform = NDArray[np.complex128]
 
-ROWS = 64  # rows a block: no step holds a second full-size array, and a block fits the cache
+BLOCK_ROWS = 64  # rows a block: no step holds a second full-size array, and a block fits the cache
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
     """Return the wavelengths >= cutoff (nm) of a surface, on the coarsest grid that holds them.
 
-    The surface is periodic and square; the heights are in float64. Raises ValueError for a cutoff
-    of two pixels or less.
+    The surface is periodic and square; the heights are in float64. Raises ValueError if the cutoff
+    is two pixels or less.
     """
     from scipy import fft
 
-    limit = _limit(surface, cutoff)
+    limit = _highest_order(surface, cutoff)
     highest = int(limit)
-    band = _longer_waves(_lowest_orders(surface, highest), limit)
+    band = _drop_higher_orders(_lowest_orders(surface, highest), limit)
     coarse = 2 * highest + 2
-    heights = fft.irfft2(_with_orders(band, coarse), s=(coarse, coarse))
+    heights = fft.irfft2(_pad_orders(band, coarse), s=(coarse, coarse))
     heights *= (coarse / surface.pixels) ** 2
     return replace(surface, heights=heights, pixel_size=surface.size / coarse)
 
 
-def _limit(surface: HeightMap, cutoff: float) -> float:
+def _highest_order(surface: HeightMap, cutoff: float) -> float:
     """Return the highest order of a wave of a surface that is at least as long as a cutoff."""
     limit = surface.size / cutoff * (1 + 1e-12)
     if 2 * int(limit) + 2 > surface.pixels:
@@ -46,14 +45,14 @@ def _limit(surface: HeightMap, cutoff: float) -> float:
     return limit
 
 
-def _lowest_orders(surface: HeightMap, highest: int) -> Spectrum:
+def _lowest_orders(surface: HeightMap, highest: int) -> Transform:
     """Return the transform of a surface up to an order along both axes; y runs 0, 1, ... -2, -1."""
     from scipy import fft
 
     pixels = surface.pixels
     transform = np.empty((pixels, highest + 1), complex)
-    for start in range(0, pixels, ROWS):
-        rows = slice(start, start + ROWS)
+    for start in range(0, pixels, BLOCK_ROWS):
+        rows = slice(start, start + BLOCK_ROWS)
         block = surface.heights[rows].astype(float)
         transform[rows] = fft.rfft(block, axis=1)[:, : highest + 1]
     transform = fft.fft(transform, axis=0, overwrite_x=True)
@@ -65,7 +64,7 @@ def _orders(highest: int) -> NDArray[np.int_]:
     return np.append(np.arange(highest + 1), np.arange(-highest, 0))
 
 
-def _longer_waves(transform: Spectrum, limit: float) -> Spectrum:
+def _drop_higher_orders(transform: Transform, limit: float) -> Transform:
     """Return the part of a transform up to a limit of the order in any direction."""
     orders = _orders(int(limit))
     band = transform[orders, : int(limit) + 1]
@@ -73,8 +72,8 @@ def _longer_waves(transform: Spectrum, limit: float) -> Spectrum:
     return band
 
 
-def _with_orders(transform: Spectrum, pixels: int) -> Spectrum:
-    """Return `_lowest_orders` among the orders along y, else zero, of more pixels."""
+def _pad_orders(transform: Transform, pixels: int) -> Transform:
+    """Return the transform from `_lowest_orders`, padded with zeros to more orders along y."""
     padded = np.zeros((pixels, transform.shape[1]), complex)
     padded[_orders(transform.shape[1] - 1)] = transform
     return padded
@@ -83,7 +82,7 @@ def _with_orders(transform: Spectrum, pixels: int) -> Spectrum:
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     """Return the trigonometric interpolation of a periodic, square surface on pixels x pixels.
 
-    Heights are in float32. Raises ValueError for fewer pixels than the surface has.
+    Heights are in float32. Raises ValueError if the surface has more pixels.
     """
     from scipy import fft
 
@@ -95,12 +94,12 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     padded[: coarse - half] = transform[: coarse - half]
     padded[-half:] += transform[-half:]
     if coarse % 2 == 0 and pixels > coarse:
-        # On its own grid the Nyquist order stands for both signs; on a finer one they share it.
+        # A grid holds both signs of the Nyquist order in one entry; a finer grid holds each.
         padded[-half] /= 2
         padded[half] += padded[-half]
         padded[:, -1] /= 2
     fine = np.empty((pixels, pixels), np.float32)
-    for rows, heights in _inverse(padded):
+    for rows, heights in _inverse_blocks(padded):
         fine[rows] = heights * (pixels / coarse) ** 2
     return replace(surface, heights=fine, pixel_size=surface.size / pixels)
 
@@ -110,29 +109,49 @@ def _check_finer(coarse: int, pixels: int) -> None:
         raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
 
 
-def _inverse(padded: Spectrum) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+def _inverse_blocks(padded: Transform) -> Iterator[tuple[slice, NDArray[np.float64]]]:
     """Yield blocks of rows of the inverse transform of orders (pixels, k), which is overwritten."""
     from scipy import fft
 
     pixels = len(padded)
     padded = fft.ifft(padded, axis=0, overwrite_x=True)
-    for start in range(0, pixels, ROWS):
-        rows = slice(start, start + ROWS)
+    for start in range(0, pixels, BLOCK_ROWS):
+        rows = slice(start, start + BLOCK_ROWS)
         yield rows, fft.irfft(padded[rows], n=pixels, axis=1)
 
 
 def filtered_series(
     master: HeightMap, side: str, cutoffs: Sequence[float | None], pixels: int
 ) -> Iterator[HeightMap]:
-    """Yield a periodic master without the scales beyond each of several cutoffs, transformed once.
+    """Yield a periodic master without the wavelengths beyond each cutoff.
 
-    The side ``"small"`` removes wavelengths below the cutoffs (nm), ``"large"`` those above; None
-    removes nothing. Heights (pixels, pixels) are in float32 wherever they are not those of the
-    master. All surfaces but that of None share one array, which the next one overwrites. Raises
-    ValueError if the remaining wavelengths need more pixels, or a cutoff is two pixels or less.
+    The master is transformed once. All surfaces except the unfiltered one share one array of
+    heights, which the next surface overwrites.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic and square.
+    side : str
+        ``"small"`` removes the wavelengths below a cutoff, ``"large"`` those above it.
+    cutoffs : sequence of float or None
+        In nm; None removes nothing.
+    pixels : int
+        Pixels along an edge of the yielded surfaces.
+
+    Yields
+    ------
+    HeightMap
+        Heights (pixels, pixels) in float32; the unfiltered master keeps its own type, unless it is
+        interpolated.
+
+    Raises
+    ------
+    ValueError
+        If the remaining wavelengths need more pixels, or a cutoff is two pixels or less.
     """
     size = master.size
-    limits = [None if cutoff is None else _limit(master, cutoff) for cutoff in cutoffs]
+    limits = [None if cutoff is None else _highest_order(master, cutoff) for cutoff in cutoffs]
     highest = max((int(limit) for limit in limits if limit is not None), default=None)
     unfiltered = master
     if side == "large" or None in cutoffs:
@@ -150,7 +169,9 @@ def filtered_series(
         if limit is None:
             yield unfiltered
             continue
-        for rows, band in _inverse(_with_orders(_longer_waves(transform, limit), pixels)):
+        for rows, band in _inverse_blocks(
+            _pad_orders(_drop_higher_orders(transform, limit), pixels)
+        ):
             heights[rows] = band
             if side == "large":
                 np.subtract(unfiltered.heights[rows], heights[rows], out=heights[rows])

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class HeightMap:
     """A surface on square pixels; heights grow out of the material.
 
-    Heights (y, x) and the edge of a pixel are in nm. A periodic map continues itself at its edges.
+    Heights (y, x) and the edge of a pixel are in nm. A periodic map repeats beyond its edges.
     The basis is ``"measured"`` or ``"substitute"``.
     """
 
@@ -70,7 +70,7 @@ class HeightMap:
         return axes
 
     def dataset(self) -> xr.Dataset:
-        """Return the map as it is stored: float32 heights with coordinates in nm."""
+        """Return the map as a dataset: float32 heights with coordinates in nm."""
         coordinates = {
             axis: (
                 (axis,),
@@ -92,14 +92,14 @@ class HeightMap:
 
 
 def read_height_map(path: str) -> HeightMap:
-    """Read a height map from a netCDF file of the study; raises ValueError if that fails."""
-    stored = dataset.read(path)
-    heights = stored["heights"]
+    """Read a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
+    map_dataset = dataset.read(path)
+    heights = map_dataset["heights"]
     return HeightMap(
         heights.values,
         float(heights.attrs["pixel_size"]),
-        bool(stored.attrs["periodic"]),
-        str(stored.attrs["basis"]),
+        bool(map_dataset.attrs["periodic"]),
+        str(map_dataset.attrs["basis"]),
     )
 
 
@@ -112,7 +112,7 @@ def library_map(surface: HeightMap) -> "Topography":
 
 
 def level(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares plane, bit by bit as SurfaceTopography levels it."""
+    """Return a scan minus its least-squares plane, equal bit by bit to SurfaceTopography's."""
     heights = np.asarray(scan.heights, dtype=float).T
     x, y = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
     design = np.column_stack([np.ones(heights.size), x.ravel(), y.ravel()])
@@ -131,7 +131,7 @@ def level_lines(scan: HeightMap) -> HeightMap:
 
 
 def level_quadratic(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares polynomial of second order, such as a scanner's bow."""
+    """Return a scan minus its least-squares polynomial of second order, to remove a bow."""
     return replace(scan, heights=library_map(scan).detrend("curvature").heights().T)
 
 
@@ -146,14 +146,15 @@ LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
 def flat_map(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan levelled, after the sphere (radius in nm) that it shows is subtracted, if any.
+    """Return a scan levelled, after subtracting the sphere that it shows (radius in nm), if any.
 
-    The apex of the paraboloid x²/2R that is added back may lie anywhere: moving it adds a plane.
+    The apex of the paraboloid x²/2R is at the centre of the scan. Another apex would add a plane,
+    which levelling removes.
     """
     if sphere_radius is not None:
-        y, x = (
-            (np.arange(count) - (count - 1) / 2) * scan.pixel_size for count in scan.heights.shape
-        )
+        rows, columns = scan.heights.shape
+        y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size
+        x = (np.arange(columns) - (columns - 1) / 2) * scan.pixel_size
         heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
         scan = replace(scan, heights=heights)
     return LEVELLING[levelling](scan)
@@ -179,7 +180,7 @@ METRICS = {
     "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
     "peak_to_valley": ("nm", "peak to valley"),
 }
-#: Metrics that slope and curvature of Table 1 may stand for, by their names in the configuration.
+#: Possible meanings of slope and curvature in Table 1, by their names in the configuration.
 DEFINITIONS = {
     "gradient": "rms_gradient",
     "profile": "rms_profile_slope",
@@ -191,8 +192,8 @@ DEFINITIONS = {
 def metrics(scan: HeightMap) -> dict[str, float]:
     """Return the METRICS of a scan.
 
-    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, over
-    the pixels that have them along both axes.
+    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, at the
+    pixels that have both derivatives.
 
     Parameters
     ----------
@@ -239,12 +240,12 @@ def skewness_and_kurtosis(heights: np.ndarray) -> tuple[float, float]:
 
 
 def table1_variables(slope: str, curvature: str) -> dict[str, str]:
-    """Return the variables of topography.nc by their rows in Table 1, read as of DEFINITIONS."""
-    variables = {
+    """Return the variables of topography.nc by rows of Table 1; arguments are DEFINITIONS."""
+    metric_names = {
         "height": "rms_height",
         "slope": DEFINITIONS[slope],
         "curvature": DEFINITIONS[curvature],
     }
-    return {f"afm_rms_{row}": f"{metric}_mean" for row, metric in variables.items()} | {
-        f"all_rms_{row}": f"all_scales_{metric}" for row, metric in variables.items()
+    return {f"afm_rms_{row}": f"{metric}_mean" for row, metric in metric_names.items()} | {
+        f"all_rms_{row}": f"all_scales_{metric}" for row, metric in metric_names.items()
     }

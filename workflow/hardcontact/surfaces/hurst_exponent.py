@@ -6,51 +6,53 @@ import numpy as np
 
 from hardcontact.surfaces.spectrum import MIN_BINS, Floats
 
-#: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): gradual to sharp roll-offs at q_r.
+#: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
 SHARPNESS = (1.0, 2.0, 4.0)
-#: Bounds of the roll-offs that are fitted with H: factors on the first and the last wavevector.
+#: Bounds of the fitted roll-off: factors on the first and the last wavevector.
 ROLLOFF_BOUNDS = (0.1, 0.7)
 #: Roll-off wavelengths that are compared.
 ROLLOFF_COUNT = 61
-#: Standard deviation of the Hurst exponent beyond what is measured: surfaces are self-affine over
-#: some decades at best.
+#: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
+#: over some decades at best.
 HURST_SCATTER = 0.1
-#: Probability that the Hurst exponent lies within 0 to 1 below which no self-affine surface fits.
-MIN_INSIDE = 0.05
-#: Share of a normal distribution that does not count.
-NEGLIGIBLE = 1e-9
+#: Least probability of a Hurst exponent within 0 to 1 at which a self-affine surface fits.
+MIN_TRUNCATED_PROBABILITY = 0.05
+#: Share of a normal distribution within 0 to 1, below which a case of the mixture is left out.
+NEGLIGIBLE_SHARE = 1e-9
 
 
 class HurstFit(NamedTuple):
-    """The Hurst exponent of the shortest waves of a spectrum; 0 or 1 if none between them fits."""
+    """The Hurst exponent of the shortest waves; 0 or 1 if no exponent between them fits."""
 
     exponent: float
-    error: float  #: The standard error, of the fit and by HURST_SCATTER.
+    error: float  #: Standard error of the fit, with HURST_SCATTER.
     shortest: float  #: Wavelengths in nm of the bins fitted.
     longest: float
 
 
-def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
-    """Return the Hurst exponent past the roll-off, fitted together with it.
+def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
+    """Return the Hurst exponent below the roll-off wavelength, fitted together with the roll-off.
 
-    The bins of the last decade, with the variance of their ln C, follow ln C = ln C0 - (1 + H)
-    ln(1 + (q/q_r)^2s)/s. Given the roll-off q_r and s, this is a weighted regression. All q_r in
-    their logarithm, all SHARPNESS, and all H within 0 to 1 are equally likely beforehand; exponent
-    and error are mean and standard deviation by Bayes' rule.
+    The bins of the last decade follow ln C = ln C0 - (1 + H) ln(1 + (q/q_r)^2s)/s, with the
+    roll-off q_r. For each q_r and s this is a weighted regression. The prior is uniform in ln q_r,
+    in SHARPNESS, and in H within 0 to 1. The exponent is the posterior mean. Its error is the
+    posterior standard deviation, with HURST_SCATTER.
 
     Parameters
     ----------
     wavevector, density, variance : numpy.ndarray
-        Bins, in rad/nm and nm⁴, at least three.
+        (bins,) At least three bins: rad/nm, C_iso in nm⁴, variance of ln C_iso.
 
     Returns
     -------
     HurstFit
         The exponent with its error.
     """
-    fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
-    fitted[-MIN_BINS:] = True
-    q, log_density, weight = wavevector[fitted], np.log(density[fitted]), 1 / variance[fitted]
+    is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
+    is_fitted[-MIN_BINS:] = True
+    q = wavevector[is_fitted]
+    log_density = np.log(density[is_fitted])
+    weight = 1 / variance[is_fitted]
     rolloffs = np.geomspace(ROLLOFF_BOUNDS[0] * q[0], ROLLOFF_BOUNDS[1] * q[-1], ROLLOFF_COUNT)
     sharpness = np.array(SHARPNESS)[:, None, None]
     falls = -np.log1p((q / rolloffs[:, None]) ** (2 * sharpness)) / sharpness
@@ -63,32 +65,37 @@ def fitted_hurst(wavevector: Floats, density: Floats, variance: Floats) -> Hurst
     log_evidence = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
     probability = np.exp(log_evidence - log_evidence.max())
     probability /= probability.sum()
-    exponent, variance_of_mean = _within_bounds(slopes - 1, 1 / np.sqrt(spread), probability)
+    exponent, variance_of_mean = _truncated_moments(slopes - 1, 1 / np.sqrt(spread), probability)
     error = np.sqrt(variance_of_mean + HURST_SCATTER**2)
     return HurstFit(float(exponent), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
 
 
-def _within_bounds(exponents: Floats, errors: Floats, probability: Floats) -> tuple[Floats, Floats]:
-    """Return mean and variance of a mixture of normal exponents (case,), held within 0 to 1.
+def _truncated_moments(
+    exponents: Floats, errors: Floats, probability: Floats
+) -> tuple[Floats, Floats]:
+    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
 
-    If hardly any of it lies within, the mean is at the bound.
+    If the probability of this range is below MIN_TRUNCATED_PROBABILITY, the mean is clipped to it.
     """
     from scipy.special import ndtr
 
     low, high = -exponents / errors, (1 - exponents) / errors
-    inside = ndtr(high) - ndtr(low)
-    total = probability @ inside
-    if total < MIN_INSIDE:
+    truncated_share = ndtr(high) - ndtr(low)
+    total = probability @ truncated_share
+    if total < MIN_TRUNCATED_PROBABILITY:
         mean = probability @ exponents
         return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
-    low, high, exponents, errors, inside, probability = (
-        values[inside > NEGLIGIBLE]
-        for values in (low, high, exponents, errors, inside, probability)
-    )
-    at_low, at_high = (np.exp(-(end**2) / 2) / np.sqrt(2 * np.pi) for end in (low, high))
-    shift = (at_low - at_high) / inside
+    cases = truncated_share > NEGLIGIBLE_SHARE
+    low, high = low[cases], high[cases]
+    exponents, errors = exponents[cases], errors[cases]
+    truncated_share, probability = truncated_share[cases], probability[cases]
+    low_density = np.exp(-(low**2) / 2) / np.sqrt(2 * np.pi)
+    high_density = np.exp(-(high**2) / 2) / np.sqrt(2 * np.pi)
+    shift = (low_density - high_density) / truncated_share
     means = exponents + errors * shift
-    variances = errors**2 * (1 + (low * at_low - high * at_high) / inside - shift**2)
-    weight = probability * inside / total
+    variances = errors**2 * (
+        1 + (low * low_density - high * high_density) / truncated_share - shift**2
+    )
+    weight = probability * truncated_share / total
     mean = weight @ means
     return mean, weight @ (variances + (means - mean) ** 2)

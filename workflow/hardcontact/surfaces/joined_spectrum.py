@@ -10,26 +10,26 @@ from numpy.typing import NDArray
 from hardcontact.surfaces.extrapolated_spectrum import (
     LongWaves,
     Tail,
-    continued_spectrum,
+    extrapolate_long_waves,
+    extrapolate_short_waves,
     has_exponent,
-    with_rolloff,
 )
-from hardcontact.surfaces.hurst_exponent import HurstFit, fitted_hurst
+from hardcontact.surfaces.hurst_exponent import HurstFit, fit_hurst_exponent
 from hardcontact.surfaces.mean_spectrum import (
     Curve,
     MeanBins,
-    line_bins,
+    find_line_bins,
+    match_height_variance,
     mean_bins,
-    smoothed_without_lines,
-    with_power,
+    smooth_curve_without_lines,
 )
 from hardcontact.surfaces.measured_spectrum import (
-    CALIBRATION,
+    CALIBRATION_SCATTER,
     independent_waves,
     local_slopes,
     measured_psd,
 )
-from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band, with_tip
+from hardcontact.surfaces.reliable_band import ReliableBand, limit_by_tip, reliable_band
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -39,30 +39,30 @@ from hardcontact.surfaces.spectrum import (
     Spectrum,
     spectrum_dataset,
 )
-from hardcontact.surfaces.spectrum_datasets import measurement_descriptions, with_measurements
+from hardcontact.surfaces.spectrum_datasets import add_measurements, measurement_descriptions
 
-#: Radii in nm of tips that are not known: from new ones to blunt ones.
-TIPS = (5.0, 50.0)
+#: Shortest and longest radius in nm of an unknown tip: a new tip, a blunt tip.
+UNKNOWN_TIP_RADII = (5.0, 50.0)
 
 
 class _MeasuredSpectra(NamedTuple):
     """The measurements of a surface, with their spectra and reliable bands."""
 
-    radii: Sequence[float | None]  #: Of their tips in nm, where they are known.
+    radii: Sequence[float | None]  #: Radii of the tips in nm; None if unknown.
     densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
-    waves: Floats  #: (measurement, bins) independent ones.
+    waves: Floats  #: (measurement, bins) numbers of independent waves.
     bands: Sequence[ReliableBand]
     long_waves: LongWaves
 
     def reliable(self, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-        """Return a mask (measurement, bins) of the bins that are measured within given bands."""
+        """Return the mask (measurement, bins) of nonempty bins within one band a measurement."""
         return np.array([band.bins for band in bands]) & np.isfinite(self.densities)
 
 
 def _measured_spectra(
     measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
 ) -> _MeasuredSpectra:
-    """Return the spectra of measurements; raises ValueError for fewer than three reliable bins."""
+    """Return the spectra of measurements; raises ValueError if fewer than MIN_BINS are reliable."""
     radii = [
         measurement.tip_radius if radius is None else radius
         for measurement, radius in zip(measurements, tip_radii, strict=True)
@@ -91,45 +91,45 @@ def _measured_spectra(
 def joined_spectrum(
     measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
 ) -> xr.Dataset:
-    """Return the spectrum of a surface, joined of its measurements within their reliable bands.
+    """Return the spectrum of a surface, joined from its measurements within their reliable bands.
 
     Parameters
     ----------
     measurements : sequence of Measurement
         Levelled maps and line scans.
     tip_radii : sequence of float or None
-        In nm, by measurement; None to use the radius that its file states, if any.
+        Radii in nm, by measurement; None to use the radius that its file states, if any.
 
     Returns
     -------
     xarray.Dataset
-        `spectrum` (wavevector) in nm⁴ over all scales; `joined` (bin_wavevector) in nm⁴, the mean
-        logarithm of the reliable densities, weighted by independent waves, freed of the bias of the
-        logarithm and smoothed where waves are few, NaN in other bins; `psd` and `reliable`
-        (measurement, bin_wavevector), and properties of each measurement.
+        `spectrum` (wavevector) is C_iso in nm⁴ over all scales. `joined` (bin_wavevector) is C_iso
+        in nm⁴, NaN in unreliable bins: the mean logarithm of the reliable densities, weighted by
+        independent waves, freed of the bias of the logarithm and smoothed where waves are few.
+        `psd` and `reliable` (measurement, bin_wavevector), and the properties of each measurement.
 
     Raises
     ------
     ValueError
         If fewer than three bins of wavelengths are reliable, in one line.
     """
-    measured = _measured_spectra(measurements, tip_radii)
-    reliable = measured.reliable(measured.bands)
-    bins = mean_bins(reliable, measured.densities, measured.waves)
-    lines = line_bins(bins)
-    curve = with_power(smoothed_without_lines(bins, lines), bins.power)
+    spectra = _measured_spectra(measurements, tip_radii)
+    reliable = spectra.reliable(spectra.bands)
+    bins = mean_bins(reliable, spectra.densities, spectra.waves)
+    lines = find_line_bins(bins)
+    curve = match_height_variance(smooth_curve_without_lines(bins, lines), bins.power)
     density = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES)
-    joined = np.where(reliable.any(axis=0), density, np.nan)
-    hurst = _hurst_without_lines(bins, lines)
-    spectrum, tail, rolloff = _continued(curve, hurst, measured.long_waves)
-    used_bands = [band for band, used in zip(measured.bands, reliable, strict=True) if used.any()]
+    joined_density = np.where(reliable.any(axis=0), density, np.nan)
+    hurst = _fit_hurst_without_lines(bins, lines)
+    spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.long_waves)
+    used_bands = [band for band, mask in zip(spectra.bands, reliable, strict=True) if mask.any()]
     has_edges = any("edges" in measurement.defects for measurement in measurements)
-    return with_measurements(
+    return add_measurements(
         spectrum_dataset(spectrum),
-        joined,
-        measured.densities,
+        joined_density,
+        spectra.densities,
         reliable,
-        measurement_descriptions(measurements, measured.radii, measured.bands),
+        measurement_descriptions(measurements, spectra.radii, spectra.bands),
     ).assign_attrs(
         basis="measured",
         calibrated_to_table1="",
@@ -141,59 +141,76 @@ def joined_spectrum(
     )
 
 
-def drawn_spectra(
+def draw_spectra(
     rngs: Iterable[np.random.Generator],
     measurements: Sequence[Measurement],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Draw spectra of a surface within the uncertainty of its measurements, one by each generator.
+    """Draw spectra of a surface within the uncertainty of its measurements.
 
-    Measurements and radii are the arguments of `joined_spectrum`. Random are the power of the few
-    waves in each bin and the bends between them; the calibrations; the radii of tips that are not
-    known, uniform in their logarithm within TIPS; the Hurst exponent of the tail; and the roll-off.
-    Yields each spectrum with the factors (measurement,) by which it takes heights to be wrong.
+    Each draw varies the power in each bin, for its finite number of waves, and the bends between
+    bins. It varies the calibrations, the Hurst exponent of the tail and the roll-off. Unknown tip
+    radii are uniform in their logarithm within UNKNOWN_TIP_RADII.
+
+    Parameters
+    ----------
+    rngs : iterable of numpy.random.Generator
+        One generator a draw.
+    measurements, tip_radii : sequence
+        The arguments of `joined_spectrum`.
+
+    Yields
+    ------
+    tuple of Spectrum and numpy.ndarray
+        The spectrum, and the factors (measurement,) of measured heights relative to true heights.
     """
-    measured = _measured_spectra(measurements, tip_radii)
+    spectra = _measured_spectra(measurements, tip_radii)
     for rng in rngs:
         bands = [
             band
             if radius is not None or measurement.kind != "map"
-            else with_tip(band, measurement, float(np.exp(rng.uniform(*np.log(TIPS)))))
+            else limit_by_tip(
+                band, measurement, float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
+            )
             for measurement, radius, band in zip(
-                measurements, measured.radii, measured.bands, strict=True
+                measurements, spectra.radii, spectra.bands, strict=True
             )
         ]
-        reliable = measured.reliable(bands)
+        reliable = spectra.reliable(bands)
         if reliable.any(axis=0).sum() < MIN_BINS:
-            reliable = measured.reliable(measured.bands)
-        calibration = CALIBRATION * rng.standard_normal(len(bands))
-        common = calibration.mean()
-        densities = measured.densities * np.exp(calibration - common)[:, None]
-        bins = mean_bins(reliable, densities, measured.waves)
-        lines = line_bins(bins)
-        curve = smoothed_without_lines(bins, lines, rng)
-        hurst = _hurst_without_lines(bins, lines)
-        change = hurst.error * rng.standard_normal()
-        spectrum, *_ = _continued(curve, hurst, measured.long_waves, rng.uniform(), change)
-        yield Spectrum(WAVEVECTORS, spectrum * np.exp(common)), np.exp(calibration / 2)
+            reliable = spectra.reliable(spectra.bands)
+        calibration = CALIBRATION_SCATTER * rng.standard_normal(len(bands))
+        mean_calibration = calibration.mean()
+        densities = spectra.densities * np.exp(calibration - mean_calibration)[:, None]
+        bins = mean_bins(reliable, densities, spectra.waves)
+        lines = find_line_bins(bins)
+        curve = smooth_curve_without_lines(bins, lines, rng)
+        hurst = _fit_hurst_without_lines(bins, lines)
+        hurst_change = hurst.error * rng.standard_normal()
+        spectrum, *_ = _extrapolate_curve(
+            curve, hurst, spectra.long_waves, rng.uniform(), hurst_change
+        )
+        yield Spectrum(WAVEVECTORS, spectrum * np.exp(mean_calibration)), np.exp(calibration / 2)
 
 
-def _hurst_without_lines(bins: MeanBins, lines: NDArray[np.bool_]) -> HurstFit:
-    """Return the Hurst exponent of the bins without lines."""
-    fitted = np.isfinite(bins.density) & ~lines
-    return fitted_hurst(BIN_CENTRES[fitted], bins.density[fitted], bins.variance[fitted])
+def _fit_hurst_without_lines(bins: MeanBins, lines: NDArray[np.bool_]) -> HurstFit:
+    """Return the Hurst exponent, fitted to the bins without lines."""
+    is_fitted = np.isfinite(bins.density) & ~lines
+    return fit_hurst_exponent(
+        BIN_CENTRES[is_fitted], bins.density[is_fitted], bins.variance[is_fitted]
+    )
 
 
-def _continued(
+def _extrapolate_curve(
     curve: Curve,
     hurst: HurstFit,
     long_waves: LongWaves,
     probability: float = 0.5,
     hurst_change: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
-    """Return C_iso (nm⁴) extrapolated from a curve to WAVEVECTORS, its tail and roll-off in nm."""
-    density, tail = continued_spectrum(curve.wavevector, curve.density, hurst, hurst_change)
+    """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
+    density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_change)
     slopes, _ = local_slopes(*curve)
     slope, longest = float(slopes[0]), float(2 * np.pi / curve.wavevector[0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
-    return with_rolloff(density, longest, slope, rolloff), tail, rolloff
+    return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff

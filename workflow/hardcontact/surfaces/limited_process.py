@@ -1,6 +1,6 @@
 """Reading a file of the user, whose bytes may be damaged or hostile, in a child process.
 
-The child opens no file, writes none, and uses only so much memory and time.
+The child opens no file, writes no file, and has limits of memory and time.
 """
 
 import faulthandler
@@ -21,28 +21,45 @@ from typing import Any
 import numpy as np
 
 #: The largest file in bytes.
-MAX_FILE = 2**30
-#: Bytes of memory of the child, and how many of them a small file gets and each byte more.
+MAX_FILE_BYTES = 2**30
+#: Bytes of memory of the child: the maximum, those for any file, those for each byte of a file.
 MAX_MEMORY, SMALL_FILE_MEMORY, MEMORY_PER_BYTE = 4 * 2**30, 2**29, 200
-#: Seconds of computing of the child, and how many a small file gets and each 2**20 bytes more.
+#: Processor time of the child in s: the maximum, for any file, for each 2**20 bytes of a file.
 MAX_SECONDS, SMALL_FILE_SECONDS, SECONDS_PER_MEGABYTE = 120, 2, 10
-#: Seconds on the clock, with waits for a processor.
+#: Elapsed time in s, with waits for a processor.
 MAX_WAIT = 600
 #: The longest message in characters.
 MAX_MESSAGE = 2000
 
 
 class RefusedFile(Exception):
-    """A file that cannot be used; the text has the expectation and the finding."""
+    """A file that cannot be used; the text names what was expected and what was found."""
 
 
 def read_in_child(
-    read: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
+    reader: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
 ) -> dict[str, Any]:
-    """Return the dictionary that `read` makes of the bytes of a file, in a child process.
+    """Return the dictionary that a reader makes from the bytes of a file, in a child process.
 
-    JSON can hold the dictionary, except for an array `heights`. Raises ValueError, in one line with
-    the path, whatever goes wrong with the file or in the child.
+    Parameters
+    ----------
+    reader : callable
+        Takes the bytes and the arguments. Returns a dictionary that JSON can hold, except for an
+        array `heights`.
+    path : pathlib.Path
+        The file.
+    *arguments : str or float
+        Further arguments of the reader.
+
+    Returns
+    -------
+    dict of str
+        The dictionary, without control characters in its texts.
+
+    Raises
+    ------
+    ValueError
+        If anything fails, with the file or in the child: one line with the path.
     """
     if path.is_dir():
         raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
@@ -50,8 +67,8 @@ def read_in_child(
         reason = "no regular file" if path.exists() else "no such file"
         raise ValueError(f"{path}: expected a scan, found {reason}")
     size = path.stat().st_size
-    if not 0 < size <= MAX_FILE:
-        raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE} bytes, found {size}")
+    if not 0 < size <= MAX_FILE_BYTES:
+        raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE_BYTES} bytes, found {size}")
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
     memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
     context = multiprocessing.get_context("fork")
@@ -59,7 +76,7 @@ def read_in_child(
     with tempfile.TemporaryDirectory() as folder:
         child = context.Process(
             target=_run_child,
-            args=(sender, folder, seconds, memory, read, path.absolute(), *arguments),
+            args=(sender, folder, seconds, memory, reader, path.absolute(), *arguments),
             daemon=True,
         )
         child.start()
@@ -88,11 +105,11 @@ def _run_child(
     folder: str,
     seconds: int,
     memory: int,
-    read: Callable[..., dict[str, Any]],
+    reader: Callable[..., dict[str, Any]],
     path: Path,
     *arguments: str | float,
 ) -> None:
-    """Send the dictionary or the refusal of a file; silently, for readers log and print."""
+    """Send the dictionary or the refusal of a file, and suppress what readers log and print."""
     faulthandler.disable()
     logging.disable()
     warnings.simplefilter("ignore")
@@ -101,8 +118,8 @@ def _run_child(
     try:
         content = path.read_bytes()
         os.chdir(folder)
-        _limit(seconds, memory)
-        answer = read(content, *arguments)
+        _limit_resources(seconds, memory)
+        answer = reader(content, *arguments)
     except RefusedFile as error:
         answer = {"refused": str(error)}
     except Exception as error:  # damaged bytes may raise anything in a reader
@@ -111,29 +128,33 @@ def _run_child(
             f"({type(error).__name__}: {str(error)[:200]})"
         }
     if "refused" in answer:
-        answer = {"refused": " ".join(_printable(answer["refused"][:MAX_MESSAGE]).split())}
+        answer = {
+            "refused": " ".join(
+                _replace_control_characters(answer["refused"][:MAX_MESSAGE]).split()
+            )
+        }
     array = io.BytesIO()
     np.save(array, answer.pop("heights", np.empty(0)))
-    printable = {key: _printable(value) for key, value in answer.items()}
-    sender.send_bytes(json.dumps(printable).encode())
+    sendable = {key: _replace_control_characters(value) for key, value in answer.items()}
+    sender.send_bytes(json.dumps(sendable).encode())
     sender.send_bytes(array.getbuffer())
 
 
-def _printable(value: Any) -> Any:
-    """Return a text, or a list of them, with blanks for control characters; other values as is."""
+def _replace_control_characters(value: Any) -> Any:
+    """Return a value whose texts have blanks for control characters."""
     if isinstance(value, list):
-        return [_printable(part) for part in value]
+        return [_replace_control_characters(item) for item in value]
     if not isinstance(value, str):
         return value
     return "".join(letter if letter.isprintable() else " " for letter in value)
 
 
-def _limit(seconds: int, memory: int) -> None:
+def _limit_resources(seconds: int, memory: int) -> None:
     """Limit computing time and added memory of this process, and let it open no file."""
     limits = {
         resource.RLIMIT_CORE: 0,
         resource.RLIMIT_FSIZE: 0,  # writes nothing
-        resource.RLIMIT_NOFILE: 0,  # opens nothing; what is open stays open
+        resource.RLIMIT_NOFILE: 0,  # opens nothing; open files stay open
         resource.RLIMIT_CPU: seconds,
     }
     if sys.platform == "linux":  # elsewhere the memory is not limited

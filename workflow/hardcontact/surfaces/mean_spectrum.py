@@ -5,39 +5,39 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.measured_spectrum import CALIBRATION, bias_of_log, variance_of_log
+from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, bias_of_log, variance_of_log
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, Floats, Spectrum
 
-#: Standard deviation of the change of the slope d ln C/d ln q along a root of a decade: at a
-#: roll-off it is 2 + 2H, some 3.6, once in the three decades that surfaces are measured on.
-KINK = 2.0
-#: Probability of more power in a bin by chance, below which it is that of a line, as of a grating.
+#: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
+#: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
+SLOPE_CHANGE = 2.0
+#: Probability of so much power by chance below which a bin holds a line, such as a grating's.
 LINE_PROBABILITY = 1e-4
-#: The largest change of ln C that is tried to keep the variance of the bins.
+#: The largest change of ln C with which a curve may match the variance of the bins.
 MAX_LOG_CHANGE = 20.0
 
 
 class MeanBins(NamedTuple):
-    """The mean of all measurements in each bin, NaN where there is none."""
+    """The mean of all measurements in each bin, NaN in bins without measurements."""
 
     #: (bins,) C_iso in nm⁴ of the mean of ln C, freed of the bias of the logarithm.
     density: Floats
-    variance: Floats  #: (bins,) of ln C, by the number of waves alone.
+    variance: Floats  #: (bins,) variance of ln C, from the number of waves alone.
     power: Floats  #: (bins,) mean C_iso in nm⁴.
 
 
 class Curve(NamedTuple):
-    """A spectrum at the centres of the bins from the first to the last that is measured."""
+    """A spectrum at the centres of the bins, from the first to the last measured bin."""
 
     wavevector: Floats  #: rad/nm.
     density: Floats  #: C_iso in nm⁴.
-    variance: Floats  #: Of ln C, calibration included.
+    variance: Floats  #: Variance of ln C, with calibration.
 
 
 def mean_bins(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> MeanBins:
-    """Return the means over measurements of C_iso (measurement, bins) in nm⁴ where reliable."""
+    """Return the mean over measurements of their reliable C_iso (measurement, bins) in nm⁴."""
     wave_variance = variance_of_log(waves)
-    weight = np.where(reliable, 1 / (wave_variance + CALIBRATION**2), 0.0)
+    weight = np.where(reliable, 1 / (wave_variance + CALIBRATION_SCATTER**2), 0.0)
     logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = weight / weight.sum(axis=0)
@@ -46,36 +46,48 @@ def mean_bins(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> Me
     return MeanBins(np.exp((weight * logs).sum(axis=0)), variance, power)
 
 
-def line_bins(bins: MeanBins) -> NDArray[np.bool_]:
-    """Return which bins hold a line: more power than chance adds to a smooth spectrum."""
+def find_line_bins(bins: MeanBins) -> NDArray[np.bool_]:
+    """Return the mask of bins with a line: more power than chance adds to a smooth spectrum."""
     from scipy.special import gammaincc
 
     inner = np.flatnonzero(np.isfinite(bins.density))[1:-1]
-    waves = 1 / bins.variance[inner] + 0.5  # The variance of ln C is the trigamma of their number.
+    waves = 1 / bins.variance[inner] + 0.5  # variance: trigamma of the number
     lines = np.zeros(len(bins.power), bool)
     while True:
-        curve = smoothed(np.where(lines, np.nan, bins.density), bins.variance)
-        expected = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
-        chance = gammaincc(waves, waves * bins.power[inner] / expected)
+        curve = smooth_curve(np.where(lines, np.nan, bins.density), bins.variance)
+        smooth_power = Spectrum(curve.wavevector, curve.density)(BIN_CENTRES[inner])
+        chance = gammaincc(waves, waves * bins.power[inner] / smooth_power)
         new_lines = inner[(chance < LINE_PROBABILITY) & ~lines[inner]]
         if not len(new_lines):
             return lines
         lines[new_lines] = True
 
 
-def smoothed(density: Floats, variance: Floats, rng: np.random.Generator | None = None) -> Curve:
-    """Return a smooth curve through bins, across gaps between them.
+def smooth_curve(
+    density: Floats, variance: Floats, rng: np.random.Generator | None = None
+) -> Curve:
+    """Return a smooth curve through bins and across gaps between them.
 
-    C_iso (bins,) in nm⁴, NaN in gaps, has the variance (bins,) of its logarithm by the number of
-    waves. The slope d ln C/d ln q changes at random by KINK a root of a decade (an integrated
-    Wiener process): the mean of all curves that may be, given the points, is a smoothing spline
-    (Wahba, J. R. Stat. Soc. B 40 (1978) 364). A generator draws one of the curves. The variance of
-    the result covers these curves and the calibration.
+    The prior is an integrated Wiener process: the slope d ln C/d ln q changes at random, by
+    SLOPE_CHANGE over a decade. The posterior mean is then a smoothing spline (Wahba, J. R. Stat.
+    Soc. B 40 (1978) 364).
+
+    Parameters
+    ----------
+    density, variance : numpy.ndarray
+        (bins,) C_iso in nm⁴, NaN in gaps, and the variance of ln C from the number of waves.
+    rng : numpy.random.Generator or None
+        Draws one curve of the posterior; None for its mean.
+
+    Returns
+    -------
+    Curve
+        Its variance covers the posterior and the calibration.
     """
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)
     weight = np.where(np.isfinite(density), 1 / variance, 0.0)[bins]
-    count, change = len(weight), KINK * np.sqrt(BIN_WIDTH / np.log(10))
+    count, change = len(weight), SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
     bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * change)
     posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
     logs = np.log(np.where(weight > 0, density[bins], 1.0))
@@ -85,24 +97,25 @@ def smoothed(density: Floats, variance: Floats, rng: np.random.Generator | None 
         noise = np.where(weight > 0, np.sqrt(variance[bins]), 0.0)
         logs = logs - curve - noise * rng.standard_normal(count)
     smooth = curve + posterior @ (weight * logs)
-    return Curve(BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION**2)
+    return Curve(BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION_SCATTER**2)
 
 
-def smoothed_without_lines(
+def smooth_curve_without_lines(
     bins: MeanBins, lines: NDArray[np.bool_], rng: np.random.Generator | None = None
 ) -> Curve:
-    """Return the bins smoothed as by `smoothed`, but `lines` (bins,) with the power they have."""
-    curve = smoothed(np.where(lines, np.nan, bins.density), bins.variance, rng)
-    within = np.isin(BIN_CENTRES, curve.wavevector)
-    density = np.where(lines[within], bins.power[within], curve.density)
+    """Return a smooth curve through the bins without `lines` (bins,); lines keep their power."""
+    curve = smooth_curve(np.where(lines, np.nan, bins.density), bins.variance, rng)
+    is_in_curve = np.isin(BIN_CENTRES, curve.wavevector)
+    density = np.where(lines[is_in_curve], bins.power[is_in_curve], curve.density)
     return curve._replace(density=density)
 
 
-def with_power(curve: Curve, power: Floats) -> Curve:
-    """Return a curve with the variance of heights that C_iso (bins,) in nm⁴ has in known bins.
+def match_height_variance(curve: Curve, power: Floats) -> Curve:
+    """Return a curve changed so that its heights have the variance of C_iso (bins,) in nm⁴.
 
-    Of all curves with this variance it is the most likely one, to first order: ln C changes in
-    proportion to its variance and to the share of a bin in the variance of heights.
+    Bins where C_iso is NaN have no effect. Each ln C changes in proportion to its own variance and
+    to the share of its bin in the variance of heights. To first order, this is the most likely
+    curve with this variance of heights.
     """
     from scipy.optimize import brentq
 
@@ -110,7 +123,7 @@ def with_power(curve: Curve, power: Floats) -> Curve:
     power = power[np.isin(BIN_CENTRES, wavevector)]
     total = np.nansum(power * wavevector**2)
     share = np.where(np.isfinite(power), density * wavevector**2 / total, 0.0)
-    doubt = (variance - CALIBRATION**2) * share
+    doubt = (variance - CALIBRATION_SCATTER**2) * share
 
     def excess(strength: float) -> float:
         return float((share * np.exp(strength * doubt)).sum() - 1)

@@ -13,39 +13,39 @@ from hardcontact.surfaces.height_map import HeightMap, level, library_map
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, Floats, measured_psds, profile_psd
 
-#: Share of the waves of a window of Hann that are independent, along one axis:
+#: Share of independent waves under a Hann window, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
-INDEPENDENT = (3 / 8) ** 2 / (35 / 128)
-#: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
-#: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many
-#: waves from silencing the others.
-CALIBRATION = 0.2
-#: Half the width, in ln q, of the piece of a spectrum that a local slope is fitted to: five bins.
-HALF_WIDTH = 0.25 * np.log(10)
-#: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
-#: and up to four where bins have fewer independent waves than ENOUGH.
-SMOOTHING, WIDEST = 0.1 * np.log(10), 4.0
-ENOUGH = 20.0
-#: u of p = q cosh u in the integral: waves to a thousandth of the wavelength, beyond which even
-#: C_1D ~ 1/q adds less than a thousandth.
-SUBSTITUTED = np.linspace(0, 7.6, 400)
-#: The flattest C_1D of a self-affine surface is q^-1: the measurement continues at least as steep.
-FLATTEST = -1.0
+INDEPENDENT_SHARE = (3 / 8) ** 2 / (35 / 128)
+#: Relative standard deviation of C_iso between measurements, for any number of waves: microscopes
+#: have their heights calibrated to about ten per cent. It limits the weight of a measurement with
+#: many waves.
+CALIBRATION_SCATTER = 0.2
+#: Half the width, in ln q, of the interval to which a local slope is fitted: five bins.
+SLOPE_HALF_WIDTH = 0.25 * np.log(10)
+#: Standard deviation, in ln q, of the kernel that smooths a spectrum: one bin of BIN_EDGES. It is
+#: up to MAX_WIDENING times as wide in bins with fewer independent waves than ENOUGH_WAVES.
+SMOOTHING_WIDTH, MAX_WIDENING = 0.1 * np.log(10), 4.0
+ENOUGH_WAVES = 20.0
+#: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; even
+#: C_1D ~ 1/q adds less than a thousandth beyond.
+INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
+#: Slope of the flattest C_1D of a self-affine surface, q^-1: the flattest beyond the measured end.
+FLATTEST_PROFILE_SLOPE = -1.0
 
 
-def size_of(measurement: Measurement) -> float:
+def measured_size(measurement: Measurement) -> float:
     """Return the length of a profile, or the shorter edge of a map, in nm."""
     return float(min(measurement.heights.shape) * measurement.pixel_size)
 
 
 def levelled_topography(measurement: Measurement) -> Any:
-    """Return a measurement as SurfaceTopography knows it, less its plane or straight line."""
+    """Return a measurement as an object of SurfaceTopography, minus its plane or line."""
     from SurfaceTopography import UniformLineScan
 
     if measurement.kind == "map":
         return library_map(_levelled_map(measurement))
     return UniformLineScan(
-        np.asarray(measurement.heights, float), size_of(measurement), unit="nm"
+        np.asarray(measurement.heights, float), measured_size(measurement), unit="nm"
     ).detrend("height")
 
 
@@ -79,7 +79,7 @@ def axis_ratio(measurement: Measurement) -> Floats:
 
 def independent_waves(measurement: Measurement) -> Floats:
     """Return the number of independent waves in each bin of a measured PSD, at least 1."""
-    return waves_in_bins(measurement.kind, size_of(measurement))
+    return waves_in_bins(measurement.kind, measured_size(measurement))
 
 
 def waves_in_bins(kind: str, size: float) -> Floats:
@@ -88,10 +88,10 @@ def waves_in_bins(kind: str, size: float) -> Floats:
     One of each pair ±q counts, times the share that the Hann window leaves independent.
     """
     if kind == "map":
-        count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT * size / (2 * np.pi)) ** 2
+        count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT_SHARE * size / (2 * np.pi)) ** 2
     else:
-        count = np.diff(BIN_EDGES) * INDEPENDENT * size / (2 * np.pi)
-    return np.asarray(np.maximum(count, INDEPENDENT), float)
+        count = np.diff(BIN_EDGES) * INDEPENDENT_SHARE * size / (2 * np.pi)
+    return np.asarray(np.maximum(count, INDEPENDENT_SHARE), float)
 
 
 def variance_of_log(waves: Floats) -> Floats:
@@ -118,45 +118,47 @@ def bias_of_log(waves: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, with errors.
 
-    The bins count by the inverse variance of their ln C. Slope and error are NaN and infinity where
-    fewer than two bins lie within the half decade.
+    Bins are weighted by the inverse variance of their ln C. Slope and error are NaN and infinity
+    where fewer than two bins lie within the half decade.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
-    near = np.abs(distance) <= HALF_WIDTH
-    weight = np.where(near, 1 / variance, 0.0)
+    is_near = np.abs(distance) <= SLOPE_HALF_WIDTH
+    weight = np.where(is_near, 1 / variance, 0.0)
     total = weight.sum(axis=1)
     centred = distance - ((weight * distance).sum(axis=1) / total)[:, None]
     spread = (weight * centred**2).sum(axis=1)
-    enough = near.sum(axis=1) > 1
-    spread = np.where(enough, spread, np.nan)
+    has_enough = is_near.sum(axis=1) > 1
+    spread = np.where(has_enough, spread, np.nan)
     slope = (weight * centred) @ np.log(density) / spread
-    return slope, np.where(enough, 1 / np.sqrt(spread), np.inf)
+    return slope, np.where(has_enough, 1 / np.sqrt(spread), np.inf)
 
 
 def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -> Floats:
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
-    The ratio C_iso/C_1D is taken from the smoothed, falling spectrum, so that the scatter of C_1D
-    is neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Both
-    densities are NaN in empty bins; where C_1D has fewer than two others, C_iso is NaN in all.
+    The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
+    neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Both
+    densities are NaN in empty bins. C_iso is NaN in all bins if C_1D has fewer than two values.
     """
     finite = np.isfinite(profile)
     if finite.sum() < 2:
         return np.full(profile.shape, np.nan)
     log_q = np.log(wavevector[finite])
-    smooth, last_slope = _falling(log_q, np.log(profile[finite]), waves[finite])
+    smooth, last_slope = _smooth_falling_spectrum(log_q, np.log(profile[finite]), waves[finite])
     density = np.full(profile.shape, np.nan)
-    ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST)) / np.exp(smooth)
+    ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST_PROFILE_SLOPE)) / np.exp(smooth)
     density[finite] = profile[finite] * ratio
     return density
 
 
-def _falling(log_q: Floats, log_density: Floats, waves: Floats) -> tuple[Floats, float]:
+def _smooth_falling_spectrum(
+    log_q: Floats, log_density: Floats, waves: Floats
+) -> tuple[Floats, float]:
     """Return ln C smoothed by local lines and falling (bins,), and its slope at the end."""
     from scipy.optimize import isotonic_regression
 
     distance = log_q - log_q[:, None]
-    width = SMOOTHING * np.clip(ENOUGH / waves, 1, WIDEST)
+    width = SMOOTHING_WIDTH * np.clip(ENOUGH_WAVES / waves, 1, MAX_WIDENING)
     weight = waves * np.exp(-((distance / width[:, None]) ** 2) / 2)
     weight /= weight.sum(axis=1, keepdims=True)
     centre, mean = (weight * distance).sum(axis=1), weight @ log_density
@@ -167,12 +169,12 @@ def _falling(log_q: Floats, log_density: Floats, waves: Floats) -> tuple[Floats,
 
 
 def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floats:
-    """Return C_iso (bins,) of a C_1D that is a power law between its points and beyond."""
-    log_p = log_q[:, None] + np.log(np.cosh(SUBSTITUTED))
+    """Return C_iso (bins,) from C_1D, a power law between its points and beyond them."""
+    log_p = log_q[:, None] + np.log(np.cosh(INTEGRATION_POINTS))
     slopes = np.append(np.diff(log_density) / np.diff(log_q), last_slope)
     segment = np.clip(np.searchsorted(log_q, log_p, side="right") - 1, 0, len(log_q) - 1)
     slope = slopes[segment]
     profile = np.exp(log_density[segment] + slope * (log_p - log_q[segment]))
     # dp / sqrt(p² - q²) = du, and C_1D' = slope C_1D / p.
     integrand = -slope * profile / np.exp(log_p)
-    return np.asarray(2 * np.trapezoid(integrand, SUBSTITUTED, axis=1))
+    return np.asarray(2 * np.trapezoid(integrand, INTEGRATION_POINTS, axis=1))

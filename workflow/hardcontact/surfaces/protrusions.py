@@ -7,9 +7,9 @@ import numpy as np
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: What is assumed of protrusions where a surface has any: the logarithms of density (1/µm²) and
-#: width (nm) and the height (rms heights of the coating) are uniform between these ends. Within
-#: them the rms curvature of polished UNCD stays within its uncertainty in Table 1.
+#: Bounds of the protrusions of a surface: the logarithms of density (1/µm²) and width (nm), and the
+#: height (in rms heights of the coating), are uniform between them. Within these bounds the rms
+#: curvature of polished UNCD stays within its uncertainty in Table 1.
 DENSITIES = (0.1, 3.0)
 HEIGHTS = (3.0, 8.0)
 WIDTHS = (30.0, 100.0)
@@ -20,12 +20,12 @@ GAUSSIAN_SHARE = 0.25
 class Protrusions(NamedTuple):
     """Protrusions of Gaussian shape, at random places.
 
-    By Campbell's theorem the variance of a sum of equal shapes at independent places is their
-    density times the integral of the squared shape.
+    Equal shapes at independent places add up to a variance of their density times the integral of
+    the squared shape (Campbell's theorem).
     """
 
     density: float  #: Per µm².
-    height: float  #: Over the rms height of the coating.
+    height: float  #: In rms heights of the coating.
     width: float  #: Standard deviation of the shape in nm.
 
     @property
@@ -40,39 +40,39 @@ class Protrusions(NamedTuple):
 
 
 class Roughness(NamedTuple):
-    """What is published of the coating and of the sphere."""
+    """The published roughness of the coating and of the sphere."""
 
-    rms_height: float  #: Of the coating, in nm.
-    rms_slope: float  #: Of the coating.
-    max_rms_slope: float  #: Of the coating, with its uncertainty.
-    max_sphere_rms_height: float  #: In nm.
+    rms_height: float  #: Rms height of the coating in nm.
+    rms_slope: float  #: Rms slope of the coating.
+    max_rms_slope: float  #: Rms slope of the coating plus its uncertainty.
+    max_sphere_rms_height: float  #: Largest rms height of the sphere in nm.
 
 
 def draw_protrusions(
-    rng: np.random.Generator, roughness: Roughness, on_sphere: bool
+    rng: np.random.Generator, roughness: Roughness, is_sphere: bool
 ) -> Protrusions:
-    """Draw the protrusions of one surface; without any, density and height are 0.
+    """Draw the protrusions of a surface; density and height are 0 for a surface without any.
 
-    Those that the published roughness does not permit are drawn again.
+    Protrusions are drawn again until the published roughness permits them.
     """
     while True:
         density = float(np.exp(rng.uniform(*np.log(DENSITIES))))
         width = float(np.exp(rng.uniform(*np.log(WIDTHS))))
         protrusions = Protrusions(density, float(rng.uniform(*HEIGHTS)), width)
-        if is_permitted(protrusions, roughness, on_sphere):
+        if is_permitted(protrusions, roughness, is_sphere):
             break
     if rng.uniform() < GAUSSIAN_SHARE:
         return Protrusions(0.0, 0.0, width)
     return protrusions
 
 
-def is_permitted(protrusions: Protrusions, roughness: Roughness, on_sphere: bool) -> bool:
-    """Return whether a surface with protrusions is as smooth as published.
+def is_permitted(protrusions: Protrusions, roughness: Roughness, is_sphere: bool) -> bool:
+    """Return whether the published roughness permits protrusions.
 
-    Protrusions alone may not exceed the rms height of the sphere. On the coating, whose heights are
-    scaled to its rms height, slopes may not exceed its rms slope.
+    On the sphere, the rms height of the protrusions alone may not exceed its rms height. A coating
+    with protrusions is scaled to its rms height, and then its slope may not exceed its rms slope.
     """
-    if on_sphere:
+    if is_sphere:
         return protrusions.rms_height * roughness.rms_height <= roughness.max_sphere_rms_height
     slope = np.hypot(roughness.rms_slope, protrusions.rms_slope * roughness.rms_height)
     return bool(slope / np.hypot(1, protrusions.rms_height) <= roughness.max_rms_slope)
@@ -83,8 +83,7 @@ def add_protrusions(
 ) -> HeightMap:
     """Add protrusions at random places to a scan; the rms height of the coating is in nm.
 
-    Their number is Poisson distributed. Protrusions whose centres lie outside of the scan are left
-    out.
+    Their number follows a Poisson distribution. All centres lie within the scan.
     """
     position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size
     count = rng.poisson(protrusions.density * (scan.size / 1e3) ** 2)

@@ -1,10 +1,11 @@
-"""The wavelengths at which a measurement shows the surface and not the microscope.
+"""The reliable wavelengths of a measurement: those at which it shows the surface.
 
-Toward short wavelengths it ends at four pixels, at the cutoff of the tip (Sanner et al., Appl.
-Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever comes first: C_iso is
-flatter than q^-2 (H = 0) or steeper than a rough surface has. Surfaces with facets have down to
-q^-5; between q^-4 (H = 1) and q^-5 C_1D must be alike along both axes, because a lagging feedback
-smooths along the scanned lines alone. Beside a peak, as of a grating, slopes tell neither.
+The reliable band ends toward short wavelengths at four pixels, at the cutoff of the tip (Sanner et
+al., Appl. Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever is longest.
+A noise floor is flatter than q^-2 (H = 0). Smoothing is steeper than q^-5, the limit for surfaces
+with facets. Between q^-4 (H = 1) and q^-5 it is smoothing only if C_1D differs between the axes: a
+lagging feedback smooths only along the scanned lines. Slopes near a peak, such as a grating's, are
+evidence of neither.
 """
 
 from typing import NamedTuple
@@ -19,32 +20,32 @@ from hardcontact.surfaces.measured_spectrum import (
     levelled_topography,
     local_slopes,
     measured_psd,
-    size_of,
+    measured_size,
     variance_of_log,
 )
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
 
-#: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
-#: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
-#: C_iso is 1.2 times too large at a third of the size, and 2 times at half of it).
-PIXELS = 4
-PARTS = 3
-#: Slopes of C_iso: the flattest and the steepest of a self-affine surface, that of facets.
-FLATTEST, SELF_AFFINE, FACETS = -2.0, -4.0, -5.0
-#: Standard errors by which a slope passes one of these before it says anything.
-ERRORS = 2
-#: C_1D along both axes of a map differ by no more than this factor where C_iso is steep.
-ALIKE = 2.0
-#: Bins above a noise floor that still hold much of it: C ~ q^-3 is four times as high two bins on.
-MARGIN = 2
-#: Factor, and standard errors, by which C_iso rises toward short wavelengths to a peak.
-PEAK, PEAK_ERRORS = 2.0, 4
-#: Relative error of the tip's cutoff, far below the safety factor of the criterion.
+#: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer
+#: waves are few, and levelling and the window change them: for self-affine surfaces without a
+#: roll-off C_iso is 1.2 times too large at a third of the size, and 2 times at half of it.
+MIN_PIXELS = 4
+MIN_WAVES_IN_SIZE = 3
+#: Slopes of C_iso: flattest and steepest for a self-affine surface, steepest with facets.
+FLATTEST_SLOPE, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE = -2.0, -4.0, -5.0
+#: Standard errors by which a slope must pass one of these.
+MIN_STANDARD_ERRORS = 2
+#: Largest ratio of C_1D along both axes of a map that shows no smoothing.
+MAX_AXIS_RATIO = 2.0
+#: Bins above a noise floor with much noise: C ~ q^-3 is four times as high two bins on.
+NOISE_MARGIN_BINS = 2
+#: Least factor, and standard errors, of the rise of C_iso toward short wavelengths to a peak.
+MIN_PEAK_RISE, MIN_PEAK_ERRORS = 2.0, 4
+#: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TOLERANCE = 1e-3
-#: What ends a band toward short wavelengths, in words for messages.
-LIMITS = {
-    "pixels": f"{PIXELS} pixels",
+#: Limits of a band toward short wavelengths, by code, in words for messages.
+LIMIT_NAMES = {
+    "pixels": f"{MIN_PIXELS} pixels",
     "tip": "the tip",
     "noise": "a noise floor",
     "smoothing": "smoothing by the microscope",
@@ -56,25 +57,21 @@ class ReliableBand(NamedTuple):
 
     shortest: float
     longest: float
-    limited_by: str  #: What ends the band toward short wavelengths, one of LIMITS.
+    limited_by: str  #: Limit at short wavelengths, a code of LIMIT_NAMES.
 
     @property
     def bins(self) -> NDArray[np.bool_]:
-        """Which bins (bins,) of a measured spectrum lie in the band."""
+        """Mask (bins,) of the bins of a measured spectrum within the band."""
         wavelength = 2 * np.pi / BIN_CENTRES
         return (self.shortest <= wavelength) & (wavelength <= self.longest)
 
     def __str__(self) -> str:
-        """Print both ends with their reasons."""
+        """Return both ends with their limits, in words."""
+        limit = LIMIT_NAMES[self.limited_by]
+        shortest, longest = print_length(self.shortest), print_length(self.longest)
         if self.shortest > self.longest:
-            return (
-                f"at no wavelength: {LIMITS[self.limited_by]} at {print_length(self.shortest)}, "
-                f"a third of the size at {print_length(self.longest)}"
-            )
-        return (
-            f"from {print_length(self.shortest)} ({LIMITS[self.limited_by]}) "
-            f"to {print_length(self.longest)} (a third of the size)"
-        )
+            return f"at no wavelength: {limit} at {shortest}, a third of the size at {longest}"
+        return f"from {shortest} ({limit}) to {longest} (a third of the size)"
 
 
 def reliable_band(
@@ -82,19 +79,30 @@ def reliable_band(
 ) -> ReliableBand:
     """Return the reliable wavelengths of a measurement, with their limits.
 
-    The radius of the tip is in nm, or None if it is not known. The density is the result of
-    `measured_psd`, if the caller has it.
+    Parameters
+    ----------
+    measurement : Measurement
+        Map or line scan.
+    tip_radius : float or None
+        In nm; None if unknown.
+    density : numpy.ndarray or None
+        (bins,) C_iso in nm⁴ from `measured_psd`; None to compute it.
+
+    Returns
+    -------
+    ReliableBand
+        The band in nm.
     """
     if density is None:
         _, density = measured_psd(measurement)
-    pixels = PIXELS * measurement.pixel_size, "pixels"
+    pixels = MIN_PIXELS * measurement.pixel_size, "pixels"
     shortest, limit = max([pixels, *_spectral_ends(measurement, density)])
-    band = ReliableBand(shortest, size_of(measurement) / PARTS, limit)
-    return band if tip_radius is None else with_tip(band, measurement, tip_radius)
+    band = ReliableBand(shortest, measured_size(measurement) / MIN_WAVES_IN_SIZE, limit)
+    return band if tip_radius is None else limit_by_tip(band, measurement, tip_radius)
 
 
-def with_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) -> ReliableBand:
-    """Return a band of a measurement that ends where a tip of a radius in nm hides the surface."""
+def limit_by_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) -> ReliableBand:
+    """Return a band that ends at the cutoff of a tip with a radius in nm, if that is longer."""
     cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
         tip_radius, rtol=TOLERANCE
     )
@@ -104,57 +112,63 @@ def with_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) ->
 
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
-    """Return the wavelengths (nm) of noise and smoothing in a spectrum, with LIMITS."""
-    mask = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
+    """Return the wavelengths (nm) of noise and smoothing, with their codes in LIMIT_NAMES."""
+    mask = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * measurement.pixel_size <= 2 * np.pi)
     q, variance = BIN_CENTRES[mask], variance_of_log(independent_waves(measurement)[mask])
     slope, error = local_slopes(q, density[mask], variance)
-    differs = axis_ratio(measurement)[mask] > ALIKE
-    smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, FACETS)
-    flat = slope - ERRORS * error > FLATTEST
-    beside_peak = _beside_peaks(np.log(density[mask]), variance)
-    smoothed, flat = smoothed & ~beside_peak, flat & ~beside_peak
+    axes_differ = axis_ratio(measurement)[mask] > MAX_AXIS_RATIO
+    is_smoothed = slope + MIN_STANDARD_ERRORS * error < np.where(
+        axes_differ, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE
+    )
+    is_flat = slope - MIN_STANDARD_ERRORS * error > FLATTEST_SLOPE
+    is_near_peak = _find_bins_near_peaks(np.log(density[mask]), variance)
+    is_smoothed, is_flat = is_smoothed & ~is_near_peak, is_flat & ~is_near_peak
 
-    unsmoothed = _without_smoothed(smoothed, len(q))
-    risen = _without_floor(flat, unsmoothed)
-    end = _without_smoothed(smoothed, risen)
+    unsmoothed_count = _count_unsmoothed(is_smoothed, len(q))
+    risen_count = _count_above_floor(is_flat, unsmoothed_count)
+    reliable_count = _count_unsmoothed(is_smoothed, risen_count)
     ends = []
-    if risen < unsmoothed:
-        ends.append((_end(q, risen), "noise"))
-    if end < risen or unsmoothed < len(q) and risen == unsmoothed:
-        ends.append((_end(q, end), "smoothing"))
+    if risen_count < unsmoothed_count:
+        ends.append((_end_wavelength(q, risen_count), "noise"))
+    if (
+        reliable_count < risen_count
+        or unsmoothed_count < len(q)
+        and risen_count == unsmoothed_count
+    ):
+        ends.append((_end_wavelength(q, reliable_count), "smoothing"))
     return ends
 
 
-def _beside_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
-    """Return which bins lie within half a decade of a peak of the spectrum."""
-    place = np.arange(len(log_density))
-    distance = place - place[:, None]
+def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.bool_]:
+    """Return the mask of bins within half a decade of a peak of the spectrum."""
+    index = np.arange(len(log_density))
+    distance = index - index[:, None]
     rise = log_density - log_density[:, None]
     error = np.sqrt(variance + variance[:, None])
-    risen = (rise > np.log(PEAK)) & (rise > PEAK_ERRORS * error)
-    peaks = (risen & (0 < distance) & (distance <= HALF_DECADE)).any(axis=0)
-    return np.asarray((peaks & (np.abs(distance) <= HALF_DECADE)).any(axis=1))
+    is_rise = (rise > np.log(MIN_PEAK_RISE)) & (rise > MIN_PEAK_ERRORS * error)
+    is_peak = (is_rise & (0 < distance) & (distance <= HALF_DECADE)).any(axis=0)
+    return np.asarray((is_peak & (np.abs(distance) <= HALF_DECADE)).any(axis=1))
 
 
-def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:
-    """Count the first bins, of `count`, whose last half decade is not smoothed."""
-    # Where smoothing turns into noise the slope passes through that of a rough surface.
-    while smoothed[max(count - HALF_DECADE, 0) : count].any():
-        first = max(count - HALF_DECADE, 0)
-        count = first + int(np.argmax(smoothed[first:count]))
+def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
+    """Count the leading bins, at most `count`, whose last half decade is not smoothed."""
+    # Between smoothing and noise some slopes equal those of a rough surface.
+    while is_smoothed[max(count - HALF_DECADE, 0) : count].any():
+        start = max(count - HALF_DECADE, 0)
+        count = start + int(np.argmax(is_smoothed[start:count]))
     return count
 
 
-def _without_floor(flat: NDArray[np.bool_], count: int) -> int:
-    """Count the first bins, of `count`, without a floor at their end."""
+def _count_above_floor(is_flat: NDArray[np.bool_], count: int) -> int:
+    """Count the leading bins, at most `count`, that do not end in a noise floor."""
     kept_bins = count
-    while kept_bins and flat[kept_bins - 1]:
+    while kept_bins and is_flat[kept_bins - 1]:
         kept_bins -= 1
-    return kept_bins if kept_bins == count else max(kept_bins - MARGIN, 0)
+    return kept_bins if kept_bins == count else max(kept_bins - NOISE_MARGIN_BINS, 0)
 
 
-def _end(wavevector: Floats, count: int) -> float:
-    """Return the wavelength in nm between the first `count` bins and the others."""
+def _end_wavelength(wavevector: Floats, count: int) -> float:
+    """Return the wavelength in nm after the first `count` bins."""
     if count == 0:
         return float(2 * np.pi / wavevector[0])
     return float(2 * np.pi / np.sqrt(wavevector[count - 1] * wavevector[count]))

@@ -1,4 +1,4 @@
-"""Roughness of scans, and of all surfaces in one table: Table 1 and the PSDs."""
+"""Metrics and PSDs of a scan, and one table of them for all surfaces."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,7 +14,7 @@ from hardcontact.surfaces.spectrum import Floats, all_scales_moments, measured_p
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
-    """Return the METRICS of one levelled scan and its PSDs, profile (nm³) and isotropic (nm⁴)."""
+    """Return the METRICS of a levelled scan and its PSDs, profile (nm³) and isotropic (nm⁴)."""
     values = metrics(scan)
     wavevector, profile, isotropic = measured_psds(scan)
     return xr.Dataset(
@@ -30,11 +30,20 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
     )
 
 
-def averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
-    """Return mean, standard deviation and interval of the mean over scans, of every metric.
+def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
+    """Return mean over scans, its interval and the standard deviation of every metric.
 
-    The METRICS (surface, scan) are NaN where a surface has no such scan. Intervals are by Student's
-    t.
+    Parameters
+    ----------
+    scans : xarray.Dataset
+        METRICS (surface, scan), NaN if a surface has fewer scans.
+    confidence : float
+        Probability of the intervals, which follow from Student's t distribution.
+
+    Returns
+    -------
+    xarray.Dataset
+        Variables (surface) named after the metrics.
     """
     variables: dict[str, Any] = {}
     for name in METRICS:
@@ -61,36 +70,43 @@ def roughness_table(
     table1: Mapping[str, str],
     confidence: float,
 ) -> xr.Dataset:
-    """Return the topography of all surfaces: every scan, averages, spectra, maps for pictures.
+    """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
     Parameters
     ----------
     scans : mapping
-        `measured_roughness` by surface and number of the scan.
-    spectra, conditionings, examples : mapping
-        By surface: C_iso over all scales; the `conditioned_group` of substitutes; one levelled
-        scan, that of a rough sphere with the variable `as_scanned`.
-    labels, basis : mapping
-        By surface: names in print; ``"measured"`` or ``"substitute"``.
-    sphere_surface, reference_surface : str
-        That of the sphere, and that which forces are compared with.
+        Results of `measured_roughness` by surface and number of the scan.
+    spectra : mapping
+        C_iso over all scales, by surface.
+    conditionings : mapping
+        Results of `conditioned_group` for the substitutes, by surface.
+    examples : mapping
+        A levelled scan by surface; for a rough sphere it has the variable `as_scanned`.
+    labels : mapping
+        Names in print, by surface.
+    basis : mapping
+        ``"measured"`` or ``"substitute"``, by surface.
+    sphere_surface : str
+        Surface of the sphere.
+    reference_surface : str
+        Surface to which others are compared.
     table1 : mapping
-        What slope and curvature of Table 1 are, as of `height_map.table1_variables`.
+        Meaning of slope and curvature in Table 1: arguments of `height_map.table1_variables`.
     confidence : float
-        Of the intervals.
+        Probability of the intervals.
 
     Returns
     -------
     xarray.Dataset
-        Over surface, scan, wavevector; maps over (surface, row, column).
+        Dimensions surface, scan and wavevector; maps (surface, row, column).
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
-    stacked = stack(scans, ["surface", "scan"])
+    scan_table = stack(scans, ["surface", "scan"])
     table = xr.merge(
         [
-            stacked,
-            averages(stacked, confidence),
-            _spectra([spectra[name] for name in names], stacked["wavevector"].values),
+            scan_table,
+            scan_averages(scan_table, confidence),
+            _spectra([spectra[name] for name in names], scan_table["wavevector"].values),
             _maps([examples[name] for name in names]),
         ],
         combine_attrs="override",
@@ -110,9 +126,9 @@ def roughness_table(
     )
 
 
-def _spectra(stored: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
+def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
     """Return spectra (surface, wavevector) and their moments over all scales."""
-    spectra = [spectrum_from(dataset) for dataset in stored]
+    spectra = [spectrum_from(dataset) for dataset in datasets]
     moments = np.array([all_scales_moments(spectrum) for spectrum in spectra])
     height, gradient, half_laplacian = moments.T
     density = np.array([spectrum(wavevector) for spectrum in spectra])
@@ -129,16 +145,16 @@ def _spectra(stored: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return maps for pictures, evenly thinned to the pixels of the coarsest, with their sizes."""
+    """Return example maps, evenly thinned to the pixels of the coarsest map, with their sizes."""
     pixels = min(len(example["x"]) for example in examples)
 
-    def thinned(heights: xr.DataArray) -> np.ndarray:
-        chosen = np.linspace(0, len(heights) - 1, pixels).round().astype(int)
-        return np.asarray(heights.values[np.ix_(chosen, chosen)])
+    def thin(heights: xr.DataArray) -> np.ndarray:
+        indices = np.linspace(0, len(heights) - 1, pixels).round().astype(int)
+        return np.asarray(heights.values[np.ix_(indices, indices)])
 
     pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
     sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
-    heights = np.array([thinned(example["heights"]) for example in examples])
+    heights = np.array([thin(example["heights"]) for example in examples])
     maps = xr.Dataset(
         {
             "example_heights": (("surface", "row", "column"), heights, {"units": "nm"}),
@@ -148,6 +164,6 @@ def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
     )
     for example in examples:
         if "as_scanned" in example:
-            scanned = thinned(example["as_scanned"])
+            scanned = thin(example["as_scanned"])
             maps["sphere_as_scanned"] = (("row", "column"), scanned, {"units": "nm"})
     return maps

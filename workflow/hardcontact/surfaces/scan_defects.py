@@ -1,7 +1,7 @@
-"""Defects of a scan that make forces wrong although its file is read without an error.
+"""Defects of a scan that make forces wrong although its file is readable.
 
-Spikes, lines that were not measured, a clipped range, a curvature that levelling leaves, a lay,
-edges.
+The defects are spikes, lines that were not measured, a clipped range, a curvature that remains
+after levelling, a lay and edges.
 """
 
 from collections.abc import Mapping
@@ -16,10 +16,10 @@ from hardcontact.surfaces.spectrum import Floats
 
 
 class Defect(NamedTuple):
-    """A defect of scans: its numbers with their units, and a sentence that holds them."""
+    """A defect of scans: the units of its numbers, and a sentence with these numbers."""
 
     units: Mapping[str, str]
-    sentence: str  #: Has the numbers in braces; it stands after the name of the scan.
+    sentence: str  #: Continues the name of the scan; the numbers are in braces.
 
 
 #: The defects by their code.
@@ -64,61 +64,67 @@ DEFECTS = {
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for defect in DEFECTS.values() for name, unit in defect.units.items()}
 
-#: Rms heights between a spike and its neighbours. Gaussian heights exceed six once in 10⁹ pixels.
-SPIKE = 6.0
+#: Least distance of a spike to its neighbours in rms heights; Gaussian: once in 10⁹ pixels.
+MIN_SPIKE_DISTANCE = 6.0
 #: Median distance of Gaussian heights from their median, in rms heights.
 MEDIAN_DISTANCE = 0.6745
-#: Share of lines whose area changes a mean force little.
-FEW_LINES = 0.01
-#: Pixels at an end of the range. More than one in a thousand, and more than ten, are no summit.
-#: The last level of quantised heights holds fewer pixels than the next one; that of a flat summit,
-#: whose height falls with the fourth power of the distance, 2.4 times as many.
-END_SHARE, END_PIXELS, END_RATIO = 1e-3, 10, 3.0
-#: Share of the rms height that roughness beside a curvature has at most: a tenth is curvature.
-UNCURVED = 0.9
-#: Power of the polynomials of second order over that of third and fourth order. By the longest
-#: waves of self-affine surfaces, without a roll-off, it reached 34 in 8100 maps (H from 0.5 to 1).
-SECOND_ORDER = 50.0
-#: Points along an edge that polynomials are fitted to.
-FITTED_POINTS = 32
-#: Variance of profiles along a lay's wavevector over that across, and its share of the variance of
-#: heights, below which drift and noise of lines count. Of 5400 self-affine maps without a roll-off
-#: (H from 0.5 to 1) two pass both. Profiles have waves of at least four pixels, below which lines
-#: are noisy, and at least four in a size: there are few random ones that are longer.
-LAY_RATIO, LAY_SHARE, PIXELS, MIN_WAVES = 3.0, 0.1, 4, 4
-#: Share of the pixels that are edges, and of the squared slopes that they have at least. Of rough
-#: surfaces 5 % of the pixels have 0.2 to 0.45 of the squared slopes, of pillars and steps 0.8 to 1.
-EDGE_PIXELS, EDGE_SHARE = 0.05, 0.7
-#: Stands for an infinite ratio, of a pattern without noise.
+#: Largest share of equal lines: so few lines change a mean force little.
+MAX_EQUAL_LINE_SHARE = 0.01
+#: Largest share and number of pixels at an end of an unclipped range, and their ratio to the pixels
+#: at the next height. Quantised heights have a ratio below 1. A flat summit has 2.4, if its height
+#: falls with the fourth power of the distance.
+MAX_END_SHARE, MAX_END_PIXELS, MAX_END_RATIO = 1e-3, 10, 3.0
+#: Largest share of the rms height without a curvature: the curvature has a tenth or more.
+MAX_UNCURVED_SHARE = 0.9
+#: Least ratio of the power of polynomials of second order to that of third and fourth order. The
+#: largest in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
+MIN_SECOND_ORDER_RATIO = 50.0
+#: Points along an edge to which polynomials are fitted.
+POLYNOMIAL_POINTS = 32
+#: A lay has at least this ratio of the variance of profiles along its wavevector to that across.
+#: Smaller shares of the variance of heights are drift and noise of lines. Of 5400 self-affine maps
+#: without a roll-off (H from 0.5 to 1) two exceed both. Profiles have waves of at least four
+#: pixels, because shorter ones are noisy, and at most a quarter of the size, because longer random
+#: waves are few.
+MIN_LAY_RATIO, MIN_LAY_SHARE, MIN_WAVELENGTH_PIXELS, MIN_WAVES = 3.0, 0.1, 4, 4
+#: Share of pixels that are edges, and their least share of the squared slopes. In rough surfaces
+#: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
+EDGE_PIXELS, MIN_EDGE_SHARE = 0.05, 0.7
+#: Value in place of an infinite ratio, which a pattern without noise has.
 LARGEST_RATIO = 1e6
 
 
 def scan_defects(
-    as_read: Floats, levelled: Floats, pixel_size: float
+    raw_heights: Floats, levelled_heights: Floats, pixel_size: float
 ) -> dict[str, dict[str, float]]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS.
 
     Parameters
     ----------
-    as_read, levelled : array
-        Heights in nm, (y, x) of a map or (n,) of a line scan: as in the file, and levelled.
+    raw_heights, levelled_heights : array
+        Heights in nm, of a map (y, x) or a line scan (n,), before and after levelling.
     pixel_size : float
-        In nm; of a line scan its spacing.
+        Edge of a pixel, or spacing of a line scan, in nm.
+
+    Returns
+    -------
+    dict of str to dict
+        Empty for a scan without defects.
     """
-    numbers = {"spikes": _spikes(levelled)}
-    measured = as_read
-    if as_read.ndim == 2:
-        rows, columns = _equal_lines(as_read), _equal_lines(as_read.T)
+    numbers = {"spikes": _spike_numbers(levelled_heights)}
+    measured_heights = raw_heights
+    if raw_heights.ndim == 2:
+        rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
         share = float(max(rows.mean(), columns.mean()))
-        numbers["curvature"] = _curvature(levelled, pixel_size)
-        if share > FEW_LINES:
+        numbers["curvature"] = _curvature_numbers(levelled_heights, pixel_size)
+        if share > MAX_EQUAL_LINE_SHARE:
             numbers["equal_lines"] = [share]
-            measured = as_read[~rows][:, ~columns]
-        else:  # Lines that were not measured are no lay.
-            numbers["lay"] = _lay(levelled)
-    numbers["highest"], numbers["lowest"] = _clipped(measured)
+            measured_heights = raw_heights[~rows][:, ~columns]
+        else:  # Unmeasured lines would look like a lay.
+            numbers["lay"] = _lay_numbers(levelled_heights)
+    numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
     if not numbers["spikes"] and "equal_lines" not in numbers:
-        numbers["edges"] = _edges(levelled)
+        numbers["edges"] = _edge_numbers(levelled_heights)
     return {
         code: dict(zip(defect.units, numbers[code], strict=True))
         for code, defect in DEFECTS.items()
@@ -126,57 +132,59 @@ def scan_defects(
     }
 
 
-def _spikes(heights: Floats) -> list[float]:
-    """Return the share of spikes and the rms height (nm) without them, or nothing without any.
+def _spike_numbers(heights: Floats) -> list[float]:
+    """Return the share of spikes and the rms height (nm) without them; empty without spikes.
 
-    On a map a neighbour of a spike may be one, too. A pixel at the corner of a particle has three
-    neighbours on it.
+    On a map one neighbour of a spike may be a spike, too. Even the pixel at the corner of a
+    particle has three neighbours on it.
     """
     isolation = _isolation(heights)
-    # Spikes raise the rms height: suspects are left out, found by the median distance.
+    # Spikes raise the rms height: leave out suspects, by the median distance.
     distance = np.median(np.abs(heights - np.median(heights)))
-    rms_height = float(heights[isolation <= SPIKE * distance / MEDIAN_DISTANCE].std())
-    share = float((isolation > SPIKE * rms_height).mean())
+    rms_height = float(heights[isolation <= MIN_SPIKE_DISTANCE * distance / MEDIAN_DISTANCE].std())
+    share = float((isolation > MIN_SPIKE_DISTANCE * rms_height).mean())
     return [share, rms_height] if share else []
 
 
 def _isolation(heights: Floats) -> Floats:
-    """Return how far each height is from the nearest one around it, on a map the second nearest."""
+    """Return the distance of each height to its nearest neighbour, in a map the second nearest."""
     padded = np.pad(heights, 1, constant_values=np.inf)
-    nearest = second = np.full(heights.shape, np.inf)
+    nearest = second_nearest = np.full(heights.shape, np.inf)
     for start in product(range(3), repeat=heights.ndim):
         if set(start) == {1}:
             continue
         window = (slice(i, i + count) for i, count in zip(start, heights.shape, strict=True))
         distance = np.abs(padded[tuple(window)] - heights)
-        second = np.minimum(second, np.maximum(nearest, distance))
+        second_nearest = np.minimum(second_nearest, np.maximum(nearest, distance))
         nearest = np.minimum(nearest, distance)
-    return second if heights.ndim == 2 else nearest
+    return second_nearest if heights.ndim == 2 else nearest
 
 
-def _equal_lines(lines: Floats) -> NDArray[np.bool_]:
-    """Return which lines (y,) of a map are constant, or equal to the one before."""
+def _find_equal_lines(lines: Floats) -> NDArray[np.bool_]:
+    """Return the mask (y,) of lines of a map that are constant or repeat the previous line."""
     equal = np.asarray(np.ptp(lines, axis=1) == 0)
     equal[1:] |= (lines[1:] == lines[:-1]).all(axis=1)
     return equal
 
 
-def _clipped(heights: Floats) -> list[list[float]]:
-    """Return the shares of pixels at the highest and the lowest value, or nothing if few."""
+def _clipping_numbers(heights: Floats) -> list[list[float]]:
+    """Return the shares of pixels at the highest and the lowest value; empty if unclipped."""
     _, counts = np.unique(heights, return_counts=True)
     if len(counts) < 2:
         return [[], []]
     shares: list[list[float]] = []
-    for end, beside in (counts[::-1][:2], counts[:2]):
-        share = float(end / heights.size)
-        is_clipped = share > END_SHARE and end > max(END_RATIO * beside, END_PIXELS)
+    for end_count, next_count in (counts[::-1][:2], counts[:2]):
+        share = float(end_count / heights.size)
+        is_clipped = share > MAX_END_SHARE and end_count > max(
+            MAX_END_RATIO * next_count, MAX_END_PIXELS
+        )
         shares.append([share] if is_clipped else [])
     return shares
 
 
-def _curvature(heights: Floats, pixel_size: float) -> list[float]:
-    """Return the radius (nm) of a curvature and the share of the rms height without it, if any."""
-    step = max(1, len(heights) // FITTED_POINTS)
+def _curvature_numbers(heights: Floats, pixel_size: float) -> list[float]:
+    """Return the radius (nm) of a curvature and the rms share without it; empty without one."""
+    step = max(1, len(heights) // POLYNOMIAL_POINTS)
     points = heights[::step, ::step]
     axis = np.linspace(-1, 1, len(points))
     powers = np.array([(order - j, j) for order in range(5) for j in range(order + 1)])
@@ -187,7 +195,9 @@ def _curvature(heights: Floats, pixel_size: float) -> list[float]:
     power = [float((amplitudes[orders == order] ** 2).sum()) for order in range(5)]
     total = float((points**2).sum()) - power[0] - power[1]
     uncurved_power = max(total - power[2], 0.0)
-    if uncurved_power >= UNCURVED**2 * total or power[2] < SECOND_ORDER * (power[3] + power[4]):
+    if uncurved_power >= MAX_UNCURVED_SHARE**2 * total or power[2] < MIN_SECOND_ORDER_RATIO * (
+        power[3] + power[4]
+    ):
         return []
     terms_of_order = np.linalg.solve(triangle, np.where(orders == 2, amplitudes, 0))
     yy, xy, xx = terms_of_order[orders == 2]
@@ -196,30 +206,31 @@ def _curvature(heights: Floats, pixel_size: float) -> list[float]:
     return [float(1 / np.abs(curvatures).max()), float(np.sqrt(uncurved_power / total))]
 
 
-def _lay(heights: Floats) -> list[float]:
-    """Return the ratio of the variances of profiles along and across a lay, or nothing without."""
+def _lay_numbers(heights: Floats) -> list[float]:
+    """Return the ratio of variances of profiles along and across a lay; empty without a lay."""
     pixels = len(heights)
     window = np.hanning(pixels + 1)[:-1]
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     wavevector = waves + 1j * waves[:, None]  # x + iy, in waves along an edge
     size = np.abs(wavevector)
-    resolved = (MIN_WAVES <= size) & (size <= pixels / PIXELS)
-    # Opposite wavevectors have the same square.
-    squares = (power[resolved] * (wavevector[resolved] / size[resolved]) ** 2).sum()
+    is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_WAVELENGTH_PIXELS)
+    # opposite wavevectors have the same square
+    squares = (power[is_resolved] * (wavevector[is_resolved] / size[is_resolved]) ** 2).sum()
     direction = np.exp(0.5j * np.angle(squares))
-    variances = []
-    for axis in (direction, 1j * direction):
+
+    def profile_variance(axis: complex) -> float:
         component = np.abs((wavevector * np.conj(axis)).real)
-        profile = (MIN_WAVES <= component) & (component <= pixels / PIXELS)
-        variances.append(float(power[profile].sum()))
-    along, across = variances
-    is_lay = along > LAY_RATIO * across and along > LAY_SHARE * power.sum()
-    return [along / max(across, along / LARGEST_RATIO)] if is_lay else []
+        in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_WAVELENGTH_PIXELS)
+        return float(power[in_profile].sum())
+
+    variance_along, variance_across = profile_variance(direction), profile_variance(1j * direction)
+    is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
+    return [variance_along / max(variance_across, variance_along / LARGEST_RATIO)] if is_lay else []
 
 
-def _edges(heights: Floats) -> list[float]:
-    """Return the share of the squared slopes at the steepest pixels, or nothing without edges."""
+def _edge_numbers(heights: Floats) -> list[float]:
+    """Return the share of the squared slopes at the steepest pixels; empty without edges."""
     if heights.ndim == 2:
         squares = np.diff(heights, axis=0)[:, 1:] ** 2 + np.diff(heights, axis=1)[1:] ** 2
     else:
@@ -227,16 +238,18 @@ def _edges(heights: Floats) -> list[float]:
     squares = np.sort(squares, axis=None)
     steepest = squares[-max(1, round(EDGE_PIXELS * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
-    return [share] if share > EDGE_SHARE else []
+    return [share] if share > MIN_EDGE_SHARE else []
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
-    """Return the sentence on a defect, with its numbers in words and without a full stop."""
-    words = {name: _printed(name, number) for name, number in numbers.items()}
-    return DEFECTS[code].sentence.format(**words, spike=SPIKE, edge_pixels=print_share(EDGE_PIXELS))
+    """Return the sentence on a defect, with its numbers and without a full stop."""
+    words = {name: _format_number(name, number) for name, number in numbers.items()}
+    return DEFECTS[code].sentence.format(
+        **words, spike=MIN_SPIKE_DISTANCE, edge_pixels=print_share(EDGE_PIXELS)
+    )
 
 
-def _printed(name: str, number: float) -> str:
+def _format_number(name: str, number: float) -> str:
     """Return a number of a defect with its unit, a share in per cent."""
     if DEFECT_UNITS[name] == "nm":
         return print_length(number)

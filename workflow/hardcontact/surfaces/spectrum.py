@@ -31,14 +31,14 @@ WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
 #: Edges and centres of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-#: Their width in ln q.
+#: Width of these bins in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 #: Bins in half a decade.
 HALF_DECADE = 5
-#: Bins that a joined spectrum has at least.
+#: Fewest bins of a joined spectrum.
 MIN_BINS = 3
-#: How SurfaceTopography measures PSDs.
-MEASURED = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
+#: Arguments with which SurfaceTopography measures PSDs.
+PSD_ARGUMENTS = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,17 +89,17 @@ class Spectrum:
 
 
 def read_spectrum(path: str) -> Spectrum:
-    """Read a spectrum that the study wrote; raises ValueError if the file cannot be read."""
+    """Read a spectrum from a file of the study; raises ValueError if it is unreadable."""
     return spectrum_from(dataset.read(path))
 
 
-def spectrum_from(stored: xr.Dataset) -> Spectrum:
-    """Return a spectrum that `spectrum_dataset` holds."""
-    return Spectrum(stored["wavevector"].values, stored["spectrum"].values)
+def spectrum_from(spectrum_data: xr.Dataset) -> Spectrum:
+    """Return the spectrum in a dataset that `spectrum_dataset` made."""
+    return Spectrum(spectrum_data["wavevector"].values, spectrum_data["spectrum"].values)
 
 
 def spectrum_dataset(density: Floats) -> xr.Dataset:
-    """Return C_iso (nm⁴) on WAVEVECTORS as it is stored."""
+    """Return C_iso (nm⁴) on WAVEVECTORS as a dataset."""
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
@@ -127,29 +127,29 @@ def measured_psds(scan: HeightMap) -> tuple[Floats, Floats, Floats]:
     >>> wavevector, profile, isotropic = hc.measured_psds(scan)
     """
     topography = library_map(scan)
-    isotropic = topography.power_spectrum_from_area(**MEASURED)[1]
-    return BIN_CENTRES, profile_psd(topography), _without_empty_bins(isotropic)
+    isotropic = topography.power_spectrum_from_area(**PSD_ARGUMENTS)[1]
+    return BIN_CENTRES, profile_psd(topography), _mark_empty_bins(isotropic)
 
 
 def profile_psd(topography: "Topography | UniformLineScan") -> Floats:
     """Return C_1D along x (bins,) in nm³, measured with a Hann window; NaN in empty bins."""
-    return _without_empty_bins(topography.power_spectrum_from_profile(**MEASURED)[1])
+    return _mark_empty_bins(topography.power_spectrum_from_profile(**PSD_ARGUMENTS)[1])
 
 
-def _without_empty_bins(density: ArrayLike) -> Floats:
+def _mark_empty_bins(density: ArrayLike) -> Floats:
     """Return a PSD with NaN in bins without wavevectors, where SurfaceTopography has 0."""
     values = np.asarray(density, float)
     return np.where(values > 0, values, np.nan)
 
 
 def all_scales_moments(spectrum: Spectrum) -> Floats:
-    """Return rms height (nm), gradient and half-Laplacian (1/nm) of a spectrum, all scales."""
+    """Return rms height (nm), gradient and half-Laplacian (1/nm) over all scales: (3,)."""
     wavevector = spectrum.wavevector
-    height, gradient, laplacian = (
+    squares = [
         np.trapezoid(spectrum.density * wavevector**n * wavevector, np.log(wavevector))
         for n in (1, 3, 5)
-    )
-    return np.sqrt(np.array([height, gradient, laplacian / 4]) / (2 * np.pi))
+    ]
+    return np.sqrt(np.array(squares) / [1, 1, 4] / (2 * np.pi))
 
 
 def roll_off(spectrum: Spectrum) -> float:
@@ -168,8 +168,8 @@ def varying_hurst(
 ) -> Floats:
     """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
 
-    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off (nm), and C_0 before
-    it.
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), below the roll-off wavelength (nm), and
+    C_0 above it.
     """
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
     return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - change * decades**2))
@@ -180,58 +180,59 @@ def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: fl
     return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
 
 
-#: Models of descriptions of substitutes (`resources/README.md`) with the columns of parameters.
-MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
+#: Models in descriptions of substitutes (`resources/README.md`), with their parameter columns.
+SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
     "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
     "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
     "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
 }
 #: Columns of descriptions that hold numbers.
-PARAMETERS = (
+NUMBER_COLUMNS = (
     "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
 )  # fmt: skip
-#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
+#: Rows of Table 1 that fix the spectrum of scans, and rows that fix the tail below their band.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
-#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
-CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
-#: Bases of bands that are known; all others are inferred or assumed.
-KNOWN = ("published", "measured")
+#: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
+CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
+#: Bases of bands from data; the other bases are inferred or assumed.
+KNOWN_BASES = ("published", "measured")
 
 
 def read_bands(path: str | Path) -> pd.DataFrame:
-    """Return the bands of a description of a spectrum, without blanks around its cells."""
+    """Read the bands of a description of a spectrum, without blanks around its cells."""
     cells = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
-    bands: pd.DataFrame = cells.replace("", np.nan).astype(dict.fromkeys(PARAMETERS, float))
+    bands: pd.DataFrame = cells.replace("", np.nan).astype(dict.fromkeys(NUMBER_COLUMNS, float))
     return bands
 
 
 def is_calibrated(bands: pd.DataFrame) -> bool:
-    """Tell whether a description leaves parameters to Table 1."""
-    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
+    """Return whether a description leaves parameters to Table 1."""
+    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATION_ROWS)).any())
 
 
-def continued(above: Floats, hurst: float) -> Floats:
-    """Return C_iso ∝ q^(-2-2H) that continues a spectrum, `above`, where it ends, without a jump.
+def power_law_continuation(longer_waves: Floats, hurst: float) -> Floats:
+    """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of a spectrum, without a jump.
 
-    Both are in nm⁴ on WAVEVECTORS; the result is zero where the spectrum is not.
+    Both spectra are C_iso in nm⁴ on WAVEVECTORS. The power law is zero at longer wavelengths.
+    Raises ValueError if the spectrum is zero everywhere.
     """
-    if not above.any():
+    if not longer_waves.any():
         raise ValueError("expected roughness above a power law, found none")
-    last = above.nonzero()[0][-1]
-    relative = WAVEVECTORS / WAVEVECTORS[last]
-    return np.where(relative > 1, above[last] * relative ** (-2 - 2 * hurst), 0.0)
+    last_index = longer_waves.nonzero()[0][-1]
+    relative = WAVEVECTORS / WAVEVECTORS[last_index]
+    return np.where(relative > 1, longer_waves[last_index] * relative ** (-2 - 2 * hurst), 0.0)
 
 
-def share_of_cells(shortest: float) -> Floats:
-    """Return the share of each cell of WAVEVECTORS that lies above a wavelength (nm)."""
+def cell_shares(shortest: float) -> Floats:
+    """Return the share of each cell of WAVEVECTORS above a wavelength (nm)."""
     cells = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     return np.asarray(np.clip(cells + 0.5, 0, 1))
 
 
-def power_law_tail(above: Floats, hurst: float, shortest: float) -> Floats:
-    """Return `continued`, cut off at the wavelength (nm) where the spectrum ends."""
-    return continued(above, hurst) * share_of_cells(shortest)
+def power_law_tail(longer_waves: Floats, hurst: float, shortest: float) -> Floats:
+    """Return a power-law continuation that ends at a shortest wavelength (nm)."""
+    return power_law_continuation(longer_waves, hurst) * cell_shares(shortest)
 
 
 def profile_from_isotropic_power_law(wavevector: Floats, hurst: float) -> Floats:

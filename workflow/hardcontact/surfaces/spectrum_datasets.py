@@ -1,4 +1,4 @@
-"""Datasets of the spectra of surfaces: with measurements, with descriptions, of all surfaces."""
+"""Datasets of the spectra of surfaces, from measurements or descriptions."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -10,14 +10,20 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.extrapolated_spectrum import Tail
-from hardcontact.surfaces.measured_spectrum import size_of
+from hardcontact.surfaces.measured_spectrum import measured_size
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.scans import Measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES, KNOWN, WAVEVECTORS, Floats, spectrum_from
+from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    KNOWN_BASES,
+    WAVEVECTORS,
+    Floats,
+    spectrum_from,
+)
 
-#: What a spectrum says of its ends, with units; it stands in its attributes.
-ENDS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
+#: Units of the attributes of a spectrum about its ends.
+END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
     zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "1", "1"), strict=True)
 )
 
@@ -27,14 +33,14 @@ def measurement_descriptions(
     radii: Sequence[float | None],
     bands: Sequence[ReliableBand],
 ) -> list[dict[str, Any]]:
-    """Return the properties of measurements: sizes and bands in nm, their defects, words.
+    """Return the properties of measurements, such as sizes and bands in nm, defects and paths.
 
-    Radii are of their tips in nm, None where they are not known.
+    The radii of their tips are in nm, None if unknown.
     """
     return [
         {
             "kind": measurement.kind,
-            "size": size_of(measurement),
+            "size": measured_size(measurement),
             "pixel_size": measurement.pixel_size,
             "shortest_reliable": band.shortest,
             "longest_reliable": band.longest,
@@ -54,30 +60,30 @@ def measurement_descriptions(
     ]
 
 
-def with_measurements(
+def add_measurements(
     spectrum: xr.Dataset,
-    joined: Floats,
+    joined_density: Floats,
     psds: Floats,
     reliable: NDArray[np.bool_],
     descriptions: Sequence[Mapping[Any, Any]],
 ) -> xr.Dataset:
-    """Return a spectrum with the measurements that it was joined of.
+    """Return a spectrum with the measurements from which it was joined.
 
     Parameters
     ----------
     spectrum : xarray.Dataset
-        Of `spectrum_dataset`.
-    joined : numpy.ndarray
+        The dataset that `spectrum_dataset` returns.
+    joined_density : numpy.ndarray
         (bins,) C_iso in nm⁴, NaN where no measurement is reliable.
     psds, reliable : numpy.ndarray
         (measurement, bins) C_iso in nm⁴, and where it is reliable.
     descriptions : sequence of mapping
-        Words and numbers of each measurement, lengths in nm.
+        Properties of each measurement, lengths in nm.
 
     Returns
     -------
     xarray.Dataset
-        The spectrum with variables over `measurement` and `bin_wavevector`.
+        The spectrum with variables of dimensions `measurement` and `bin_wavevector`.
     """
     axes, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
     columns = {
@@ -93,19 +99,31 @@ def with_measurements(
             "psd": (axes, psds, {"units": "nm4", "long_name": "isotropic PSD"}),
             "reliable": (axes, reliable.astype("int8"), {"long_name": "1 where it is reliable"}),
             **columns,
-            "joined": (axis, joined, {"units": "nm4", "long_name": "joined PSD"}),
+            "joined": (axis, joined_density, {"units": "nm4", "long_name": "joined PSD"}),
         }
     ).assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
 
 
-def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a stored substitute spectrum in the form of a joined spectrum.
+def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
+    """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its known bands take the place of measurements, neighbours of one source as one. Variables that
-    only a measurement has are NaN or empty. The path is the file of the description.
+    Its bands with KNOWN_BASES replace measurements; adjacent bands from the same source count as
+    one. Variables that only measurements have are NaN or empty.
+
+    Parameters
+    ----------
+    substitute : xarray.Dataset
+        The dataset that `substitute_spectrum` returns.
+    path : str
+        File of the description.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables and attributes of a joined spectrum.
     """
-    bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
-    known_bands = bands[bands.basis.isin(KNOWN)]
+    bands = pd.read_csv(io.StringIO(substitute.attrs["bands"]))
+    known_bands = bands[bands.basis.isin(KNOWN_BASES)]
     previous = known_bands.shift()
     has_gap = known_bands.longest_nm != previous.shortest_nm
     begins = has_gap | (known_bands.source != previous.source)
@@ -114,21 +132,25 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
         longest_reliable=("longest_nm", "first"),
         notes=("source", "first"),
     )
-    longest = runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
+    longest_in_table = runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0])
     descriptions = runs.assign(
-        longest_reliable=longest, kind="description", path=path, dataset="", limited_by="source"
+        longest_reliable=longest_in_table,
+        kind="description",
+        path=path,
+        dataset="",
+        limited_by="source",
     ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan))
-    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
+    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(substitute)(BIN_CENTRES)
     ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()
     shortest, longest = ends.T[..., None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
-    joined = np.where(reliable.any(axis=0), density, np.nan)
+    joined_density = np.where(reliable.any(axis=0), density, np.nan)
     psds = np.where(reliable, density, np.nan)
-    return with_measurements(
-        stored[["spectrum"]], joined, psds, reliable, descriptions.to_dict("records")
+    return add_measurements(
+        substitute[["spectrum"]], joined_density, psds, reliable, descriptions.to_dict("records")
     ).assign_attrs(
         basis="substitute",
-        calibrated_to_table1=stored.attrs["calibrated_to_table1"],
+        calibrated_to_table1=substitute.attrs["calibrated_to_table1"],
         shortest_measured=descriptions.shortest_reliable.min(),
         longest_measured=descriptions.longest_reliable.max(),
         **Tail()._asdict(),
@@ -137,11 +159,21 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     )
 
 
-def stacked_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Return the joined spectra of all surfaces, given by surface, with their names in print.
+def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
+    """Return one dataset of the joined spectra of all surfaces.
 
-    Variables have a leading dimension `surface`, filled with NaN, 0 or "". Variables (surface) hold
-    `label` and ENDS.
+    Parameters
+    ----------
+    spectra : mapping
+        Joined spectra by surface.
+    labels : mapping
+        Names in print by surface.
+
+    Returns
+    -------
+    xarray.Dataset
+        Variables have a leading dimension `surface`, filled with NaN, 0 or "". `label` and the
+        variables of END_UNITS have only this dimension.
     """
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(
@@ -154,10 +186,10 @@ def stacked_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]
         for name, values in numbered[0].data_vars.items()
     }
     names = pd.Index(list(spectra), name="surface")
-    stacked = xr.concat(
+    table = xr.concat(
         numbered, names, join="outer", fill_value=fill, combine_attrs="override"
     ).drop_vars("measurement")
-    for name, unit in ENDS.items():
+    for name, unit in END_UNITS.items():
         ends = [spectrum.attrs[name] for spectrum in spectra.values()]
-        stacked[name] = ("surface", ends, {"units": unit})
-    return stacked.assign(label=("surface", [labels[name] for name in spectra]))
+        table[name] = ("surface", ends, {"units": unit})
+    return table.assign(label=("surface", [labels[name] for name in spectra]))

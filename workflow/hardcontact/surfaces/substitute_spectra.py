@@ -1,7 +1,7 @@
 """Spectra of substitutes from descriptions: bands of wavelengths, each with its model.
 
-Parameters that a description leaves blank are calibrated to the paper's Table 1: scans of the
-spectrum have its rms height, slope and curvature.
+Parameters that a description leaves blank are calibrated, so that scans of the spectrum have the
+rms height, slope and curvature of the paper's Table 1.
 """
 
 from pathlib import Path
@@ -12,45 +12,59 @@ import xarray as xr
 
 from hardcontact.surfaces.spectrum import (
     AFM_ROWS,
-    CALIBRATED,
-    MODELS,
+    CALIBRATION_ROWS,
+    SPECTRAL_MODELS,
     TAIL_ROWS,
     WAVEVECTORS,
     Density,
     Floats,
     Spectrum,
     all_scales_moments,
-    continued,
+    cell_shares,
+    power_law_continuation,
     power_law_tail,
     profile_points,
     read_bands,
-    share_of_cells,
     spectrum_dataset,
 )
 
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
-#: Bins of wavevectors in which weights are added up, and rows that are added at a time.
-BINS, ROWS = 4000, 512
+#: Bins of wavevectors in which weights are added up, and rows added at a time.
+BIN_COUNT, BLOCK_ROWS = 4000, 512
 #: Relative error at which a number of Table 1 counts as met.
 TOLERANCE = 1e-9
-#: Parameters that are calibrated, by model, and those that are searched by their logarithms.
-SEARCHED = {
+#: Calibrated parameters by model, and parameters whose logarithms are searched.
+SEARCHED_PARAMETERS = {
     "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
     "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
 }
-LOGARITHMIC = ("plateau_nm4", "rolloff_nm")
-#: Hurst exponents between which that of a tail is sought.
-TAIL_HURST = (-6.0, 5.0)
+LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
+#: Bounds of the Hurst exponent of a tail.
+TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return wavevectors (bins,) in rad/nm and weights (3, bins): moments = weights @ C_iso.
+    """Return wavevectors and the weights with which C_iso gives the moments of a scan.
 
     The moments are the expected squares of a scan: rms height², gradient² and half-Laplacian². The
-    scan is cut out of a larger periodic surface, of `pixels` of a size in nm, and levelled, which
-    removes what a plane fits (Legendre functions of degree 0 and 1, whose transforms are spherical
-    Bessel functions).
+    scan is cut out of a larger periodic surface and levelled. Levelling removes the least-squares
+    plane, that is Legendre functions of degree 0 and 1, whose transforms are spherical Bessel
+    functions.
+
+    Parameters
+    ----------
+    pixels : int
+        Pixels along an edge of the periodic surface.
+    pixel_size : float
+        Edge of a pixel in nm.
+    window_pixels : int
+        Pixels along an edge of the scan.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Wavevectors (bins,) in rad/nm, and weights (3, bins): moments = weights @ C_iso.
     """
     from scipy.special import spherical_jn
 
@@ -58,24 +72,26 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     half = wave[: pixels // 2 + 1]
     count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
     shortest = np.hypot(wave.max(), half.max())
-    edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BINS + 1)
-    # Along one axis: the shares that mean and tilt fit, and the squared difference.
+    edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
+    # Along one axis: the shares that mean and tilt remove, and the squared difference operator.
     phase = wave * window_pixels * pixel_size / 2
     mean, tilt = spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2
     difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
-    along = slice(0, len(half))
-    weights = np.zeros((3, BINS))
-    for start in range(0, pixels, ROWS):
-        rows = slice(start, start + ROWS)
-        mean_y, tilt_y, difference_y = (factor[rows, None] for factor in (mean, tilt, difference))
-        fitted = mean_y * mean[along] + tilt_y * mean[along] + mean_y * tilt[along]
-        laplacian = difference_y + difference[along]
+    orders_x = slice(0, len(half))
+    weights = np.zeros((3, BIN_COUNT))
+    for start in range(0, pixels, BLOCK_ROWS):
+        rows = slice(start, start + BLOCK_ROWS)
+        mean_y = mean[rows, None]
+        tilt_y = tilt[rows, None]
+        difference_y = difference[rows, None]
+        removed = mean_y * mean[orders_x] + tilt_y * mean[orders_x] + mean_y * tilt[orders_x]
+        laplacian = difference_y + difference[orders_x]
         radius = np.hypot(wave[rows, None], half)
         if start == 0:
             radius[0, 0] = half[1]  # the mean carries no weight, and log 0 no bin
         index = np.searchsorted(edges, radius.ravel()) - 1
-        for k, factor in enumerate((1 - fitted, laplacian, laplacian**2 / 4)):
-            weights[k] += np.bincount(index, (count * factor).ravel(), BINS)
+        for k, factor in enumerate((1 - removed, laplacian, laplacian**2 / 4)):
+            weights[k] += np.bincount(index, (count * factor).ravel(), BIN_COUNT)
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
@@ -86,11 +102,24 @@ def expected_moments(density: Density, weights: Weights) -> Floats:
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
-    """Return Table 1 of a surface, slopes as rms gradients, curvatures as half rms Laplacians.
+    """Return the rows of Table 1 for a surface, with rms gradients and half rms Laplacians.
 
-    The slope of `published.table1` is read as ``"gradient"`` or ``"profile"`` (smaller by sqrt(2)
-    on an isotropic surface), its curvature as ``"half_laplacian"`` or ``"laplacian"``. The rows,
-    value and uncertainty by quantity, are empty for other surfaces.
+    Parameters
+    ----------
+    table1 : pandas.DataFrame
+        The table that `published.table1` returns.
+    surface : str
+        Name of the surface.
+    slope : str
+        Meaning of slope in Table 1: ``"gradient"``, or ``"profile"``, which is smaller by sqrt(2)
+        on an isotropic surface.
+    curvature : str
+        Meaning of curvature in Table 1: ``"half_laplacian"`` or ``"laplacian"``.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Value and uncertainty by quantity; empty for a surface that Table 1 lacks.
     """
     rows = table1[table1["surface"] == surface].set_index("quantity")
     factor = {
@@ -102,19 +131,20 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
 
 
 def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
-    """Return the parameters that give scans of a band of a model of SEARCHED their Table 1.
+    """Return the parameters of a band with which its scans meet AFM_ROWS of Table 1.
 
-    Raises ValueError if no such spectrum has the three moments.
+    The model of the band is a key of SEARCHED_PARAMETERS. Raises ValueError if no parameters meet
+    the rows.
     """
     from scipy.optimize import least_squares
 
-    model, names = MODELS[band.model]
-    searched = SEARCHED[band.model]
+    model, names = SPECTRAL_MODELS[band.model]
+    searched = SEARCHED_PARAMETERS[band.model]
     values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
     def parameters(solution: Floats) -> dict[str, float]:
         return {
-            name: np.exp(value) if name in LOGARITHMIC else value
+            name: np.exp(value) if name in LOGARITHMIC_PARAMETERS else value
             for name, value in zip(searched, solution, strict=True)
         }
 
@@ -148,100 +178,142 @@ def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> 
     return {name: float(value) for name, value in parameters(fit.x).items()}
 
 
-def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tuple[float, float]:
-    """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
+def calibrate_tail(
+    longer_waves: Floats, gradient: float, half_laplacian: float
+) -> tuple[float, float]:
+    """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
 
-    The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength where the power law
-    begins; gradient and half-Laplacian (1/nm) are those over all scales of both. Raises ValueError
-    if no power law adds the missing part of both.
+    Parameters
+    ----------
+    longer_waves : numpy.ndarray
+        C_iso in nm⁴ on WAVEVECTORS, zero below the wavelength at which the power law begins.
+    gradient, half_laplacian : float
+        Rms gradient, and half-Laplacian in 1/nm, of the spectrum with its tail, over all scales.
+
+    Returns
+    -------
+    tuple of float
+        The tail adds the gradient and the half-Laplacian that the spectrum lacks.
+
+    Raises
+    ------
+    ValueError
+        If no power law adds both.
     """
     from scipy.optimize import brentq
 
-    _, *moments_above = all_scales_moments(Spectrum(WAVEVECTORS, above))
-    missing = [gradient**2 - moments_above[0] ** 2, half_laplacian**2 - moments_above[1] ** 2]
-    ends = 2 * np.pi / WAVEVECTORS[above.nonzero()[0][-1] + 1 :]
+    _, *longer_moments = all_scales_moments(Spectrum(WAVEVECTORS, longer_waves))
+    missing_squares = [
+        gradient**2 - longer_moments[0] ** 2,
+        half_laplacian**2 - longer_moments[1] ** 2,
+    ]
+    ends = 2 * np.pi / WAVEVECTORS[longer_waves.nonzero()[0][-1] + 1 :]
     refusal = ValueError(
         f"expected an all-scales slope and curvature that a power law below {ends[0]:.3g} nm can "
         f"add, found {gradient} and {half_laplacian}"
     )
-    if min(missing) <= 0:
+    if min(missing_squares) <= 0:
         raise refusal
 
     def excess(moment: int, hurst: float, shortest: float) -> float:
-        tail = power_law_tail(above, hurst, shortest)
+        tail = power_law_tail(longer_waves, hurst, shortest)
         added = all_scales_moments(Spectrum(WAVEVECTORS, tail))[1 + moment]
-        return float(np.log(added**2 / missing[moment]))
+        return float(np.log(added**2 / missing_squares[moment]))
 
-    def hurst_of(shortest: float) -> float:
-        return float(brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST, xtol=1e-14))
+    def find_hurst(shortest: float) -> float:
+        return float(
+            brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST_BOUNDS, xtol=1e-14)
+        )
 
-    # Of the tails that add the gradient, those that end later add more to the half-Laplacian.
-    possible = [
-        end for end in ends if excess(0, TAIL_HURST[0], end) > 0 > excess(0, TAIL_HURST[1], end)
+    # If tails add the same gradient, the tail that ends later adds more to the half-Laplacian.
+    possible_ends = [
+        end
+        for end in ends
+        if excess(0, TAIL_HURST_BOUNDS[0], end) > 0 > excess(0, TAIL_HURST_BOUNDS[1], end)
     ]
-    excesses = [excess(1, hurst_of(end), end) for end in possible]
+    excesses = [excess(1, find_hurst(end), end) for end in possible_ends]
     if not excesses or not excesses[0] < 0 < excesses[-1]:
         raise refusal
     shortest = brentq(
-        lambda end: excess(1, hurst_of(end), end), possible[0], possible[-1], xtol=1e-14
+        lambda end: excess(1, find_hurst(end), end), possible_ends[0], possible_ends[-1], xtol=1e-14
     )
-    return hurst_of(shortest), float(shortest)
+    return find_hurst(shortest), float(shortest)
 
 
-def from_description(
+def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return C_iso (nm⁴) on WAVEVECTORS, its bands with all parameters, rows of Table 1 used.
+    """Return the spectrum that a description defines.
 
-    The file is a CSV of bands from long to short wavelengths, each with its model, parameters and
-    basis. A band of CALIBRATED without Hurst exponent is calibrated to the rows of Table 1 from
-    `rows_of_surface`. Raises ValueError that names the file and the band that cannot be made.
+    A band is calibrated to Table 1 if it has no Hurst exponent and CALIBRATION_ROWS has its model.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        CSV file of bands from long to short wavelengths, each with its model, parameters and basis.
+    table1 : pandas.DataFrame
+        Rows of Table 1 for the surface, from `rows_of_surface`.
+    weights : tuple of numpy.ndarray
+        The result of `transfer_weights` for the scans that meet these rows.
+
+    Returns
+    -------
+    tuple
+        C_iso in nm⁴ on WAVEVECTORS, the bands with all parameters, and the rows of Table 1 to which
+        the bands were calibrated.
+
+    Raises
+    ------
+    ValueError
+        If a band cannot be made; names the file and the band.
     """
     bands = read_bands(path)
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
-            if pd.isna(band.hurst) and band.model in CALIBRATED:
-                if band.model in MODELS:
+            if pd.isna(band.hurst) and band.model in CALIBRATION_ROWS:
+                if band.model in SPECTRAL_MODELS:
                     parameters = calibrate_model(band, table1, weights)
                 else:
                     hurst, shortest = calibrate_tail(density, *table1.loc[list(TAIL_ROWS), "value"])
                     parameters = {"hurst": hurst, "shortest_nm": shortest}
                 band = pd.Series(dict(band) | parameters)
-                calibrated += CALIBRATED[band.model]
+                calibrated += CALIBRATION_ROWS[band.model]
             density += _band_density(band, density, Path(path).parent)
         except (KeyError, ValueError, OSError) as error:
             raise ValueError(f"{path}: band from {band.longest_nm:g} nm: {error}") from None
         bands.loc[i] = band
-    last = bands.iloc[-1]
-    if last.model == "power law":
-        density *= share_of_cells(last.shortest_nm)
+    last_band = bands.iloc[-1]
+    if last_band.model == "power law":
+        density *= cell_shares(last_band.shortest_nm)
     return density, bands, calibrated
 
 
-def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
+def _band_density(band: pd.Series, longer_waves: Floats, folder: Path) -> Floats:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
-        return continued(above, band.hurst) * (share_of_cells(band.shortest_nm) > 0)
+        return power_law_continuation(longer_waves, band.hurst) * (
+            cell_shares(band.shortest_nm) > 0
+        )
     if band.model == "profile":
         columns = ["wavelength_nm", "c1d_nm3"]
         points = pd.read_csv(folder / band.table, usecols=columns, dtype=float)[columns]
         wavelengths, profile = points.to_numpy().T
         model = profile_points(WAVEVECTORS, wavelengths, profile)
     else:
-        density, parameters = MODELS[band.model]
+        density, parameters = SPECTRAL_MODELS[band.model]
         model = density(WAVEVECTORS, *(band[name] for name in parameters))
     wavelength = 2 * np.pi / WAVEVECTORS
     return np.where((wavelength <= band.longest_nm) & (wavelength > band.shortest_nm), model, 0.0)
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
+    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description.
 
-    The description leaves no parameters to Table 1.
+    The description must not leave parameters to Table 1.
     """
     no_weights = np.empty(0), np.empty((3, 0))
-    density, _, _ = from_description(path, pd.DataFrame(), no_weights)
+    density, _, _ = spectrum_from_description(path, pd.DataFrame(), no_weights)
     short_enough = 2 * np.pi / WAVEVECTORS <= longest
     return float(all_scales_moments(Spectrum(WAVEVECTORS, density * short_enough))[0])
 
@@ -251,13 +323,24 @@ def substitute_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a substitute from a description.
 
-    Table 1, from `rows_of_surface` or empty, is for scans of the paper's pixels and size, which the
-    constants have. Attributes are the bands, the rows of Table 1 that they were calibrated to, and
-    the expected moments of a scan of the paper.
+    Parameters
+    ----------
+    description : str or pathlib.Path
+        CSV file of bands, as in `spectrum_from_description`.
+    table1 : pandas.DataFrame
+        Rows of Table 1 for the surface, from `rows_of_surface`, or empty.
+    constants : pandas.DataFrame
+        The paper's pixels and size of scans, from `published.constants`.
+
+    Returns
+    -------
+    xarray.Dataset
+        `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the bands, the rows of Table 1 to which
+        they were calibrated, and the expected moments of a scan with the paper's pixels and size.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
-    density, bands, calibrated = from_description(description, table1, weights)
+    density, bands, calibrated = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
         basis="substitute",
         calibrated_to_table1=",".join(calibrated),

@@ -1,6 +1,6 @@
-"""Random surfaces from a PSD, and the multi-scale masters of Fig. 6, of either side of the scales.
+"""Random surfaces from a PSD, and masters: scans with artificial roughness added (Fig. 6).
 
-Surfaces are periodic, lengths in nm, densities C_iso in nm⁴ of the wavevector in rad/nm.
+Surfaces are periodic. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in rad/nm.
 """
 
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.surfaces.filters import ROWS, interpolate, lowpass
+from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
 
@@ -17,7 +17,7 @@ from hardcontact.surfaces.spectrum import Density
 def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, density: Density
 ) -> HeightMap:
-    """Return a Gaussian random surface of a given power spectral density, of mean zero, in float32.
+    """Return a Gaussian random surface with a power spectral density, of mean zero, in float32.
 
     White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
     ratio.
@@ -27,8 +27,8 @@ def random_surface(
     transform = fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32))
     wave_y = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
     wave_x = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
-    for start in range(0, pixels, ROWS):
-        rows = slice(start, start + ROWS)
+    for start in range(0, pixels, BLOCK_ROWS):
+        rows = slice(start, start + BLOCK_ROWS)
         wavevector = np.hypot(wave_y[rows, None], wave_x)
         transform[rows] *= np.sqrt(density(wavevector)) / pixel_size
     transform[0, 0] = 0
@@ -41,9 +41,9 @@ def small_scale_master(
 ) -> HeightMap:
     """Return a mirror-stitched scan with artificial roughness below the transition wavelength (nm).
 
-    Shorter wavelengths of the scan, interpolated to pixels x pixels, are replaced by a random
-    surface whose C_iso follows the density there, and is constant above the transition. Source: the
-    paper, section Determining the Most Relevant Length-scales of Roughness.
+    The scan is interpolated to pixels x pixels. A random surface replaces its wavelengths below the
+    transition. C_iso of the random surface follows the density below the transition and is constant
+    above it. Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     band = lowpass(stitched, transition)
     limit = 2 * np.pi / transition
@@ -59,8 +59,8 @@ def large_scale_master(
 ) -> HeightMap:
     """Return a mirror-stitched scan with artificial roughness above the transition wavelength (nm).
 
-    The scan is repeated `tiles` times along each edge, and its longer wavelengths are replaced by a
-    random surface that follows the density there. Source: as `small_scale_master`.
+    The scan is repeated `tiles` times along each edge. A random surface, whose C_iso follows the
+    density, replaces the wavelengths above the transition. Source: as for `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     band = lowpass(repeated, transition)
@@ -73,21 +73,37 @@ def large_scale_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: How the master of a side is synthesized, and the key of the scales that says how large.
+#: Function that makes the master of a side, and the key of its size in the scales.
 SYNTHESIS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
 SIDES = tuple(SYNTHESIS)
 
 
-def synthesized_master(
+def synthesize_master(
     side: str,
     rng: np.random.Generator,
     stitched: HeightMap,
     scales: Mapping[str, Any],
     density: Density,
 ) -> HeightMap:
-    """Return the periodic master of one of SIDES, made of a periodic scan.
+    """Return the periodic master of a side.
 
-    The scales are ``transition`` in nm, and ``pixels`` (small side) or ``tiles`` (large side).
+    Parameters
+    ----------
+    side : str
+        A key of SYNTHESIS.
+    rng : numpy.random.Generator
+        Source of the artificial roughness.
+    stitched : HeightMap
+        Mirror-stitched scan.
+    scales : mapping
+        ``transition`` in nm, and ``pixels`` for the small side or ``tiles`` for the large side.
+    density : callable
+        C_iso in nm⁴ of wavevectors in rad/nm.
+
+    Returns
+    -------
+    HeightMap
+        The master.
     """
     synthesize, size = SYNTHESIS[side]
     return synthesize(rng, stitched, scales[size], scales["transition"], density)

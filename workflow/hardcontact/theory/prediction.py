@@ -24,9 +24,9 @@ from hardcontact.contact.smooth_sphere import (
     tabor_parameter,
     transition_coefficient,
 )
-from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
-from hardcontact.surfaces.hurst_exponent import fitted_hurst
-from hardcontact.surfaces.measured_spectrum import CALIBRATION
+from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
+from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
+from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import (
     MIN_BINS,
     WAVEVECTORS,
@@ -441,9 +441,9 @@ def _extrapolated_numbers(
         and len(rough.density) >= MIN_BINS
         and rough.density.all()
     ):
-        variance = np.full(rough.density.shape, CALIBRATION**2)
-        fit = fitted_hurst(rough.wavevector, rough.density, variance)
-        density, tail = continued_spectrum(rough.wavevector, rough.density, fit)
+        variance = np.full(rough.density.shape, CALIBRATION_SCATTER**2)
+        fit = fit_hurst_exponent(rough.wavevector, rough.density, variance)
+        density, tail = extrapolate_short_waves(rough.wavevector, rough.density, fit)
         hurst, ended_by = tail.tail_hurst, tail.tail_ended_by
     # Without an exponent no waves are added: slope or curvature are at their bounds already.
     if density is not None and math.isnan(hurst) and rolloff <= longest:

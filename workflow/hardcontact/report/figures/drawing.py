@@ -1,4 +1,4 @@
-"""Drawing of a figure: its sheet, and the files that it is written to: PDF, PNG, SVG, its table."""
+"""Creation of an empty figure, and its files: PDF, PNG, SVG and the table of its numbers."""
 
 import importlib
 import inspect
@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -27,8 +28,8 @@ WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
 RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
 SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
-MAX_VECTOR_POINTS = 1000  # of a curve or of symbols that the SVG holds as such
-SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of the same widths, whichever a reader has
+MAX_VECTOR_POINTS = 1000  # of a curve or of symbols in the SVG; more become an image
+SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of equal widths
 READERS = {
     "published_constants": published.constants,
     "published_pull_off": published.pull_off,
@@ -36,18 +37,24 @@ READERS = {
 
 
 def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
-    """Draw a figure, named as its module.
+    """Draw a figure and write its files.
 
-    Inputs are the paths of the datasets and published tables that it is drawn from, outputs those
-    of its "pdf", "png", "svg" and "csv".
+    Parameters
+    ----------
+    name : str
+        Module of the figure.
+    inputs : mapping of str to str
+        Paths of the datasets and published tables, by the arguments of `draw`.
+    outputs : mapping of str to str
+        Paths by kind of file: KINDS.
     """
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
-    drawn_from = {
+    arguments = {
         key: READERS.get(key, dataset.read)(inputs[key])
         for key in inspect.signature(module.draw).parameters
     }
     with style.print_style():
-        table, figure = module.draw(**drawn_from)
+        table, figure = module.draw(**arguments)
         save(figure, table, module.TITLE, outputs)
 
 
@@ -58,10 +65,22 @@ def save(
     outputs: Mapping[str, str],
     svg_resolution: float = SVG_RESOLUTION,
 ) -> None:
-    """Write a figure and the table of its numbers, with its title.
+    """Write a figure and the table of its numbers.
 
-    Outputs are the paths of "pdf", "png", "svg" and "csv". The bytes are the same each time, and
-    all files are written or none.
+    The bytes are the same each time. Either all files are written or none.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        The figure.
+    table : pandas.DataFrame
+        The table of its numbers.
+    title : str
+        Title in the metadata of the files.
+    outputs : mapping of str to str
+        Paths by kind of file: KINDS.
+    svg_resolution : float
+        Resolution of the images in the SVG, in dots per inch.
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:
@@ -78,10 +97,10 @@ def save(
 
 
 def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
-    """Return a figure as SVG for pages.
+    """Return a figure as SVG for pages, with images of a resolution in dots per inch.
 
-    Its text is text, which is a third of the size of drawn letters. Curves and symbols of many
-    points become images; the resolution of images is in dots per inch.
+    Letters are text, which has a third of the size of outlines. Curves and symbols with more than
+    MAX_VECTOR_POINTS points become images.
     """
     for artist in figure.findobj(lambda artist: not artist.get_rasterized()):
         artist.set_rasterized(_has_many_points(artist))
@@ -95,7 +114,7 @@ def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
 
 
 def _has_many_points(artist: Artist) -> bool:
-    """Test if a line or a collection has too many points for an SVG."""
+    """Return whether a line or a collection has too many points for an SVG."""
     if isinstance(artist, Line2D):
         return bool(np.size(artist.get_xdata()) > MAX_VECTOR_POINTS)
     if isinstance(artist, Collection):
@@ -106,19 +125,17 @@ def _has_many_points(artist: Artist) -> bool:
 
 
 def create(height: float, surfaces: xr.Dataset) -> Figure:
-    """Return an empty figure of print width and the given height (inch).
+    """Return an empty figure of print width and a height (inch).
 
-    A line at its foot names the surfaces that are substitutes. The dataset has `label(surface)` and
+    A line at its foot names the substitute surfaces. The dataset has `label(surface)` and
     `basis(surface)`, "substitute" or "measured", or both as attributes for a single surface.
     """
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
     figure = Figure(figsize=(WIDTH, height), layout=layout)
-    labels, basis = (
-        np.atleast_1d(surfaces[name] if name in surfaces else surfaces.attrs[name])
-        for name in ("label", "basis")
-    )
-    substitutes = labels[basis == "substitute"]
+    data: Any = surfaces if "label" in surfaces else surfaces.attrs
+    labels = np.atleast_1d(data["label"])
+    substitutes = labels[np.atleast_1d(data["basis"]) == "substitute"]
     note = "all surfaces measured"
     if substitutes.size:
         names = ", ".join(map(str, substitutes))
@@ -130,7 +147,7 @@ def create(height: float, surfaces: xr.Dataset) -> Figure:
 def create_rows(
     height: float, surfaces: xr.Dataset, *rows: tuple[float, Sequence[float]]
 ) -> tuple[Figure, list[np.ndarray]]:
-    """Return such a figure and the panels of each row, given by relative height and widths."""
+    """Return a figure as `create` does, and the panels of each row (height, widths: relative)."""
     figure = create(height, surfaces)
     grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
     return figure, [

@@ -31,7 +31,7 @@ COLUMNS = [
 
 
 def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature.
+    """Draw Fig. 1: a levelled scan of each substrate, and the sphere with and without curvature.
 
     The column `uncertainty` has the standard deviation over the scans.
     """
@@ -58,7 +58,9 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         name = f"{description['label']}, {state}" if state else description["label"]
         style.label_panel(axes, letter, f"{name}\nrms {values['map_rms_height']:.1f} nm")
         for quantity, value in values.items():
-            row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **description)
+            row = tables.quantity_rows(
+                letter, quantity, "nm", value=value, state=state, **description
+            )
             if quantity == "rms_height_mean":
                 row["uncertainty"] = surface_data["rms_height_std"].item()
             frames.append(row)
@@ -68,17 +70,17 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
 
 
 def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:
-    """Return surface, state and heights (row, column) in nm of each panel, in drawing order."""
+    """Return surface, state and heights (row, column) in nm of the panels, in drawing order."""
     name = topography.attrs["sphere_surface"]
     sphere = topography.sel(surface=name)
     substrates = topography.drop_sel(surface=name)
     panels = [
         *((surface_data, "", surface_data["example_heights"])
-          for _, surface_data in style.by_surface(substrates)),
+          for _, surface_data in style.iterate_surfaces(substrates)),
         (sphere, AS_SCANNED, topography["sphere_as_scanned"]),
         (sphere, SUBTRACTED, sphere["example_heights"]),
     ]  # fmt: skip
-    # Smaller scans are padded to the largest.
+    # The dataset pads smaller scans to the largest scan.
     return [
         (surface_data, state, heights.dropna("row", how="all").dropna("column", how="all").values)
         for surface_data, state, heights in panels

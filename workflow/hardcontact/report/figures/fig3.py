@@ -1,4 +1,4 @@
-"""Fig. 3: how the pull-off forces are distributed, published and computed."""
+"""Fig. 3: distributions of the pull-off forces, published and computed."""
 
 from collections.abc import Sequence
 from string import ascii_lowercase
@@ -62,11 +62,11 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
+    """Draw Fig. 3: one column a substrate, linear axes above and logarithmic axes below.
 
-    Forces are taken at the published pair of range and work of adhesion, and at the fitted one: a
-    `pair`. The table has the probability density of each bin between `force_low` and `force_high`,
-    of the linear panels "1" and of the logarithmic panels "2", and the numbers of the log-normals.
+    A `pair` of range and work of adhesion is the published or the fitted pair. The table has the
+    probability density of each bin from `force_low` to `force_high`, for the linear panels "1" and
+    the logarithmic panels "2", and the numbers of the log-normals.
     """
     fit = inference.sel(contact_model=PLASTIC)
     floor, work = inference.attrs["force_floor"], adhesion.attrs["work_of_adhesion"]
@@ -91,23 +91,23 @@ def draw(
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
             for name, values in forces_of_all.items()
         }
-        numbers = _numbers(published_pull_off, fit.sel(surface=surface))
-        value = numbers.pivot(index="pair", columns="quantity", values="value")
+        statistics_rows = _statistics_rows(published_pull_off, fit.sel(surface=surface))
+        values = statistics_rows.pivot(index="pair", columns="quantity", values="value")
         lognormals = [
-            lognorm(value["lognormal_shape"][pair], scale=value["lognormal_median"][pair])
+            lognorm(values["lognormal_shape"][pair], scale=values["lognormal_median"][pair])
             for pair in ("", "published")  # of the paper, and of the forces computed at its pair
         ]
         rows = [
             _draw_linear(linear, surface_forces, lognormals[0], colour),
             _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour),
-            numbers,
+            statistics_rows,
         ]
         label = fit["label"].sel(surface=surface).item()
         style.label_panel(linear, f"{letter}_1", str(label))
         published_pair = fit.sel(surface=surface, pair="published")
-        computed = tables.value_and_bounds(published_pair, "lognormal_shape")
-        shape = f"published $s$ = {value['lognormal_shape']['']:.2f}"
-        shape += f"\nhere {print_formatted(computed, '.2f')}"
+        shape_and_interval = tables.value_and_bounds(published_pair, "lognormal_shape")
+        shape = f"published $s$ = {values['lognormal_shape']['']:.2f}"
+        shape += f"\nhere {print_formatted(shape_and_interval, '.2f')}"
         style.label_panel(logarithmic, f"{letter}_2", shape)
         for axes in (linear, logarithmic):
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
@@ -124,40 +124,40 @@ def draw(
         Patch(color="0.85", label=f"not resolved: below {floor * 1e9:.0f} nN"),
     ]
     style.legend_above(figure, handles, 3)
-    return tables.labelled(frames, inference, COLUMNS), figure
+    return tables.label_rows(frames, inference, COLUMNS), figure
 
 
-def _numbers(published: pd.DataFrame, fit: xr.Dataset) -> pd.DataFrame:
-    """Return the numbers that describe the forces of one surface, published and at each pair."""
+def _statistics_rows(published: pd.DataFrame, fit: xr.Dataset) -> pd.DataFrame:
+    """Return statistics of the forces on one surface: published, and computed at each pair."""
     surface = fit["surface"].item()
     mean, median = published["mean_force"][surface], published["median_force"][surface]
     values = (lognormal_shape(mean, median), median, mean, median)
     frames = [
-        tables.rows_of("", name, unit, "published", pair="", value=value)
+        tables.quantity_rows("", name, unit, "published", pair="", value=value)
         for (name, (_, unit)), value in zip(QUANTITIES.items(), values, strict=True)
     ]
     for pair in ("published", "fitted"):
         for name, (variable, unit) in QUANTITIES.items():
-            computed = tables.value_and_bounds(fit.sel(pair=pair), variable)
-            frames.append(tables.rows_of("", name, unit, pair=pair, **computed))
+            value_and_interval = tables.value_and_bounds(fit.sel(pair=pair), variable)
+            frames.append(tables.quantity_rows("", name, unit, pair=pair, **value_and_interval))
     return pd.concat(frames, ignore_index=True)
 
 
 def _draw_linear(axes: Axes, forces_by_pair: Pairs, published: Any, colour: str) -> pd.DataFrame:
     """Draw the computed histograms and the published log-normal over the same bins, in µN.
 
-    The bins reach from zero to a high quantile of each distribution.
+    The bins reach from zero to the highest of high quantiles of the distributions.
     """
     ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
     edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
-    computed = _draw_histograms(axes, forces_by_pair, edges, colour)
+    histogram_rows = _draw_histograms(axes, forces_by_pair, edges, colour)
     density = np.diff(published.cdf(edges)) / np.diff(edges)
     axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **PUBLISHED_LINE)
     axes.set_xlim(0, edges[-1] / style.MICRONEWTON)
     axes.set_ylim(bottom=0)
     axes.locator_params(nbins=4)
     rows = _bin_rows(edges, density).assign(origin="published", pair="")
-    return pd.concat([rows, computed]).assign(panel="1")
+    return pd.concat([rows, histogram_rows]).assign(panel="1")
 
 
 def _draw_logarithmic(
@@ -165,33 +165,35 @@ def _draw_logarithmic(
 ) -> pd.DataFrame:
     """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN.
 
-    The bins, even in the logarithm, hold every force.
+    The bins are equal in the logarithm and contain every force.
     """
-    every = np.concatenate(list(forces_by_pair.values()))
-    first, last = np.log10(every.min()), np.log10(every.max())
-    steps = np.arange(np.floor(first * BINS_PER_DECADE), np.ceil(last * BINS_PER_DECADE) + 2)
+    all_forces = np.concatenate(list(forces_by_pair.values()))
+    lowest_log, highest_log = np.log10(all_forces.min()), np.log10(all_forces.max())
+    steps = np.arange(
+        np.floor(lowest_log * BINS_PER_DECADE), np.ceil(highest_log * BINS_PER_DECADE) + 2
+    )
     edges = 10 ** (steps / BINS_PER_DECADE)
     rows = _draw_histograms(axes, forces_by_pair, edges, colour)
-    exceeded = [lognormal.ppf(0.999) for lognormal in lognormals]
-    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *exceeded])
+    high_quantiles = [lognormal.ppf(0.999) for lognormal in lognormals]
+    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *high_quantiles])
     line = np.geomspace(*ends, 200)
     for lognormal, look in zip(lognormals, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
         curve = lognormal.pdf(line) * style.MICRONEWTON
         axes.plot(line / style.MICRONEWTON, curve, **look)
     bars = rows["value"][rows["value"] > 0] * style.MICRONEWTON
     axes.set(xscale="log", yscale="log", xlim=np.divide(ends, style.MICRONEWTON))
-    # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
+    # The bars set the scale, because a log-normal has no least density and may have a high peak.
     axes.set_ylim(bars.min() / 3, bars.max() * 10)
-    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
+    style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1,))
     return rows.assign(panel="2")
 
 
 def _draw_histograms(
     axes: Axes, forces_by_pair: Pairs, edges: np.ndarray, colour: str
 ) -> pd.DataFrame:
-    """Fill the histogram at the published pair, and outline that at the fitted one.
+    """Fill the histogram at the published pair, and outline the histogram at the fitted pair.
 
-    Forces beyond the bins count in the total.
+    The total includes forces beyond the bins.
     """
     looks: dict[str, style.Look] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},

@@ -47,9 +47,11 @@ def draw(
     """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces.
 
     The column `x` has the separation (nm, panel a) or the range of adhesion (nm, b and c). Values
-    over "scans" are means with their interval; values over "sets" are the median and SHARE_OF_SETS.
+    over "scans" are means with their interval. Values over "sets" are medians, with the ends of
+    SHARE_OF_SETS.
     """
-    fit, set_fits = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
+    fit = inference.sel(contact_model=PLASTIC)
+    set_fits = sets.sel(contact_model=PLASTIC)
     figure, ((pressure, separation, key), (ratios, forces)) = drawing.create_rows(
         5.6, inference, (1, (1.3, 1, 1)), (1.5, (1, 1))
     )
@@ -59,7 +61,7 @@ def draw(
     separation.plot(distances, contact_forces / style.MICRONEWTON, color=style.PUBLISHED)
     separation.set(xlabel="separation (nm)", ylabel="force (µN)")
     separation.locator_params(nbins=5)
-    curve = tables.rows_of("a", "force", "N", x=distances, value=contact_forces)
+    curve = tables.quantity_rows("a", "force", "N", x=distances, value=contact_forces)
     frames = [
         curve.assign(surface=contact.attrs["surface"]),
         _draw_ratios(ratios, fit, set_fits, published_pull_off["mean_force"]),
@@ -70,10 +72,10 @@ def draw(
         style.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
+        style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1, 3))
     key.set_axis_off()
     key.legend(handles=_legend_handles(fit, published_constants), loc="center")
-    return tables.tidy(frames, inference, "over", "x"), figure
+    return tables.tidy_table(frames, inference, "over", "x"), figure
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:
@@ -94,27 +96,27 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 
 
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
-    """Map the adhesive pressure (MPa) around the apex, over its largest PRESSURE_DECADES.
+    """Map the largest PRESSURE_DECADES of the adhesive pressure (MPa) around the apex.
 
-    The map has at most MAP_PIXELS along an edge, each the largest pressure of those that it covers:
-    a finer map looks the same and takes gigabytes to draw.
+    The map has at most MAP_PIXELS along an edge, each with the largest pressure of the pixels that
+    it covers. A finer map looks the same and takes gigabytes to draw.
     """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
-    covered = -(-pressure.sizes["x"] // MAP_PIXELS)
-    pressure = pressure.coarsen(x=covered, y=covered, boundary="trim").max()
+    covered_pixels = -(-pressure.sizes["x"] // MAP_PIXELS)
+    pressure = pressure.coarsen(x=covered_pixels, y=covered_pixels, boundary="trim").max()
     top = pressure.max().item()
     bottom = top / 10**PRESSURE_DECADES
     x, y = pressure["x"].values / 1000, pressure["y"].values / 1000
-    shown, norm = pressure.clip(min=bottom).values, LogNorm(bottom, top)
-    image = axes.pcolormesh(x, y, shown, norm=norm, cmap="magma", **style.PIXELS)
-    reach = 1.05 * style.half_width(pressure > bottom) / 1000
+    clipped = pressure.clip(min=bottom).values
+    image = axes.pcolormesh(x, y, clipped, norm=LogNorm(bottom, top), cmap="magma", **style.PIXELS)
+    reach = 1.05 * style.mask_half_width(pressure > bottom) / 1000
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x (µm)", ylabel="y (µm)")
     axes.set_aspect("equal")
     axes.locator_params(nbins=4)
     bar = axes.figure.colorbar(
         image, ax=axes, pad=0.02, shrink=0.8, label="adhesive pressure (MPa)"
     )
-    style.label_logarithmic(bar.ax.yaxis, at=(1,))
+    style.label_logarithmic(bar.ax.yaxis, digits=(1,))
     style.label_panel(axes, "a_1", str(contact.attrs["label"]))
 
 
@@ -123,18 +125,21 @@ def _draw_ratios(
 ) -> pd.DataFrame:
     """Draw the ratio of mean forces to the reference surface against rho (nm).
 
-    The reference is the surface whose own ratio is 1 everywhere.
+    The reference is the surface whose ratio is 1 everywhere.
     """
     reference = abs(fit["ratio"] - 1).max("rho").idxmin("surface").item()
-    scans, set_spread = tables.bounded(fit, "ratio"), tables.over_sets(set_fits["ratio"])
+    scans, set_spread = (
+        tables.value_and_interval(fit, "ratio"),
+        tables.summarize_sets(set_fits["ratio"]),
+    )
     rows = _draw_curves(axes, scans, set_spread, published / published[reference])
     best = tables.value_and_bounds(fit, "range_from_ratios")
-    along = [best[name] for name in ("low", "value", "high")]
-    axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
+    ranges = [best[name] for name in ("low", "value", "high")]
+    axes.plot(ranges, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
     axes.set_ylabel(f"force relative to {fit['label'].sel(surface=reference).item()}")
     style.label_panel(axes, "b", "ratios of forces, for any $W$")
     rows = rows.assign(panel="b", quantity="ratio", unit="1")
-    best_rows = tables.rows_of("b", "range_from_ratios", "nm", over="scans", **best)
+    best_rows = tables.quantity_rows("b", "range_from_ratios", "nm", over="scans", **best)
     return pd.concat([rows, best_rows])
 
 
@@ -147,11 +152,11 @@ def _draw_forces(
 ) -> pd.DataFrame:
     """Draw the mean force (µN) at the published work of adhesion against rho (nm)."""
     work = published_constants["value"]["work_of_adhesion"]
-    scans = tables.bounded(fit, "mean_force") * work
-    set_spread = tables.over_sets(set_fits["mean_force"]) * work
+    scans = tables.value_and_interval(fit, "mean_force") * work
+    set_spread = tables.summarize_sets(set_fits["mean_force"]) * work
     rows = _draw_curves(axes, scans, set_spread, published, style.MICRONEWTON)
-    fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean")
-    for look, force in style.by_surface(fitted / style.MICRONEWTON):
+    fitted = tables.value_and_interval(fit.sel(pair="fitted"), "force_mean")
+    for look, force in style.iterate_surfaces(fitted / style.MICRONEWTON):
         look = look | AT_FIT
         style.draw_bars(axes, fit["range_of_adhesion"], force, elinewidth=1.2, zorder=4, **look)
     axes.set_ylabel("mean pull-off force (µN)")
@@ -168,7 +173,7 @@ def _draw_curves(
     axes: Axes, scans: xr.Dataset, set_spread: xr.Dataset, published: pd.Series, unit: float = 1
 ) -> pd.DataFrame:
     """Draw values with intervals, bands of the sets and published levels, in a printed unit."""
-    for look, curve in style.by_surface(scans / unit):
+    for look, curve in style.iterate_surfaces(scans / unit):
         surface = curve["surface"].item()
         style.fill_interval(axes, set_spread.sel(surface=surface) / unit, "rho", look["color"])
         style.draw_bars(axes, curve["rho"], curve, elinewidth=0.7, ms=2.5, **look)

@@ -25,9 +25,11 @@ of a sphere show the sum of 400 contacts, which is not computed here. Drawn from
 resources/paper/parameters.csv.
 """
 
-ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
+LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
-DEPTHS = mpl.colormaps["Purples"]  # preloads have its colours too, as black is for published values
+DEPTH_COLOURS = mpl.colormaps[
+    "Purples"
+]  # preloads have its colours too, as black is for published values
 SIZES = {  # title, axis, published constant
     "depth": ("deepest point", "depth (nm)", "indent_depth"),
     "edge_length": ("largest indent: √area", "edge length (nm)", "indent_edge_length"),
@@ -45,21 +47,23 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
     that a `share` of all contacts does not exceed (d to f).
     """
     published = published_constants["value"]
-    shown = indent.sel(preload=published[PRELOAD], method="nearest")
+    contact = indent.sel(preload=published[PRELOAD], method="nearest")
     figure, ((indents, *lines), sizes) = drawing.create_rows(
         5.3, indent, (1.2, (1.35, 1, 1)), (1, (1, 1, 1))
     )
-    _draw_map(indents, shown)
-    depths = shown["indentation"]
-    reach = min(2 * style.half_width(depths > 0), depths["x"].values.max())
+    _draw_map(indents, contact)
+    depths = contact["indentation"]
+    reach = min(2 * style.mask_half_width(depths > 0), depths["x"].values.max())
     view = -reach, reach
     indents.set(xlim=view, ylim=view)
     frames = []
-    for axes, letter, along in zip(lines, "bc", ALONG, strict=True):
-        rows = _draw_line(axes, shown, along)
+    for axes, letter, axis in zip(lines, "bc", LINE_COLOURS, strict=True):
+        rows = _draw_line(axes, contact, axis)
         axes.set_xlim(view)
-        style.label_panel(axes, letter, f"sphere along {along}")
-        frames.append(rows.assign(panel=letter, origin="computed", preload=shown["preload"].item()))
+        style.label_panel(axes, letter, f"sphere along {axis}")
+        frames.append(
+            rows.assign(panel=letter, origin="computed", preload=contact["preload"].item())
+        )
     lines[0].set_ylabel("height (nm)")
     for axes, letter, name in zip(sizes, "def", SIZES, strict=True):
         rows = _draw_sizes(axes, indent, name, published)
@@ -74,38 +78,38 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
     return pd.concat(frames, ignore_index=True).assign(**constant_columns)[COLUMNS], figure
 
 
-def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
+def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
     """Map the depth (nm) of one contact in the sphere, with the two lines of panels b and c."""
-    depths = shown["indentation"].transpose("y", "x")
-    image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTHS, **style.PIXELS)
+    depths = contact["indentation"].transpose("y", "x")
+    image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTH_COLOURS, **style.PIXELS)
     axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
-    axes.axhline(0, color=ALONG["x"], lw=0.8)
-    axes.axvline(0, color=ALONG["y"], lw=0.8)
+    axes.axhline(0, color=LINE_COLOURS["x"], lw=0.8)
+    axes.axvline(0, color=LINE_COLOURS["y"], lw=0.8)
     axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
     axes.locator_params(nbins=5)
-    label, preload = shown.attrs["label"], _print_preload(shown["preload"])
+    label, preload = contact.attrs["label"], _print_preload(contact["preload"])
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
-def _draw_line(axes: Axes, shown: xr.Dataset, along: str) -> pd.DataFrame:
+def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> pd.DataFrame:
     """Draw the sphere's height (nm) before and after, along x or y through the deepest point.
 
     Heights point out of the sphere, as under a microscope: indents point downwards.
     """
-    other_axis = "y" if along == "x" else "x"
-    line = shown.sel({other_axis: 0})
+    other_axis = "y" if axis == "x" else "x"
+    line = contact.sel({other_axis: 0})
     height_before = -line["sphere_height"]
     height_after = height_before - line["indentation"]
     axes.fill_between(
-        line[along], height_after, height_before, color=ALONG[along], alpha=0.25, lw=0
+        line[axis], height_after, height_before, color=LINE_COLOURS[axis], alpha=0.25, lw=0
     )
-    axes.plot(line[along], height_before, color=BEFORE, lw=0.8, label="before")
-    axes.plot(line[along], height_after, color=ALONG[along], label="after")
-    axes.set_xlabel(f"{along} (nm)")
+    axes.plot(line[axis], height_before, color=BEFORE, lw=0.8, label="before")
+    axes.plot(line[axis], height_after, color=LINE_COLOURS[axis], label="after")
+    axes.set_xlabel(f"{axis} (nm)")
     axes.locator_params(nbins=5)
     axes.legend(loc="lower left")
     heights = {"height_before": height_before.values, "height_after": height_after.values}
-    rows = pd.DataFrame(heights | {"position": line[along].values})
+    rows = pd.DataFrame(heights | {"position": line[axis].values})
     return rows.melt("position", var_name="quantity")
 
 
@@ -115,7 +119,7 @@ def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series)
     contacts = [dim for dim in indent[name].dims if dim != "preload"]
     sizes = indent[name].quantile(SHARES, contacts, method="inverted_cdf")
     sizes = sizes.transpose("preload", "quantile").rename(quantile="share")
-    shades = DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
+    shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
     for values, colour in zip(sizes, shades, strict=True):
         label = f"computed, {_print_preload(values['preload'])}"
         axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)

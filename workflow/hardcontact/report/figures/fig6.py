@@ -1,4 +1,4 @@
-"""Fig. 6: which length scales of roughness the pull-off force depends on."""
+"""Fig. 6: length scales of roughness that change the pull-off force."""
 
 import numpy as np
 import pandas as pd
@@ -45,9 +45,9 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
 
-    The table has `ratio` and its distance from one, `change`, against `cutoff_wavelength` (nm), and
-    the critical wavelengths. `beyond` names the numbers that lie beyond the last cutoff computed
-    and are empty.
+    The table has `ratio` and `change`, its distance from one, against `cutoff_wavelength` (nm), and
+    the critical wavelengths. Numbers beyond the last cutoff computed are empty, and `beyond` has
+    their names.
     """
     figure = drawing.create(6.2, band)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
@@ -56,11 +56,13 @@ def draw(
     for letter, (side, edge), column in zip("ab", edges.items(), grid.T, strict=True):
         side_band = band.sel(side=side)
         curves = {
-            name: tables.bounded(side_band, f"scale_{name}").dropna("cutoff_wavelength", how="all")
+            name: tables.value_and_interval(side_band, f"scale_{name}").dropna(
+                "cutoff_wavelength", how="all"
+            )
             for name in ("ratio", "change")
         }
         end_cutoff = last_cutoff(side_band["scale_ratio"], side)
-        critical = tables.as_rows(tables.bounded(side_band, "critical_wavelength"))
+        critical = tables.number_rows(tables.value_and_interval(side_band, "critical_wavelength"))
         critical["value"] = critical["value"].fillna(end_cutoff)
         _draw_ratios(column[0], curves["ratio"], band.attrs["scale_tolerance"])
         _draw_changes(column[1], curves["change"], band)
@@ -81,32 +83,32 @@ def draw(
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
         for axes in row:
-            style.label_logarithmic(axes.yaxis, at=digits)
+            style.label_logarithmic(axes.yaxis, digits=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
     style.legend_above(figure, _legend_handles(band, *edges.values()))
     figure.align_ylabels(grid[:2, 0])
-    return tables.labelled(frames, band, COLUMNS, "group"), figure
+    return tables.label_rows(frames, band, COLUMNS, "group"), figure
 
 
 def _edge_rows(critical: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
-    """Return the rows without numbers at the last cutoff; the column `beyond` names them."""
-    beyond = np.isclose(critical[ENDS], end_cutoff)
-    names = [", ".join(np.array(ENDS)[row]) for row in beyond]
-    return critical.assign(**critical[ENDS].mask(beyond), beyond=names, origin="computed")
+    """Return the rows without their numbers at the last cutoff, which `beyond` names."""
+    is_beyond = np.isclose(critical[ENDS], end_cutoff)
+    names = [", ".join(np.array(ENDS)[row]) for row in is_beyond]
+    return critical.assign(**critical[ENDS].mask(is_beyond), beyond=names, origin="computed")
 
 
 def _looks(band: xr.Dataset) -> dict[str, style.Look]:
-    """Return colour and marker of each group: those of its surface, black for all pooled."""
+    """Return colour and marker of each group: a surface, or all surfaces pooled (black)."""
     return {**style.looks(band["surface"].values), POOLED: {"color": "black", "marker": "h"}}
 
 
 def _draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
     """Draw ratio against cutoff (nm), and the tolerance in grey."""
     axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
-    for look, curve in style.by_surface(ratio):
+    for look, curve in style.iterate_surfaces(ratio):
         style.draw_bars(axes, curve["cutoff_wavelength"], curve, elinewidth=0.7, **look)
     axes.set(xscale="log", yscale="log")
-    style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
+    style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 
 
 def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:

@@ -1,4 +1,4 @@
-"""Asperities: how few patches carry the pull-off force, and how far apart they lie."""
+"""Asperities: the number of patches that carry the pull-off force, and their extent."""
 
 import numpy as np
 import pandas as pd
@@ -42,7 +42,7 @@ QUANTITIES = {  # title, axis, unit, printed unit
 def draw(
     asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
+    """Draw the force on (a) the largest patch and (b) two, (c) their number, (d) their extent.
 
     The table has the median over contacts with its quartiles `low` and `high`.
     """
@@ -56,7 +56,9 @@ def draw(
         quartiles = asperities[name].quantile(list(QUARTILES.values()), ["scan", "contact"])
         curves = quartiles.assign_coords(quantile=list(QUARTILES)).to_dataset("quantile")
         frames.append(tables.computed_rows(curves, panel=letter, quantity=name, unit=unit))
-        for look, curve in style.by_surface((curves / printed).assign(label=asperities["label"])):
+        for look, curve in style.iterate_surfaces(
+            (curves / printed).assign(label=asperities["label"])
+        ):
             style.fill_interval(axes, curve, "rho", look["color"])
             axes.plot(curve["rho"], curve["value"], label=str(curve["label"].item()), **look)
         axes.set_ylabel(label)
@@ -72,11 +74,11 @@ def draw(
     entries = style.legend_entries((grid[0, 0], grid[1, 1]))
     entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=style.OPACITY, lw=0)
     figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=4)
-    return tables.tidy(frames, asperities, "rho"), figure
+    return tables.tidy_table(frames, asperities, "rho"), figure
 
 
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
-    """Draw lengths (µm) against rho of a smooth sphere on a plane.
+    """Draw lengths (µm) against rho for a smooth sphere on a plane.
 
     The attraction there falls with the distance r from the apex as exp(-r²/(2Rρ)).
     """
@@ -94,10 +96,10 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
 
 
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
-    """Draw the long critical wavelength (µm) of all, computed with its interval, and published."""
+    """Draw the long critical wavelength (µm) of the mean force, computed and published."""
     pooled_band = band.sel(side="large", group=POOLED)
     edge = tables.value_and_bounds(pooled_band, "critical_wavelength")
-    value, low, high = (length / MICROMETRE for length in edge.values())
+    value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     published = tables.published_edge(published_constants, "large")
     confidence = print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
@@ -106,5 +108,5 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
     look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
     axes.axhline(published / MICROMETRE, **look)
     name = "critical_wavelength"
-    published_row = tables.rows_of("d", name, "nm", "published", value=published)
-    return pd.concat([tables.rows_of("d", name, "nm", **edge), published_row])
+    published_row = tables.quantity_rows("d", name, "nm", "published", value=published)
+    return pd.concat([tables.quantity_rows("d", name, "nm", **edge), published_row])

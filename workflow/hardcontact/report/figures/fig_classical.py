@@ -1,4 +1,4 @@
-"""Classical models: their pull-off forces of rough spheres, and how well these fit."""
+"""Classical models: their pull-off forces of rough spheres, and the errors of these."""
 
 from typing import Any
 
@@ -29,16 +29,16 @@ calls roughness and what its formula was checked against. Drawn from classical.n
 resources/paper/parameters.csv.
 """
 
-VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all
-METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
-AGAINST = {"published": style.PUBLISHED, "computed": "0.55"}
+MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
+METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
+ERROR_COLOURS = {"published": style.PUBLISHED, "computed": "0.55"}
 QUANTITIES = {  # panel, origin
     "published_mean_force": ("a", "published"),
     "computed_mean_force": ("a", "computed"),
     "pull_off_force": ("a", "computed"),
     "mean_relative_error": ("b", "computed"),
 }
-BETWEEN = ("model", "metrics", "against")  # columns of the table
+FURTHER_COLUMNS = ("model", "metrics", "against")  # columns of the table
 
 
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
@@ -54,24 +54,27 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.D
     _draw_errors(errors, classical)
     metric_handles = [
         Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
-        for face, label in zip(("0.3", "white"), METRICS.values(), strict=True)
+        for face, label in zip(("0.3", "white"), METRIC_LABELS.values(), strict=True)
     ]
     style.legend_above(figure, [*style.surface_handles(classical, ls="none"), *metric_handles], 6)
     frames = []
     for name, (panel, origin) in QUANTITIES.items():
-        rows = tables.as_rows(tables.bounded(classical, name).reset_coords(drop=True))
+        rows = tables.number_rows(
+            tables.value_and_interval(classical, name).reset_coords(drop=True)
+        )
         unit = classical[name].attrs["units"]
         frames.append(rows.assign(panel=panel, origin=origin, quantity=name, unit=unit))
     rows = pd.concat(frames).dropna(subset=["value", "low", "high"], how="all")
     descriptions = classical[["model_roughness", "model_verified"]].to_dataframe()
-    columns = [*tables.ROW_COLUMNS, *BETWEEN, *tables.VALUE_COLUMNS, *descriptions.columns]
-    return tables.labelled([rows.join(descriptions, on="model")], classical, columns), figure
+    columns = [*tables.ROW_COLUMNS, *FURTHER_COLUMNS, *tables.VALUE_COLUMNS, *descriptions.columns]
+    return tables.label_rows([rows.join(descriptions, on="model")], classical, columns), figure
 
 
 def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
     """Draw a value with its interval as an error bar."""
-    value, low, high = (point[name].item() for name in ("value", "low", "high"))
-    if np.isfinite(low):  # drawn by itself, as the interval of a skewed distribution may miss it
+    value = point["value"].item()
+    low, high = point["low"].item(), point["high"].item()
+    if np.isfinite(low):  # a line, as the interval of a skewed distribution may exclude the value
         axes.plot([x, x], [low, high], color=look["color"], lw=0.8)
     axes.plot([x], [value], ls="none", mew=0.8, **look)
 
@@ -80,23 +83,28 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the forces (µN) on each surface: published, computed, and by each model."""
     names = ("published_mean_force", "computed_mean_force", "pull_off_force")
     values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
-    shown = values[values > VANISHED]
-    bottom, top = shown.min() / 12, shown.max() * 6  # the strip above the bottom is for the rest
+    drawn_values = values[values > MIN_DRAWN_FORCE]
+    bottom, top = (
+        drawn_values.min() / 12,
+        drawn_values.max() * 6,
+    )  # the strip above the bottom is for smaller forces
     offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
-    for (look, surface_data), offset in zip(style.by_surface(classical), offsets, strict=True):
+    for (look, surface_data), offset in zip(
+        style.iterate_surfaces(classical), offsets, strict=True
+    ):
         colour = look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
-            force = tables.bounded(surface_data, variable) / style.MICRONEWTON
+            force = tables.value_and_interval(surface_data, variable) / style.MICRONEWTON
             _draw_point(axes, x + offset, force, **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
-        forces = tables.bounded(surface_data, "pull_off_force") / style.MICRONEWTON
+        forces = tables.value_and_interval(surface_data, "pull_off_force") / style.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
-            for metrics, aside in zip(METRICS, (-0.04, 0.04), strict=True):
+            for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
                 force = forces.sel(model=model, metrics=metrics)
-                drawn = force.where(~(force < VANISHED), 1.7 * bottom)
+                drawn_force = force.where(~(force < MIN_DRAWN_FORCE), 1.7 * bottom)
                 face = colour if metrics == "afm" else "white"
-                _draw_point(axes, x + offset + aside, drawn, mfc=face, **look)
+                _draw_point(axes, x + offset + shift, drawn_force, mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
     axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
@@ -109,16 +117,16 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the least mean relative error of each model to the published and computed forces."""
-    errors = tables.bounded(classical, "mean_relative_error")
+    errors = tables.value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
     for against, side in (("published", -1), ("computed", 1)):
-        colour = AGAINST[against]
-        for metrics, aside in zip(METRICS, (-0.07, 0.07), strict=True):
+        colour = ERROR_COLOURS[against]
+        for metrics, shift in zip(METRIC_LABELS, (-0.07, 0.07), strict=True):
             look = {"color": colour, "marker": "o", "mfc": colour if metrics == "afm" else "white"}
             for x, model in enumerate(classical["model"].values):
                 point = errors.sel(model=model, metrics=metrics, against=against)
-                _draw_point(axes, x + 0.17 * side + aside, point, **look)
+                _draw_point(axes, x + 0.17 * side + shift, point, **look)
         axes.plot([], [], "o", color=colour, label=f"to {against} forces")
     axes.text(-0.4, threshold / 2, f"below {threshold:g}", fontsize=7, va="center")
     labels = classical["model_label"].values

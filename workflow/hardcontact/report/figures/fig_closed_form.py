@@ -31,17 +31,17 @@ SOURCES = {
 
 
 def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) what attracts.
+    """Draw (a) forces on the largest maps, (b) errors of predicted forces, (c) the regime.
 
-    Rows without a panel are both edges of the band.
+    Rows without a panel hold both edges of the band.
     """
     figure = drawing.create(3.3, closed_form)
     panels = figure.subplots(1, 3)
     forces, errors, regimes = panels
     largest = closed_form.isel(map_size=-1)
-    for look, surface_data in style.by_surface(largest):
+    for look, surface_data in style.iterate_surfaces(largest):
         rho = surface_data["rho"]
-        force = tables.bounded(surface_data, "computed_force") / style.MICRONEWTON
+        force = tables.value_and_interval(surface_data, "computed_force") / style.MICRONEWTON
         style.draw_bars(forces, rho, force, ls="none", elinewidth=0.8, **look)
         for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
             predicted = surface_data[name].sel(source="spectrum") / style.MICRONEWTON
@@ -74,5 +74,5 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     columns = [*forces_drawn, ("b", "error", "1"), ("c", "whole_freezing", "1")]
     edges = tables.computed_rows(closed_form["edge"], panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
-    frames = [tables.drawn_rows(closed_form, *columns), edges]
-    return tables.tidy(frames, closed_form, "map_size", "source", "rho"), figure
+    frames = [tables.variable_rows(closed_form, *columns), edges]
+    return tables.tidy_table(frames, closed_form, "map_size", "source", "rho"), figure

@@ -1,4 +1,4 @@
-"""Elastic contact: its pressure over the hardness, its pull-off force over the rigid one."""
+"""Elastic contact: pressure relative to the hardness, force relative to rigid contact."""
 
 import numpy as np
 import pandas as pd
@@ -26,22 +26,22 @@ at the published range and work of adhesion. Drawn from elastic.nc.
 """
 
 GIGAPASCAL = 1e9
-PRESSURES = "RdBu_r"  # white at the hardness
-TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
-NO_CONTACT = "0.75"
-MOST = 0.5  # share of the contact area that the paper calls "most"
+PRESSURE_COLOURS = "RdBu_r"  # white at the hardness
+PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
+NO_CONTACT_COLOUR = "0.75"
+MOST_SHARE = 0.5  # share of the contact area that the paper calls "most"
 LEVELS = {  # attribute: origin, label, line
     "hardness": ("given", "hardness", "-"),
     "hertz_peak_pressure": ("computed", "smooth sphere (Hertz)", "--"),
 }
-SPREAD = 0.6  # of the scans of one surface, in places of surfaces
+SCAN_SPREAD = 0.6  # width of the scans of one surface, relative to the distance of surfaces
 
 
 def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
 
-    The table has a row for each contact, for the median of each surface, and for the levels they
-    are compared with, the published one as `low` to `high`.
+    The table has a row for each contact, for the median of each surface, and for each level of
+    comparison; the published level is a range from `low` to `high`.
     """
     surfaces = elastic.sizes["surface"]
     figure, (maps, (shares, peaks, forces)) = drawing.create_rows(
@@ -51,7 +51,7 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     _draw_pressures(maps, elastic)
 
     _draw_contacts(shares, elastic["hard_share"])
-    shares.axhspan(MOST, 1, color="0.88", zorder=0)
+    shares.axhspan(MOST_SHARE, 1, color="0.88", zorder=0)
     middle = shares.get_xlim()[1] / 2
     shares.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
     shares.set(ylim=(-0.03, 1.12), ylabel="share of contact area")
@@ -62,7 +62,7 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         level = elastic.attrs[name] / GIGAPASCAL
         peaks.axhline(level, color="black", lw=0.9, ls=dashes, label=label)
     peaks.set(yscale="log", ylabel="peak pressure (GPa)")
-    style.label_logarithmic(peaks.yaxis, at=(1,))
+    style.label_logarithmic(peaks.yaxis, digits=(1,))
     peaks.legend()
     style.label_panel(peaks, "c", "highest pressure")
 
@@ -85,26 +85,29 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             tables.computed_rows(values, panel=panel, quantity=name, unit=unit),
             tables.computed_rows(medians, panel=panel, quantity=f"{name}_median", unit=unit),
         ]
-    frames.append(tables.rows_of("b", "hard_share", "1", "published", low=MOST, high=1.0))
+    frames.append(
+        tables.quantity_rows("b", "hard_share", "1", "published", low=MOST_SHARE, high=1.0)
+    )
     for name, (origin, _, _) in LEVELS.items():
-        frames.append(tables.rows_of("c", name, "Pa", origin, value=elastic.attrs[name]))
-    return tables.tidy(frames, elastic, "scan", "contact"), figure
+        frames.append(tables.quantity_rows("c", name, "Pa", origin, value=elastic.attrs[name]))
+    return tables.tidy_table(frames, elastic, "scan", "contact"), figure
 
 
 def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     """Map the pressure of one contact of each surface, white at the hardness."""
     hardness = elastic.attrs["hardness"] / GIGAPASCAL
-    ticks = hardness * TICKS
+    ticks = hardness * PRESSURE_TICKS
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
-    reach = 1.1 * style.half_width((pressure > 0).any("surface"))
+    reach = 1.1 * style.mask_half_width((pressure > 0).any("surface"))
     for position, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
-        # Positions that belong to the pixels of other surfaces alone hold no value here.
+        # At pixels of other surfaces there is no value.
         surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
-        shown, norm = surface_data.where(surface_data > 0), LogNorm(ticks[0], ticks[-1])
+        contact = surface_data.where(surface_data > 0)
+        norm = LogNorm(ticks[0], ticks[-1])
         image = axes.pcolormesh(
-            shown["x"], shown["y"], shown, norm=norm, cmap=PRESSURES, **style.PIXELS
+            contact["x"], contact["y"], contact, norm=norm, cmap=PRESSURE_COLOURS, **style.PIXELS
         )
-        axes.set(facecolor=NO_CONTACT, aspect="equal", xlabel="x (nm)")
+        axes.set(facecolor=NO_CONTACT_COLOUR, aspect="equal", xlabel="x (nm)")
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
         axes.locator_params(nbins=4)
         axes.label_outer()
@@ -119,10 +122,12 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
     """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
-    offsets = np.linspace(-SPREAD / 2, SPREAD / 2, values.sizes["scan"])[:, None]
+    offsets = np.linspace(-SCAN_SPREAD / 2, SCAN_SPREAD / 2, values.sizes["scan"])[:, None]
     for position, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
         surface_data = values.sel(surface=surface).transpose("scan", "contact")
-        places = np.broadcast_to(position + offsets, surface_data.shape)
-        axes.plot(places.ravel(), surface_data.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6)
+        positions = np.broadcast_to(position + offsets, surface_data.shape)
+        axes.plot(
+            positions.ravel(), surface_data.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6
+        )
         axes.hlines(surface_data.median(), position - 0.45, position + 0.45, color=colour, lw=1.6)
     axes.set_xlim(-0.6, values.sizes["surface"] - 0.4)

@@ -27,7 +27,7 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     axes = figure.subplots()
     index = elastic_limit["slope_index"]
     visible = elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
-    for look, surface in style.by_surface(visible):
+    for look, surface in style.iterate_surfaces(visible):
         label, index = str(surface["label"].item()), surface["slope_index"]
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
@@ -35,6 +35,6 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     axes.set_ylabel("elastic pressure / hardness")
     axes.text(0.99, 1.1, "contacts yield", transform=axes.get_yaxis_transform(), ha="right")
     axes.legend(loc="lower left")
-    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
-    rows = tables.drawn_rows(visible, ("", "slope_index", "1"))
-    return tables.tidy([rows], elastic_limit, "shortest_wavelength"), figure
+    style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1,))
+    rows = tables.variable_rows(visible, ("", "slope_index", "1"))
+    return tables.tidy_table([rows], elastic_limit, "shortest_wavelength"), figure

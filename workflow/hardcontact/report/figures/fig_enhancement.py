@@ -1,4 +1,4 @@
-"""Whether plasticity and a long range of adhesion move the short edge of the critical band."""
+"""The effect of plasticity and of a long range of adhesion on the short edge of the band."""
 
 import numpy as np
 import pandas as pd
@@ -45,16 +45,18 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
     )
     edge = tables.published_edge(published_constants, "small")
     frames = []
-    for letter, (model, rho), (above, below) in zip("abcd", cases, grid.T, strict=True):
+    for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         band = bands.sel(contact_model=model, rho=rho)
-        ratio = tables.bounded(band, "scale_ratio").dropna("cutoff_wavelength", how="all")
-        edges = tables.bounded(band, "critical_wavelength")
-        _draw_ratios(above, ratio, enhancement.attrs["tolerance"])
-        _draw_edges(below, edges, ratio["cutoff_wavelength"].values, bands)
-        for axes in (above, below):
+        ratio = tables.value_and_interval(band, "scale_ratio").dropna(
+            "cutoff_wavelength", how="all"
+        )
+        edges = tables.value_and_interval(band, "critical_wavelength")
+        _draw_ratios(ratio_panel, ratio, enhancement.attrs["tolerance"])
+        _draw_edges(edge_panel, edges, ratio["cutoff_wavelength"].values, bands)
+        for axes in (ratio_panel, edge_panel):
             axes.axvline(edge, **style.PUBLISHED_RANGE)
-        below.set_xlabel("cutoff (nm)")
-        style.label_panel(above, letter, f"{model}, ρ = {rho:g} nm")
+        edge_panel.set_xlabel("cutoff (nm)")
+        style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
         columns = {"panel": letter, "contact_model": model, "rho": rho}
         rows = tables.computed_rows(ratio, quantity="ratio", unit="1", **columns)
         frames.append(rows.rename(columns={"surface": "group"}))
@@ -69,20 +71,20 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
         Patch(color="0.88", label=f"change below {print_share(enhancement.attrs['tolerance'])}"),
     ]
     style.legend_above(figure, handles)
-    return tables.labelled(frames, enhancement, COLUMNS, "group"), figure
+    return tables.label_rows(frames, enhancement, COLUMNS, "group"), figure
 
 
 def _draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
     """Draw the force ratio of each surface against cutoff (nm)."""
     axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
-    for look, curve in style.by_surface(ratio):
+    for look, curve in style.iterate_surfaces(ratio):
         style.draw_bars(axes, curve["cutoff_wavelength"], curve, elinewidth=0.7, ms=3, **look)
     axes.set(xscale="log", yscale="log")
-    style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
+    style.label_logarithmic(axes.yaxis, digits=(1, 2, 5))
 
 
 def _draw_edges(axes: Axes, edges: xr.Dataset, cutoffs: np.ndarray, bands: xr.Dataset) -> None:
-    """Draw the short edge (nm) of each group, an arrow where it lies below the first cutoff."""
+    """Draw the short edge (nm) of each group, or an arrow if it lies below the first cutoff."""
     looks = style.looks(bands["surface"].values) | {POOLED: {"color": "black", "marker": "h"}}
     labels = bands["label"].to_series().to_dict() | {POOLED: "mean of all"}
     for row, (group, look) in enumerate(looks.items()):
@@ -95,4 +97,4 @@ def _draw_edges(axes: Axes, edges: xr.Dataset, cutoffs: np.ndarray, bands: xr.Da
             axes.plot(value, row, ms=4, **look)
     axes.set_yticks(range(len(looks)), [labels[group] for group in looks])
     axes.set_ylim(len(looks) - 0.5, -0.5)
-    style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
+    style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))

@@ -1,4 +1,6 @@
-"""The fit of range and work of adhesion: its error, where it is least, and the published pair."""
+"""The fit of range and work of adhesion: its error, the minima, and the published pair."""
+
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -31,7 +33,7 @@ MODELS: dict[str, style.Look] = {
     "plastic": {"color": "black", "ls": "-"},
     "rigid": {"color": "0.45", "ls": "--"},
 }
-FAIR = 0.7  # the map shows the works of adhesion whose error gets below this somewhere
+MAX_MAPPED_ERROR = 0.7  # the map has the works of adhesion with a smaller error at some range
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 ON_MAP: style.Look = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
 COLUMNS = ["panel", "origin", "quantity", "x", *tables.VALUE_COLUMNS]
@@ -44,7 +46,8 @@ def draw(
 
     The column `x` has the range of adhesion (nm).
     """
-    fit, set_fits = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
+    fit = inference.sel(contact_model=PLASTIC)
+    set_fits = sets.sel(contact_model=PLASTIC)
     figure = drawing.create(3.6, inference)
     curves, error_map = figure.subplots(1, 2)
     frames = [
@@ -55,7 +58,7 @@ def draw(
         style.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis, at=(1, 3))
+        style.label_logarithmic(axes.xaxis, digits=(1, 3))
     return pd.concat(frames, ignore_index=True).reindex(columns=COLUMNS), figure
 
 
@@ -64,29 +67,30 @@ def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -
     fit = inference.sel(contact_model=PLASTIC)
     threshold = inference.attrs["error_threshold"]
     set_look: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
-    set_ranges, set_errors = set_fits["range_of_adhesion"].values, set_fits["best_error"].values
+    set_ranges = set_fits["range_of_adhesion"].values
+    set_errors = set_fits["best_error"].values
     axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **set_look)
-    frames = [tables.rows_of("a", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
+    frames = [tables.quantity_rows("a", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
     for model in [name for name in MODELS if name in inference["contact_model"]]:
         curve = inference["error_of_range"].sel(contact_model=model)
         ranges = curve["rho_fine"].values
         axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODELS[model])
         name = f"least_error_{model}"
-        frames.append(tables.rows_of("a", name, "1", x=ranges, value=curve.values))
+        frames.append(tables.quantity_rows("a", name, "1", x=ranges, value=curve.values))
     best = tables.value_and_bounds(fit, "best_error")
     axes.plot([fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0)
     style.draw_fit(axes, fit, "error")
     axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
-    text, place = f"paper: below {threshold:g}", axes.get_yaxis_transform()
-    axes.text(0.02, threshold, text, transform=place, va="bottom", **style.NOTE)
+    position: Any = {"transform": axes.get_yaxis_transform(), "va": "bottom"}
+    axes.text(0.02, threshold, f"paper: below {threshold:g}", **position, **style.NOTE)
     axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
     errors = [*set_errors, best["low"], best["value"], threshold]
     axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
-    style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
+    style.label_logarithmic(axes.yaxis, digits=(1, 2, 5))
     axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
-    over = " over scans" if np.isfinite(best["low"]) else ""
-    style.label_panel(axes, "a", f"smallest error {print_formatted(best, '.2g')}{over}")
-    frames.append(tables.rows_of("a", "best_error", "1", **best))
+    interval_note = " over scans" if np.isfinite(best["low"]) else ""
+    style.label_panel(axes, "a", f"smallest error {print_formatted(best, '.2g')}{interval_note}")
+    frames.append(tables.quantity_rows("a", "best_error", "1", **best))
     return pd.concat([*frames, _minimum_rows(fit, "a", "error", "1")])
 
 
@@ -108,19 +112,19 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     axes.legend(loc="lower left", **ON_MAP)  # panel a names the marks of the fit
     style.draw_fit(axes, fit, "work", style.MILLIJOULE)
     axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
-    fair = work[error.min("rho_fine").values < FAIR]
-    shown = [*fair, published_constants["value"]["work_of_adhesion"] / style.MILLIJOULE]
-    axes.set_ylim(max(work[0], min(shown) / 1.5), min(work[-1], max(shown) * 1.5))
-    style.label_logarithmic(axes.yaxis, at=(1,))
+    published_work = published_constants["value"]["work_of_adhesion"] / style.MILLIJOULE
+    mapped_works = [*work[error.min("rho_fine").values < MAX_MAPPED_ERROR], published_work]
+    axes.set_ylim(max(work[0], min(mapped_works) / 1.5), min(work[-1], max(mapped_works) * 1.5))
+    style.label_logarithmic(axes.yaxis, digits=(1,))
     bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
     style.label_logarithmic(bar.ax.yaxis)
     style.label_panel(axes, "b", "error over ρ and $W$, plastic contact")
     frames = [
-        tables.rows_of("b", name, unit, **tables.value_and_bounds(fit, name))
+        tables.quantity_rows("b", name, unit, **tables.value_and_bounds(fit, name))
         for name, unit in FITTED_UNITS.items()
     ]
     frames += [
-        tables.rows_of("b", "sampled_work", "J/m2", x=ranges, value=works),
+        tables.quantity_rows("b", "sampled_work", "J/m2", x=ranges, value=works),
         _minimum_rows(fit, "b", "work", "J/m2"),
         tables.published_rows(published_constants, FITTED_UNITS, "b"),
     ]
@@ -131,4 +135,4 @@ def _minimum_rows(fit: xr.Dataset, panel: str, height: str, unit: str) -> pd.Dat
     """Return work or error at each local minimum of the error along the range."""
     minima = fit.dropna("minimum", subset=["minimum_range"])
     name = f"minimum_{height}"
-    return tables.rows_of(panel, name, unit, x=minima["minimum_range"], value=minima[name])
+    return tables.quantity_rows(panel, name, unit, x=minima["minimum_range"], value=minima[name])

@@ -1,4 +1,4 @@
-"""Other interaction laws: their pressure, and edges of the critical band by each."""
+"""Other interaction laws: their pressure, and the edges of the critical band."""
 
 from itertools import cycle
 
@@ -26,7 +26,7 @@ The range of a law is its work of adhesion over its attraction at contact. The f
 that decays steadily is a mixture of the forces of exponential laws (Eq. 1). Drawn from laws.nc.
 """
 
-# Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published. More laws begin again.
+# Tol's muted scheme, whose colours no surface has; Eq. 1 is published, thus black.
 COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933", "#44AA99")
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 MARKERS = ("o", "s", "^", "D", "v")
@@ -41,15 +41,15 @@ FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2"}
 
 
 def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) pressures, (b, c) edges of the band; a `group` is a substrate or all pooled."""
+    """Draw (a) pressures, (b, c) edges of the band; a `group` is a substrate, or all of them."""
     figure, ((pressures, *edges),) = drawing.create_rows(3.2, laws, (1, (1, 1.2, 1.2)))
     _draw_pressures(pressures, laws)
-    frames = [tables.drawn_rows(laws, *(("a", name, unit) for name, unit in FITS.items()))]
+    frames = [tables.variable_rows(laws, *(("a", name, unit) for name, unit in FITS.items()))]
     for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
         column = (panel, "critical_wavelength", "nm")
-        frames.append(tables.drawn_rows(laws.sel(side=[side]), column))
+        frames.append(tables.variable_rows(laws.sel(side=[side]), column))
     handles = [
         Line2D([], [], ls=dashes, label=law.label, **LOOKS[law.name])
         for law, dashes in zip(LAWS, cycle(DASHES), strict=False)
@@ -60,7 +60,7 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         Line2D([], [], label="range of an atomic spacing", mfc="white", **mark),
     ]
     style.legend_above(figure, handles, 6)
-    return tables.tidy(frames, laws, "law", "case", "side", surfaces="group"), figure
+    return tables.tidy_table(frames, laws, "law", "case", "side", surfaces="group"), figure
 
 
 def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
@@ -73,24 +73,24 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
         axes.plot(GAPS, values, color=colour, ls=dashes)
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
     axes.set_ylim(bottom=1e-7)
-    style.label_logarithmic(axes.xaxis, at=(1,))
+    style.label_logarithmic(axes.xaxis, digits=(1,))
     style.label_panel(axes, "a", "interaction laws")
 
 
 def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
-    """Draw the edges of each surface and of all pooled, the laws side by side.
+    """Draw the edges of each surface and of their mean, with the laws side by side.
 
-    Filled marks are for ranges equivalent to Eq. 1, open marks for an atomic spacing.
+    Filled marks have ranges equivalent to Eq. 1, open marks a range of an atomic spacing.
     """
-    edges = tables.bounded(laws, "critical_wavelength").sel(side=side)
-    places = np.arange(edges.sizes["group"])
+    edges = tables.value_and_interval(laws, "critical_wavelength").sel(side=side)
+    positions = np.arange(edges.sizes["group"])
     offsets = np.linspace(-0.3, 0.3, len(LOOKS))
     fills: dict[str, style.Look] = {"equivalent": {}, "atomic": {"mfc": "white"}}
     for (case, fill), shift in zip(fills.items(), (0, 0.07), strict=True):
         for (law, look), offset in zip(LOOKS.items(), offsets, strict=True):
             law_data = edges.sel(case=case, law=law)
             marks = look | fill | {"ls": "none", "ms": 3.5, "lw": 0.8}
-            style.draw_bars(axes, places + offset + shift, law_data, **marks)
+            style.draw_bars(axes, positions + offset + shift, law_data, **marks)
     labels = laws["label"].to_series()
     groups = [labels.get(group, "mean of all") for group in laws["group"].values]
     axes.set_xticks(range(len(groups)), groups, **style.TILTED)

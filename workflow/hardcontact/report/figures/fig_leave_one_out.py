@@ -1,4 +1,4 @@
-"""Which surface decides the fit of range and work of adhesion: each is left out in turn."""
+"""Fits of range and work of adhesion without each surface in turn."""
 
 import pandas as pd
 import xarray as xr
@@ -37,8 +37,8 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work and (c) error of the fits to all surfaces and to all but one.
 
-    The table has the median `over` "sets" with SHARE_OF_SETS of them, and the fit to the study's
-    own "scans". `left_out` is "none" or a surface.
+    The table has the median `over` "sets" with the ends of SHARE_OF_SETS, and the fit to the
+    study's own "scans". `left_out` is "none" or a surface.
     """
     fits = leave_one_out.sel(contact_model=PLASTIC)
     figure = drawing.create(2.6, leave_one_out)
@@ -50,15 +50,15 @@ def draw(
         value, low, high = published[["value", "low", "high"]].iloc[0] / unit
         axes.axvspan(low, high, color="0.85", lw=0)
         axes.axvline(value, **style.PUBLISHED_RANGE)
-        over_sets = tables.over_sets(fits[f"set_{name}"])
-        _draw_rows(axes, over_sets / unit, fits[name] / unit)
+        set_fits = tables.summarize_sets(fits[f"set_{name}"])
+        _draw_rows(axes, set_fits / unit, fits[name] / unit)
         axes.set(xscale="log", xlabel=title if printed_unit == "1" else f"{title} ({printed_unit})")
-        style.label_logarithmic(axes.xaxis, at=(1, 3))
+        style.label_logarithmic(axes.xaxis, digits=(1, 3))
         style.label_panel(axes, letter, title)
         columns = {"panel": letter, "quantity": name, "unit": table_unit}
         frames += [
             published,
-            tables.computed_rows(over_sets, over="sets", **columns),
+            tables.computed_rows(set_fits, over="sets", **columns),
             tables.computed_rows(fits[[name]].rename({name: "value"}), over="scans", **columns),
         ]
     labels = leave_one_out["label"].to_series()
@@ -75,15 +75,15 @@ def draw(
         Line2D([], [], label="published", **style.PUBLISHED_RANGE),
     ]
     style.legend_above(figure, handles)
-    return tables.labelled(frames, leave_one_out, COLUMNS, "left_out"), figure
+    return tables.label_rows(frames, leave_one_out, COLUMNS, "left_out"), figure
 
 
-def _draw_rows(axes: Axes, over_sets: xr.Dataset, own: xr.DataArray) -> None:
-    """Draw a row for each surface left out: the sets in its colour, the study's own fit."""
-    substrates = [name for name in own["left_out"].values if name != NONE_LEFT_OUT]
+def _draw_rows(axes: Axes, set_fits: xr.Dataset, study_fits: xr.DataArray) -> None:
+    """Draw the sets and the study's fit, a row for each surface left out, in its colour."""
+    substrates = [name for name in study_fits["left_out"].values if name != NONE_LEFT_OUT]
     colours = style.colours(substrates) | {NONE_LEFT_OUT: "0.3"}
-    for row, name in enumerate(own["left_out"].values):
-        fits = over_sets.sel(left_out=name)
+    for row, name in enumerate(study_fits["left_out"].values):
+        fits = set_fits.sel(left_out=name)
         axes.plot([fits["low"], fits["high"]], [row, row], color=colours[name])
         axes.plot(fits["value"], row, "o", color=colours[name])
-        axes.plot(own.sel(left_out=name), row, **style.FIT_STAR)
+        axes.plot(study_fits.sel(left_out=name), row, **style.FIT_STAR)

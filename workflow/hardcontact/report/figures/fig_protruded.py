@@ -1,4 +1,4 @@
-"""What rare protrusions on a coating or on the sphere do to the fit of range and work."""
+"""The effect of rare protrusions, on a coating or the sphere, on the fit of range and work."""
 
 import numpy as np
 import pandas as pd
@@ -31,8 +31,8 @@ meet it and lie near the published pair are consistent with the paper, but do no
 from protruded.nc, protruded_sphere.nc and resources/paper/parameters.csv and pull_off.csv.
 """
 
-COLOURS = "viridis"
-#: Panel and symbol of what has the protrusions.
+HEIGHT_COLOURS = "viridis"
+#: Panel and symbol of the bearer of the protrusions.
 PANELS = {"coating": "b", "sphere": "c"}
 SYMBOLS = {"coating": "o", "sphere": "^"}
 COLUMNS = [
@@ -47,24 +47,24 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) forces of each variant, (b, c) fits of all sets with each of them.
+    """Draw (a) forces of each variant, (b, c) fits of all sets with each variant.
 
-    The table has (a) mean and median force (N), (b, c) range (nm) and work of adhesion (J/m2) of
-    each set, and whether its forces agree with the published ones (1) or not (0).
+    The table has (a) mean and median force (N), and (b, c) range (nm) and work of adhesion (J/m2)
+    of each set. `agrees` is 1 if its forces agree with the published forces, else 0.
     """
-    measured = published_pull_off.loc[protruded.attrs["surface"]]
+    published_forces = published_pull_off.loc[protruded.attrs["surface"]]
     bearer = pd.Index(list(PANELS), name="bearer")
     fits = xr.concat([protruded, protruded_sphere], bearer, join="outer", combine_attrs="override")
     norm = Normalize(0, np.nanmax(fits["height"].values, initial=1.0))
     figure = drawing.create(3.2, protruded)
     forces, *panels = figure.subplots(1, 3, width_ratios=(1, 1, 1.2))
-    _draw_forces(forces, fits, measured, norm)
+    _draw_forces(forces, fits, published_forces, norm)
     for axes, (name, panel) in zip(panels, PANELS.items(), strict=True):
         share = _draw_fits(axes, fits.sel(bearer=name), norm)
         style.draw_published_fit(axes, published_constants)
         style.label_panel(axes, panel, f"on the {name}; {print_share(share, '.0f')} agree")
-    marks = ScalarMappable(norm, COLOURS)
-    figure.colorbar(marks, ax=panels[-1], label="height of protrusions / rms height")
+    colour_scale = ScalarMappable(norm, HEIGHT_COLOURS)
+    figure.colorbar(colour_scale, ax=panels[-1], label="height of protrusions / rms height")
     handles = [
         *(Line2D([], [], ls="none", marker=symbol, color="0.4", label=f"on the {name} (a)")
           for name, symbol in SYMBOLS.items()),
@@ -72,58 +72,68 @@ def draw(
         Line2D([], [], ls="none", marker="o", mfc="none", color="0.4", label="they differ (b, c)"),
         Line2D([], [], ls="none", marker="s", color="black", label="published"),
     ]  # fmt: skip
-    style.legend_above(figure, handles, most=5)
-    published = [
-        tables.rows_of(
-            "a", f"{name}_at_published", "N", "published", value=measured[f"{name}_force"]
+    style.legend_above(figure, handles, max_columns=5)
+    published_rows = [
+        tables.quantity_rows(
+            "a", f"{name}_at_published", "N", "published", value=published_forces[f"{name}_force"]
         )
         for name in ("mean", "median")
     ]
-    parts = fits[["density", "height", "width"]]
+    protrusions = fits[["density", "height", "width"]]
     frames = [
-        tables.computed_rows(parts.assign(value=fits[name]), panel="a", quantity=name, unit="N")
+        tables.computed_rows(
+            protrusions.assign(value=fits[name]), panel="a", quantity=name, unit="N"
+        )
         for name in ("mean_at_published", "median_at_published")
     ] + [
         tables.computed_rows(
-            parts.assign(value=fits[name], agrees=fits["agrees"]), quantity=name, unit=unit
+            protrusions.assign(value=fits[name], agrees=fits["agrees"]), quantity=name, unit=unit
         ).assign(panel=lambda rows: rows["bearer"].map(PANELS))
         for name, unit in (("range_of_adhesion", "nm"), ("work_of_adhesion", "J/m2"))
     ]
-    return pd.concat([*frames, *published], ignore_index=True).reindex(columns=COLUMNS), figure
+    return pd.concat([*frames, *published_rows], ignore_index=True).reindex(columns=COLUMNS), figure
 
 
 def _draw_forces(
-    axes: Axes, fits: xr.Dataset, measured: "pd.Series[float]", norm: Normalize
+    axes: Axes, fits: xr.Dataset, published_forces: "pd.Series[float]", norm: Normalize
 ) -> None:
     """Draw median against mean force (µN) at the published pair."""
-    published = [measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force")]
+    published = [
+        published_forces[name] / style.MICRONEWTON for name in ("mean_force", "median_force")
+    ]
     forces = fits[["mean_at_published", "median_at_published"]] / style.MICRONEWTON
     for name, symbol in SYMBOLS.items():
         mean, median = forces.sel(bearer=name).values()
         colours = fits["height"].sel(bearer=name)
-        axes.scatter(mean, median, c=colours, cmap=COLOURS, norm=norm, s=14, marker=symbol)
+        axes.scatter(mean, median, c=colours, cmap=HEIGHT_COLOURS, norm=norm, s=14, marker=symbol)
     axes.plot(*published, "s", color="black", ms=5)
     largest = np.nanmax(forces.to_array().values, initial=max(published))
     ends = np.array([0.7 * min(published), 1.5 * largest])
     axes.plot(ends, ends, color="0.7", lw=0.6, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="mean force (µN)", ylabel="median force (µN)")
-    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 2, 5))
+    style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1, 2, 5))
     style.label_panel(axes, "a", "at the published ρ and $W$")
 
 
 def _draw_fits(axes: Axes, fits: xr.Dataset, norm: Normalize) -> float:
     """Draw work (mJ/m²) against range of adhesion (nm); return the share of sets that agrees."""
-    inside = fits["agrees"].values == 1
+    agrees = fits["agrees"].values == 1
     heights = fits["height"].broadcast_like(fits["agrees"]).values
     ranges = fits["range_of_adhesion"].values
     works = fits["work_of_adhesion"].values / style.MILLIJOULE
-    axes.plot(ranges[~inside], works[~inside], "o", mfc="none", mec="0.75", mew=0.4, ms=2.5)
+    axes.plot(ranges[~agrees], works[~agrees], "o", mfc="none", mec="0.75", mew=0.4, ms=2.5)
     axes.scatter(
-        ranges[inside], works[inside], c=heights[inside], cmap=COLOURS, norm=norm, s=8, zorder=3
+        ranges[agrees],
+        works[agrees],
+        c=heights[agrees],
+        cmap=HEIGHT_COLOURS,
+        norm=norm,
+        s=8,
+        zorder=3,
     )
     axes.set(
         xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)",
         ylabel="work of adhesion $W$ (mJ/m²)",
     )  # fmt: skip
     style.label_logarithmic(axes.xaxis, axes.yaxis)
-    return float(inside.mean()) if inside.size else 0.0
+    return float(agrees.mean()) if agrees.size else 0.0

@@ -36,13 +36,13 @@ band.nc and resources/paper/parameters.csv.
 
 BASELINE = "baseline"
 FULL = "the study itself"
-ABOVE = 0.4  # rows between the baseline and the study itself
-GAP = 0.4  # rows between groups of variants
-VARIANT: style.Look = {"color": "0.15", "marker": "o"}
-STUDY: style.Look = {"color": style.FIT, "marker": "D", "markerfacecolor": "white"}
-MINIMUM: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
+STUDY_GAP = 0.4  # rows between the baseline and the study itself
+GROUP_GAP = 0.4  # rows between groups of variants
+VARIANT_LOOK: style.Look = {"color": "0.15", "marker": "o"}
+STUDY_LOOK: style.Look = {"color": style.FIT, "marker": "D", "markerfacecolor": "white"}
+MINIMUM_LOOK: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
 WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
-MISSING: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
+MISSING_NOTE: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
 COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
 #: Published constant: unit, printed unit in it, title, axis.
 QUANTITIES = {
@@ -63,14 +63,14 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
-    In the table only variants have a `variant`. Values are empty where a variant does not affect a
-    quantity or the force never leaves the band.
+    In the table only variants have a `variant`. Values are empty if a variant does not affect a
+    quantity, or if the force stays within the tolerance.
     """
-    # The choices of the study that the variants are computed with and for.
+    # Results of the study itself, with plastic contact and the mean over all substrates.
     study = inference.sel(contact_model="plastic").merge(band.sel(group=POOLED), compat="override")
     group = robustness["group"].values
-    heights = np.concatenate([[0], np.cumsum(1 + GAP * (group[1:] != group[:-1]))])
-    figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
+    row_positions = np.concatenate([[0], np.cumsum(1 + GROUP_GAP * (group[1:] != group[:-1]))])
+    figure = drawing.create(0.24 * row_positions[-1] + 1.8, inference)
     panels = figure.subplots(1, len(QUANTITIES), sharey=True)
     frames = []
     for letter, axes, (name, (unit, printed_unit, title, axis)) in zip(
@@ -79,67 +79,69 @@ def draw(
         variants = _results(robustness, name)
         study_results = _results(study, name).assign(label=FULL)
         published = tables.published_rows(published_constants, {name: unit}, letter)
-        computed = [variants.assign(quantity=name), study_results.assign(quantity=name)]
+        computed_rows = [variants.assign(quantity=name), study_results.assign(quantity=name)]
         _draw_published(axes, published.iloc[0], printed_unit)
         if name in MINIMA:
             minima = _other_minima(robustness, MINIMA[name])
-            row = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
-            axes.plot(minima["value"] / printed_unit, row, ls="none", **MINIMUM)
-            computed.append(minima.assign(quantity=MINIMA[name]))
+            row = minima["variant"].map(dict(zip(variants["variant"], row_positions, strict=True)))
+            axes.plot(minima["value"] / printed_unit, row, ls="none", **MINIMUM_LOOK)
+            computed_rows.append(minima.assign(quantity=MINIMA[name]))
         note = "not affected" if name in MINIMA else "never reached"
-        ends = ["value", "low", "high"]
-        _draw_results(axes, variants[ends] / printed_unit, heights, note, VARIANT)
-        _draw_results(axes, study_results[ends] / printed_unit, [-ABOVE], note, STUDY)
+        columns = ["value", "low", "high"]
+        _draw_results(axes, variants[columns] / printed_unit, row_positions, note, VARIANT_LOOK)
+        _draw_results(axes, study_results[columns] / printed_unit, [-STUDY_GAP], note, STUDY_LOOK)
         baseline = variants["value"][variants["group"] == BASELINE].item()
         axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
         axes.set(xscale="log", xlabel=axis)
         axes.tick_params(axis="y", length=0)
-        style.label_logarithmic(axes.xaxis, at=(1, 3) if name in MINIMA else (1, 2, 3, 5))
+        style.label_logarithmic(axes.xaxis, digits=(1, 3) if name in MINIMA else (1, 2, 3, 5))
         style.label_panel(axes, letter, title)
-        frames.append(pd.concat(computed).assign(panel=letter, origin="computed", unit=unit))
+        frames.append(pd.concat(computed_rows).assign(panel=letter, origin="computed", unit=unit))
         frames.append(published)
-    panels[0].set_yticks(heights, robustness["variant_label"].values)
-    panels[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
+    panels[0].set_yticks(row_positions, robustness["variant_label"].values)
+    panels[0].set_ylim(row_positions[-1] + 0.5, -STUDY_GAP - 0.5)
     style.legend_above(figure, _legend_handles(robustness), 2)
     return pd.concat(frames).reindex(columns=COLUMNS), figure
 
 
 def _results(data: xr.Dataset, name: str) -> pd.DataFrame:
-    """Return a quantity of the variants, or of the study, with its intervals, a row each."""
+    """Return a row for each variant, or one for the study, with a quantity and its interval."""
     if name not in MINIMA:
         name, _, side = name.rpartition("_")
         data = data.sel(side=side)
-    values = tables.bounded(data, name)
+    values = tables.value_and_interval(data, name)
     if "variant" not in data.dims:
         return pd.DataFrame([{str(end): number.item() for end, number in values.items()}])
     labels = data[["variant_label", "group"]].rename(variant_label="label")
-    return tables.as_rows(values.merge(labels, compat="override"))
+    return tables.number_rows(values.merge(labels, compat="override"))
 
 
 def _other_minima(robustness: xr.Dataset, name: str) -> pd.DataFrame:
-    """Return a quantity at the local minima of the error of each variant but the least."""
+    """Return a quantity at the local minima of the error of each variant, except the lowest."""
     minima = robustness[["variant_label", "group", name]].isel(minimum=slice(1, None))
-    return tables.as_rows(minima.rename({"variant_label": "label", name: "value"})).dropna(
+    return tables.number_rows(minima.rename({"variant_label": "label", name: "value"})).dropna(
         subset=["value"]
     )
 
 
 def _draw_published(axes: Axes, published: pd.Series, unit: float) -> None:
-    """Draw the published value as a line, and its uncertainty, if it has one, as a band."""
+    """Draw the published value as a line, and its uncertainty, if any, as a band."""
     if np.isfinite(published["low"]):
         axes.axvspan(published["low"] / unit, published["high"] / unit, color="0.85", zorder=0)
     axes.axvline(published["value"] / unit, color="0.4", lw=1.0, ls="--")
 
 
 def _draw_results(
-    axes: Axes, results: pd.DataFrame, heights: Iterable[float], note: str, look: style.Look
+    axes: Axes, results: pd.DataFrame, row_positions: Iterable[float], note: str, look: style.Look
 ) -> None:
     """Draw values and their intervals, or a note if there is no value."""
-    for height, (value, low, high) in zip(heights, results.itertuples(index=False), strict=True):
-        axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
-        axes.plot([value], [height], ls="none", **look)
+    for row_position, (value, low, high) in zip(
+        row_positions, results.itertuples(index=False), strict=True
+    ):
+        axes.plot([low, high], [row_position, row_position], color=look["color"], lw=1.2)
+        axes.plot([value], [row_position], ls="none", **look)
         if not np.isfinite(value):
-            axes.text(0.5, height, note, transform=axes.get_yaxis_transform(), **MISSING)
+            axes.text(0.5, row_position, note, transform=axes.get_yaxis_transform(), **MISSING_NOTE)
 
 
 def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
@@ -152,9 +154,9 @@ def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
         f"realization{plural} of {size['pixels_small']}² and {size['pixels_large']}² pixels"
     )
     return [
-        Line2D([], [], lw=1.2, label=variants, **VARIANT),
-        Line2D([], [], ls="none", label="other minima of the error", **MINIMUM),
-        Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY),
+        Line2D([], [], lw=1.2, label=variants, **VARIANT_LOOK),
+        Line2D([], [], ls="none", label="other minima of the error", **MINIMUM_LOOK),
+        Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY_LOOK),
         Line2D([], [], lw=0.6, ls=":", color="0.15", label=str(baseline)),
         Line2D([], [], lw=1.0, ls="--", color="0.4", label="published"),
         Patch(color="0.85", lw=0, label="its uncertainty"),

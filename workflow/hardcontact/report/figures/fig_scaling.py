@@ -32,38 +32,43 @@ is the wavelength whose octave holds most of the variance of heights. Drawn from
 resources/paper/parameters.csv.
 """
 
-TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
+EDGE_LABELS = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
 PUBLISHED: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 #: Edges of designed surfaces.
-SIDES = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
+SIDE_LOOKS = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
 #: Names of published spectra on the map.
 NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
-#: Places on the map, and contact over roll-off, of the surfaces of the study and the designed ones.
-OWN = ("over_range", "approach_level", "contact_over_rolloff")
-DESIGNED = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
-BETWEEN = ("side", "radius", "area", "rho", "reach", "designed", "prediction")  # columns
+#: Coordinates on the map, and area of the mark, for surfaces of the study and designed surfaces.
+STUDY_VARIABLES = ("over_range", "approach_level", "contact_over_rolloff")
+DESIGNED_VARIABLES = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
+FURTHER_COLUMNS = ("side", "radius", "area", "rho", "reach", "designed", "prediction")  # columns
 
 
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw edges against (a) the range and (b) the reach, (c) errors, (d) a map of the regimes.
 
-    Sections go through the contact area nearest to the paper's; the table has all areas.
+    Panels a and b have the contact area nearest to the paper's; the table has all areas.
     """
     figure = drawing.create(5.6, scaling)
     (short, long), (errors, regimes) = figure.subplots(2, 2)
     scaling = scaling.set_coords("reach")
     section = scaling.sel(area=scaling.attrs["area"], method="nearest")
     frames = []
-    for axes, side, along, letter in ((short, "small", "rho", "a"), (long, "large", "reach", "b")):
-        _draw_edges(axes, section.sel(side=side), along)
+    for axes, side, abscissa, letter in (
+        (short, "small", "rho", "a"),
+        (long, "large", "reach", "b"),
+    ):
+        _draw_edges(axes, section.sel(side=side), abscissa)
         published = tables.published_edge(published_constants, side)
         axes.axhline(published, **PUBLISHED)
-        axes.set_ylabel(TITLES[side])
+        axes.set_ylabel(EDGE_LABELS[side])
         style.label_panel(axes, letter, f"F/H = {section['area']:g} nm²; lines: formula")
-        drawn = ((letter, name, "nm") for name in ("edge", "formula_edge"))
-        frames.append(tables.drawn_rows(scaling.sel(side=[side]), *drawn))
-        frames.append(tables.rows_of(letter, "edge", "nm", "published", side=side, value=published))
+        edge_variables = ((letter, name, "nm") for name in ("edge", "formula_edge"))
+        frames.append(tables.variable_rows(scaling.sel(side=[side]), *edge_variables))
+        frames.append(
+            tables.quantity_rows(letter, "edge", "nm", "published", side=side, value=published)
+        )
     short.set(xlabel="range of adhesion ρ (nm)")
     short.set_xticks(scaling["rho"], [f"{rho:g}" for rho in scaling["rho"].values])
     short.xaxis.set_minor_locator(NullLocator())
@@ -71,36 +76,38 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     held_out = scaling.sel(designed=scaling["held_back"] == 1, prediction=FORMULA)
     _draw_errors(errors, held_out)
     _draw_regimes(regimes, scaling)
-    drawn = (("d", name, "1") for name in (*OWN, *DESIGNED))
+    map_variables = (("d", name, "1") for name in (*STUDY_VARIABLES, *DESIGNED_VARIABLES))
     frames += [
-        tables.drawn_rows(held_out, ("c", "designed_error", "1")),
-        tables.drawn_rows(scaling, *drawn),
+        tables.variable_rows(held_out, ("c", "designed_error", "1")),
+        tables.variable_rows(scaling, *map_variables),
     ]
     line = Line2D([], [], label="published edge", **PUBLISHED)
     style.legend_above(figure, [*style.surface_handles(scaling, ls="none"), line], 5)
-    return tables.tidy(frames, scaling, *BETWEEN), figure
+    return tables.tidy_table(frames, scaling, *FURTHER_COLUMNS), figure
 
 
-def _draw_edges(axes: Axes, cases: xr.Dataset, along: str) -> None:
-    """Draw the edges of one side, all surfaces, with intervals, and a line a sphere by formula."""
-    edges = tables.bounded(cases, "edge").assign(along=cases[along], formula=cases["formula_edge"])
-    for look, surface_data in style.by_surface(edges):
+def _draw_edges(axes: Axes, cases: xr.Dataset, abscissa: str) -> None:
+    """Draw the edges of one side for all surfaces, and the formula as a line for each sphere."""
+    edges = tables.value_and_interval(cases, "edge").assign(
+        abscissa=cases[abscissa], formula=cases["formula_edge"]
+    )
+    for look, surface_data in style.iterate_surfaces(edges):
         surface_cases = surface_data.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
         style.draw_bars(
-            axes, surface_cases["along"], surface_cases, ls="none", ms=3, elinewidth=0.4, **look
+            axes, surface_cases["abscissa"], surface_cases, ls="none", ms=3, elinewidth=0.4, **look
         )
         for radius in surface_data["radius"]:
             line = surface_data.sel(radius=radius)
-            axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
+            axes.plot(line["abscissa"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
     axes.set(xscale="log", yscale="log")
     style.label_logarithmic(axes.xaxis)
-    style.label_logarithmic(axes.yaxis, at=(1, 3))
+    style.label_logarithmic(axes.yaxis, digits=(1, 3))
 
 
 def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
     """Draw the ratio of computed edges to the formula against t rho/sigma for designed surfaces."""
     modulus = held_out["designed_level"] / held_out["designed_over_range"]
-    for side, (colour, marker, label) in SIDES.items():
+    for side, (colour, marker, label) in SIDE_LOOKS.items():
         side_data = held_out.sel(side=side)
         errors, bound = side_data["designed_error"], side_data["designed_bound"] != 0
         look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
@@ -117,7 +124,7 @@ def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
 
 
 def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
-    """Draw all surfaces over sigma/rho and t; the area of a mark is sqrt(F/H) over the roll-off."""
+    """Draw all surfaces over sigma/rho and t; marks have the area sqrt(F/H) over the roll-off."""
     levels = np.geomspace(0.1, 300, 200)
     axes.plot(levels, levels, color="0.4", lw=0.8)
     axes.fill_between(
@@ -128,10 +135,10 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     modulus = scaling["designed_level"] / scaling["designed_over_range"]
     for many_points, colour in ((True, "0.75"), (False, "#DDCC77")):
         designed = scaling.sel(designed=~is_nitride & ((modulus > 1) == many_points))
-        x, y, contact = (designed[name] for name in DESIGNED)
+        x, y, contact = [designed[name] for name in DESIGNED_VARIABLES]
         axes.scatter(x, y, s=8 + 600 * contact, c=colour, lw=0, alpha=0.8)
-    for look, surface_data in style.by_surface(scaling):
-        x, y, contact = (surface_data[name] for name in OWN)
+    for look, surface_data in style.iterate_surfaces(scaling):
+        x, y, contact = [surface_data[name] for name in STUDY_VARIABLES]
         axes.scatter(x, y, s=8 + 600 * contact, **look, edgecolors="black", lw=0.5, zorder=3)
     for name, label in NITRIDES.items():
         coating = scaling.sel(designed=name)

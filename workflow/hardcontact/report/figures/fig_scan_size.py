@@ -1,4 +1,4 @@
-"""How large a scan must be: force and long edge on windows and on surfaces, and the rule."""
+"""How large a scan must be: force and long edge on windows and whole surfaces, and a rule."""
 
 from collections.abc import Iterator
 
@@ -29,42 +29,44 @@ Grey: longest wave of a mirrored window. In (a, c) surfaces stand side by side. 
 scan_size.nc.
 """
 
-BETWEEN = ("scan_size", "rho", "predicted", "mirrored", "status")  # columns
+FURTHER_COLUMNS = ("scan_size", "rho", "predicted", "mirrored", "status")  # columns
 MICROMETRE = 1000  # nm
-OF_SCAN: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+SCAN_LINE: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 
 
 def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) the excess against the scan, (b) sizes needed, (c) long edges; open: the bound."""
+    """Draw (a) the excess against the size of a scan, (b) sizes needed, (c) long edges."""
     figure = drawing.create(3.2, scan_size)
     sizes, needed, edges = figure.subplots(1, 3)
     rho, allowed = scan_size.attrs["rho"], scan_size.attrs["allowed_excess"]
     frames = [
         _draw_sizes(sizes, scan_size.sel(rho=rho, method="nearest")),
-        tables.drawn_rows(scan_size, ("b", "size_needed", "nm")),
+        tables.variable_rows(scan_size, ("b", "size_needed", "nm")),
         _draw_edges(edges, scan_size),
     ]
-    for look, surface_data in style.by_surface(scan_size):
+    for look, surface_data in style.iterate_surfaces(scan_size):
         needed.plot(
             scan_size["rho"], surface_data["size_needed"] / MICROMETRE, ms=3, lw=0.6, **look
         )
-    needed.axhline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
+    needed.axhline(scan_size.attrs["scan_size"] / MICROMETRE, **SCAN_LINE)
     needed.set(xlabel="range of adhesion ρ (nm)", ylabel="side of the scan needed (µm)")
     style.label_panel(needed, "b", f"scan for {allowed:g} times the force")
     for axes in (sizes, edges):
-        axes.axvline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
+        axes.axvline(scan_size.attrs["scan_size"] / MICROMETRE, **SCAN_LINE)
         axes.set_xlabel("side of the scan (µm)")
     for axes in (sizes, needed, edges):
         axes.set(xscale="log", yscale="log")
-        style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
+        style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1, 3))
     style.end_near_values([sizes])
     style.legend_above(figure, style.surface_handles(scan_size, ls="none"))
-    return tables.tidy(frames, scan_size, *BETWEEN), figure
+    return tables.tidy_table(frames, scan_size, *FURTHER_COLUMNS), figure
 
 
 def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
     """Draw the excess of all surfaces with intervals, and the rule as lines."""
-    excess = tables.bounded(section, "excess").assign(predicted=section["predicted_excess"])
+    excess = tables.value_and_interval(section, "excess").assign(
+        predicted=section["predicted_excess"]
+    )
     sizes = section["scan_size"] / MICROMETRE
     for look, surface_data, factor in _side_by_side(excess):
         style.draw_bars(axes, factor * sizes, surface_data, ls="none", ms=3, elinewidth=0.6, **look)
@@ -77,13 +79,13 @@ def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
 def _side_by_side(data: xr.Dataset) -> Iterator[tuple[style.Look, xr.Dataset, float]]:
     """Yield look and data of each surface, and a factor that shifts its symbols along x."""
     factors = np.geomspace(0.88, 1 / 0.88, data.sizes["surface"])
-    for (look, surface_data), factor in zip(style.by_surface(data), factors, strict=True):
+    for (look, surface_data), factor in zip(style.iterate_surfaces(data), factors, strict=True):
         yield look, surface_data, float(factor)
 
 
 def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
-    """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits."""
-    edges = tables.bounded(scan_size, "long_edge").assign(
+    """Draw long edges on windows (filled) and whole surfaces (hollow), with open ends drawn out."""
+    edges = tables.value_and_interval(scan_size, "long_edge").assign(
         mirrored=scan_size["mirrored"], status=scan_size["long_edge_status"]
     )
     edges["value"] = edges["value"].fillna(scan_size["long_edge_bound"])
@@ -92,10 +94,10 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
     ends = ends.assign(ends[["value", "low", "high"]] / MICROMETRE)
     for look, surface_data, factor in _side_by_side(ends):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
-            kind = surface_data.sel(edge_size=ends["mirrored"] == mirrored)
-            places = factor * kind["edge_size"] / MICROMETRE
+            group = surface_data.sel(edge_size=ends["mirrored"] == mirrored)
+            positions = factor * group["edge_size"] / MICROMETRE
             marks = look | {"mfc": fill, "ls": "none", "ms": 3.5, "elinewidth": 0.7}
-            style.draw_bars(axes, places, kind, **marks)
+            style.draw_bars(axes, positions, group, **marks)
     windows = period.sel(edge_size=scan_size["mirrored"] == 1) / MICROMETRE
     axes.plot(windows["edge_size"] / MICROMETRE, windows, color="0.7", lw=0.8, zorder=0)
     axes.set_ylabel("long edge of the band (µm)")

@@ -1,4 +1,4 @@
-"""Whether the measured forces fit the substitutes: how high they put the apex of the sphere."""
+"""The height of the sphere's apex that follows from measured forces, and from computed ones."""
 
 import numpy as np
 import pandas as pd
@@ -27,8 +27,8 @@ plastic. Drawn from standoff.nc and resources/paper/parameters.csv.
 
 TITLES = {"published": "published $W$", "fitted": "$W$ that fits best at each ρ"}
 LINES = {"mean": "-", "median": "--"}
-RANGES = (0.5, 15)  # nm, about both ranges that fit
-MISSING = (-2.5, 8)  # rms heights
+RANGE_LIMITS = (0.5, 15)  # nm, around both ranges that fit
+HEIGHT_LIMITS = (-2.5, 8)  # rms heights
 COLUMNS = [
     "panel", "surface", "label", "basis", "origin", "quantity", "statistic", "work_of_adhesion",
     "rho", *tables.VALUE_COLUMNS,
@@ -38,23 +38,25 @@ COLUMNS = [
 def draw(standoff: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw the missing height over the range of adhesion at (a) the published and (b) fitted work.
 
-    The table has this difference over the rms height (1), and both heights (nm).
+    The table has the missing height relative to the rms height (1), and both heights (nm).
     """
     difference = standoff["required_height"] - standoff["computed_height"]
-    missing = (difference / standoff["rms_height"]).rename("missing_height")
+    missing_height = (difference / standoff["rms_height"]).rename("missing_height")
     figure = drawing.create(3.2, standoff)
     panels = figure.subplots(1, len(TITLES), sharey=True)
     frames = []
     for letter, axes, (work, title) in zip("ab", panels, TITLES.items(), strict=True):
-        _draw_curves(axes, missing.sel(work_of_adhesion=work), standoff)
+        _draw_curves(axes, missing_height.sel(work_of_adhesion=work), standoff)
         style.draw_published_range(axes, published_constants)
         style.label_panel(axes, letter, title)
         for name, unit in (("missing_height", "1"), ("required_height", "nm")):
-            values = missing if name == "missing_height" else standoff[name]
+            values = missing_height if name == "missing_height" else standoff[name]
             rows = values.sel(work_of_adhesion=work)
             frames.append(tables.computed_rows(rows, panel=letter, quantity=name, unit=unit))
-    computed = standoff["computed_height"]
-    frames.append(tables.computed_rows(computed, panel="", quantity="computed_height", unit="nm"))
+    computed_height = standoff["computed_height"]
+    frames.append(
+        tables.computed_rows(computed_height, panel="", quantity="computed_height", unit="nm")
+    )
     panels[0].set_ylabel("missing height / rms height")
     handles = [
         *style.surface_handles(standoff, marker=""),
@@ -65,16 +67,16 @@ def draw(standoff: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Da
         Line2D([], [], label="published range", **style.PUBLISHED_RANGE),
     ]
     style.legend_above(figure, handles)
-    return tables.labelled(frames, standoff, COLUMNS), figure
+    return tables.label_rows(frames, standoff, COLUMNS), figure
 
 
-def _draw_curves(axes: Axes, missing: xr.DataArray, standoff: xr.Dataset) -> None:
+def _draw_curves(axes: Axes, missing_height: xr.DataArray, standoff: xr.Dataset) -> None:
     """Draw the missing height (surface, statistic, rho) of each surface and statistic."""
     colours = style.colours(standoff["surface"].values)
     axes.axhline(0, color="0.6", lw=0.6)
     for surface, colour in colours.items():
         for statistic, line in LINES.items():
-            curve = missing.sel(surface=surface, statistic=statistic)
+            curve = missing_height.sel(surface=surface, statistic=statistic)
             axes.plot(curve["rho"], np.asarray(curve), color=colour, ls=line)
-    axes.set(xscale="log", xlabel="range of adhesion ρ (nm)", xlim=RANGES, ylim=MISSING)
-    style.label_logarithmic(axes.xaxis, at=(1, 3))
+    axes.set(xscale="log", xlabel="range of adhesion ρ (nm)", xlim=RANGE_LIMITS, ylim=HEIGHT_LIMITS)
+    style.label_logarithmic(axes.xaxis, digits=(1, 3))

@@ -1,4 +1,4 @@
-"""Scatter of pull-off forces: predicted, on designed surfaces, of the study and of the paper."""
+"""Scatter of pull-off forces: predicted, and on designed surfaces, in the study and the paper."""
 
 import numpy as np
 import pandas as pd
@@ -31,21 +31,21 @@ Bars: {{ inference.confidence | percent }} intervals over scans; an arrow where 
 frame. Drawn from statistics.nc.
 """
 
-#: Distributions by their names in the dataset, as they are drawn and printed.
+#: Look and label of each distribution, by its name in the dataset.
 DISTANCES: dict[str, tuple[style.Look, str]] = {
     "law": ({"color": "black", "marker": "o"}, "predicted"),
     "lognormal_fitted": ({"color": style.FIT, "marker": "^"}, "log-normal, fitted"),
     "weibull": ({"color": "0.6", "marker": "s"}, "Weibull of modulus k"),
 }
-#: Spreads of a coating: how each is drawn, and its name.
+#: Look and label of each spread of a coating.
 SPREADS: dict[str, tuple[style.Look, str]] = {
     "spread": ({"mfc": "none"}, "predicted: places"),
     "total_spread": ({}, "predicted: places and scans"),
     "total_shape": ({"marker": "x"}, "predicted: √(2 ln(mean/median))"),
     "computed_spread": ({"alpha": 0.5, "ms": 2.5}, "computed"),
 }
-#: That the panel holds, over the highest published or predicted spread.
-ROOM = 1.6
+#: Ratio of the top of the panel to the highest published or predicted spread.
+MAX_RELATIVE_SPREAD = 1.6
 
 
 def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
@@ -53,32 +53,34 @@ def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     figure, ((spreads, distances), (coatings,)) = drawing.create_rows(
         5.2, statistics, (1.2, (1, 1)), (1, (1,))
     )
-    tested = held_back(statistics)
+    held_out_surfaces = held_back(statistics)
     section = statistics.sel(rho=statistics.attrs["reference_rho"])
     _draw_spreads(spreads, statistics)
-    _draw_distances(distances, tested)
+    _draw_distances(distances, held_out_surfaces)
     _draw_coatings(coatings, section)
-    drawn = ("designed_spread", "designed_predicted_spread")
+    spread_names = ("designed_spread", "designed_predicted_spread")
     frames = [
-        tables.drawn_rows(statistics, *(("a", name, "1") for name in drawn)),
-        tables.drawn_rows(tested, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)),
-        tables.drawn_rows(section, *(("c", name, "1") for name in SPREADS)),
-        tables.drawn_rows(section, ("c", "published_spread", "1")).assign(origin="published"),
+        tables.variable_rows(statistics, *(("a", name, "1") for name in spread_names)),
+        tables.variable_rows(
+            held_out_surfaces, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)
+        ),
+        tables.variable_rows(section, *(("c", name, "1") for name in SPREADS)),
+        tables.variable_rows(section, ("c", "published_spread", "1")).assign(origin="published"),
     ]
-    return tables.tidy(frames, statistics, "case"), figure
+    return tables.tidy_table(frames, statistics, "case"), figure
 
 
 def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     """Draw computed against predicted spreads of ln F, by kind of surface."""
-    skewed = statistics["designed_skewed"] != 0
-    low = (statistics["designed_level"] < LEAST_LEVEL) & ~skewed
-    fair, held_out = ~skewed & ~low, statistics["designed_held_back"] == 1
+    is_skewed = statistics["designed_skewed"] != 0
+    is_low = (statistics["designed_level"] < LEAST_LEVEL) & ~is_skewed
+    is_fair, is_held_out = ~is_skewed & ~is_low, statistics["designed_held_back"] == 1
     black = {"marker": "o", "color": "black", "ms": 3}
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
-        (skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
-        (low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
-        (fair & ~held_out, "used for the prediction", black | {"mfc": "none"}),
-        (fair & held_out, "held out", black),
+        (is_skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
+        (is_low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
+        (is_fair & ~is_held_out, "used for the prediction", black | {"mfc": "none"}),
+        (is_fair & is_held_out, "held out", black),
     ]
     for group, label, look in groups:
         cases = statistics.isel(case=np.flatnonzero(group))
@@ -96,11 +98,13 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     style.label_panel(axes, "a", "scatter over places")
 
 
-def _draw_distances(axes: Axes, tested: xr.Dataset) -> None:
-    """Draw how far the forces of the surfaces held out are from each distribution."""
+def _draw_distances(axes: Axes, held_out_surfaces: xr.Dataset) -> None:
+    """Draw the distance of the forces on surfaces held out from each distribution."""
     for name, (look, label) in reversed(DISTANCES.items()):
-        distance = tested[f"designed_distance_{name}"]
-        axes.plot(tested["designed_modulus"], distance, ls="none", ms=3, label=label, **look)
+        distance = held_out_surfaces[f"designed_distance_{name}"]
+        axes.plot(
+            held_out_surfaces["designed_modulus"], distance, ls="none", ms=3, label=label, **look
+        )
     axes.axhline(CHANCE, color="0.4", lw=0.8, ls=":")
     axes.set(xscale="log", yscale="log", ylim=(0.004, 1.2))
     axes.set(xlabel="modulus k = ρm/σ²", ylabel="largest difference of probabilities")
@@ -110,12 +114,12 @@ def _draw_distances(axes: Axes, tested: xr.Dataset) -> None:
 
 
 def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
-    """Draw the spreads of the coatings, by the law, of the study and published."""
-    # Intervals of two scans may reach far beyond all values: an arrow marks those that do.
-    highest = ROOM * section[["published_spread", *SPREADS]].to_array().max().item()
-    for position, (look, surface_data) in enumerate(style.by_surface(section)):
+    """Draw the spreads of the coatings: predicted, computed and published."""
+    # Intervals of two scans may reach far beyond all values: an arrow marks a longer interval.
+    highest = MAX_RELATIVE_SPREAD * section[["published_spread", *SPREADS]].to_array().max().item()
+    for position, (look, surface_data) in enumerate(style.iterate_surfaces(section)):
         for step, (name, (marker, _)) in enumerate(SPREADS.items()):
-            curve = tables.bounded(surface_data, name).expand_dims("place")
+            curve = tables.value_and_interval(surface_data, name).expand_dims("position")
             curve = (
                 curve if "low" in curve else curve.assign(low=curve["value"], high=curve["value"])
             )

@@ -1,16 +1,16 @@
 """The figures in the order of the report, and their descriptions.
 
-A figure is a module of its name. It has a `TITLE`, the `CHAPTER` of the report, a `CAPTION` and a
-function `draw`, which returns the table of the figure and the drawing. The arguments of `draw` are
-its inputs: names of final datasets, or of published tables, keys of `config.patterns.PUBLISHED`.
+A figure is a module with the same name. It has a `TITLE`, the `CHAPTER` of the report, a `CAPTION`
+and a function `draw`, which returns the table of the figure and the drawing. The arguments of
+`draw` are its inputs: final datasets, or published tables (keys of `config.patterns.PUBLISHED`).
 """
 
 import ast
 from pathlib import Path
 from typing import NamedTuple
 
-#: Figures of the paper's story, in its order.
-OF_PAPER = (
+#: Figures about the statements of the paper, in the order of the report.
+PAPER_FIGURES = (
     "fig1",
     "fig_elastic",
     "fig5",
@@ -27,8 +27,8 @@ OF_PAPER = (
     "fig_enhancement",
     "fig_robustness",
 )
-#: Figures of the chapter on what decides the band. The first input of each is its own dataset.
-OF_INSIGHT = (
+#: Figures of the chapter on the causes of the band; the first input of each is its own dataset.
+INSIGHT_FIGURES = (
     "fig_scaling",
     "fig_scan_size",
     "fig_closed_form",
@@ -36,9 +36,9 @@ OF_INSIGHT = (
     "fig_statistics",
     "fig_elastic_limit",
 )
-FIGURES = OF_PAPER + OF_INSIGHT
-#: Figures of own surfaces by their titles; works need own forces.
-OF_OWN_SURFACES = {
+FIGURES = PAPER_FIGURES + INSIGHT_FIGURES
+#: Titles of the figures of own surfaces; "works" needs own forces.
+OWN_FIGURES = {
     "cutoffs": "Pull-off force without parts of the roughness",
     "maps": "Height maps",
     "spectra": "Power spectral densities",

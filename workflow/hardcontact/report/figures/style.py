@@ -29,7 +29,7 @@ SPHERE = "#7F7F7F"
 PUBLISHED = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
-BEYOND = 10.0  # how many times farther than all values a logarithmic axis may reach
+MAX_AXIS_MARGIN = 10.0  # factor between the values and the ends of a logarithmic axis
 OPACITY = 0.2  # of bands
 PERCENT = 1e-2
 MICRONEWTON = 1e-6
@@ -37,21 +37,21 @@ MILLIJOULE = 1e-3
 
 Look = dict[str, Any]  # of an artist, as matplotlib takes it
 
-#: How artificial wavelengths are shaded in every figure.
+#: Look of artificial wavelengths in every figure.
 ARTIFICIAL: Look = {"facecolor": "#FBF4E6", "edgecolor": "#EADBBB", "hatch": "//", "lw": 0.0}
-#: What a cutoff of each side of the band does, above its panel.
+#: Title of the panel with the cutoffs of each side of the band.
 REMOVED = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
-FIT = "#6A3D9A"  # of no surface
+FIT = "#6A3D9A"  # no surface has this colour
 FIT_STAR: Look = {"marker": "*", "color": FIT, "mec": "white", "mew": 0.6, "ms": 11}
 FIT_RING: Look = {"marker": "o", "mfc": "white", "mec": FIT, "mew": 1.4, "ms": 5}
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
 NOTE: Look = {"fontsize": 7, "color": "0.35"}  # text within a panel
 TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis
-#: Of maps of pixels: an image in the PDF too.
+#: Maps of pixels become images, in the PDF too.
 PIXELS: Look = {"shading": "nearest", "rasterized": True}
 
 RC: dict[Any, Any] = {
@@ -79,32 +79,32 @@ print_style = partial(mpl.rc_context, RC)
 
 
 def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
-    """Return the colour of each surface: by its place among the substrates, grey for the sphere."""
+    """Return the colour of each surface, in the order of substrates; grey for the sphere."""
     substrates = [str(name) for name in surfaces if str(name) != sphere]
     pairs = dict(zip(substrates, cycle(SUBSTRATES), strict=False))
     return pairs if sphere is None else {**pairs, sphere: SPHERE}
 
 
 def looks(substrates: Iterable[str]) -> dict[str, Look]:
-    """Return colour and marker of each substrate, as plots take them."""
+    """Return colour and marker of each substrate, as keywords of Matplotlib."""
     pairs = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
     return {name: {"color": colour, "marker": marker} for (name, colour), marker in pairs}
 
 
-def by_surface(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
-    """Yield colour and marker of each substrate of a dataset, and its part of the dataset."""
+def iterate_surfaces(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
+    """Yield colour and marker of each substrate of a dataset, and its selection of the dataset."""
     for surface, look in looks(data["surface"].values).items():
         yield look, data.sel(surface=surface)
 
 
 def freeze_layout(figure: Figure) -> None:
-    """Lay the figure out once and keep the positions to a millionth of its size.
+    """Lay the figure out once and round the positions to a millionth of its size.
 
-    Beyond that the solver's digits differ from run to run, and with them the bytes of the file.
+    Further digits of the solver differ from run to run, and would change the bytes of the file.
     """
     if engine := figure.get_layout_engine():
         engine.execute(figure)
-    # Not even the placeholder that "none" leaves: for it, saving draws the figure once more.
+    # The placeholder that "none" leaves would make saving draw the figure once more.
     figure.set_layout_engine(None)
     for axes in figure.axes:
         bounds = axes.get_position(original=True).bounds
@@ -116,26 +116,26 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
     axes.set_title(rf"$\mathbf{{{letter}}}$  {title}", loc="left")
 
 
-def label_logarithmic(*axes: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
-    """Label logarithmic axes by plain numbers: at these digits of each decade, or at decades.
+def label_logarithmic(*axes: Axis, digits: tuple[int, ...] = (1, 2, 3, 5)) -> None:
+    """Label logarithmic axes by plain numbers, at these digits of each decade, or at decades.
 
     Axes of more than three decades have at most one label a decade.
     """
     for axis in axes:
         low, high = axis.get_view_interval()
-        digits = (1,) if high > 1e3 * low else at
-        others = [digit for digit in range(2, 10) if digit not in digits]
-        axis.set_major_locator(LogLocator(subs=digits))
+        labelled_digits = (1,) if high > 1e3 * low else digits
+        other_digits = [digit for digit in range(2, 10) if digit not in labelled_digits]
+        axis.set_major_locator(LogLocator(subs=labelled_digits))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        axis.set_minor_locator(LogLocator(subs=others))
+        axis.set_minor_locator(LogLocator(subs=other_digits))
         axis.set_minor_formatter(NullFormatter())
 
 
 def end_near_values(panels: Sequence[Axes]) -> None:
-    """End the logarithmic y axes of panels a decade beyond the values drawn as lines, at most.
+    """End the logarithmic y axis of panels at most a decade beyond the values drawn as lines.
 
-    The panels share their y axis. Error bars and bands do not count: an interval of two scans may
-    span twenty decades, and all values would lie in one line. Longer bars leave the frame.
+    The panels share their y axis. Error bars and bands have no effect and may leave the frame: the
+    interval of two scans may span twenty decades, and all values would lie in one line.
     """
     heights = [
         np.asarray(line.get_ydata(), float)
@@ -146,40 +146,43 @@ def end_near_values(panels: Sequence[Axes]) -> None:
     values = np.concatenate(heights)
     values = values[np.isfinite(values) & (values > 0)]
     low, high = panels[0].get_ylim()
-    panels[0].set_ylim(max(low, values.min() / BEYOND), min(high, values.max() * BEYOND))
+    lowest, highest = values.min() / MAX_AXIS_MARGIN, values.max() * MAX_AXIS_MARGIN
+    panels[0].set_ylim(max(low, lowest), min(high, highest))
 
 
-def fill_interval(axes: Axes, curve: xr.Dataset, along: str, color: str) -> None:
+def fill_interval(axes: Axes, curve: xr.Dataset, coordinate: str, color: str) -> None:
     """Fill a band from `low` to `high` along a coordinate."""
-    axes.fill_between(curve[along], curve["low"], curve["high"], color=color, alpha=OPACITY, lw=0)
+    axes.fill_between(
+        curve[coordinate], curve["low"], curve["high"], color=color, alpha=OPACITY, lw=0
+    )
 
 
 def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
-    """Draw `value` against x, with bars from `low` to `high`, of no length where unknown."""
+    """Draw `value` against x, with bars from `low` to `high`, or without bars if these are NaN."""
     lengths = np.nan_to_num(abs(curve[["low", "high"]].to_array() - curve["value"]).values)
     axes.errorbar(x, curve["value"], lengths.reshape(2, -1), **look)
 
 
 def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
-    """Shade bands of wavelengths (nm) of logarithmic axes as far as their limits reach."""
-    left, right = axes.get_xlim()
-    for first, last in bands:
-        if last > left and first < right:
-            axes.axvspan(max(first, left), min(last, right), zorder=-1, **ARTIFICIAL)
-    axes.set_xlim(left, right)
+    """Shade bands of wavelengths (nm) within the limits of logarithmic axes."""
+    low, high = axes.get_xlim()
+    for shortest, longest in bands:
+        if longest > low and shortest < high:
+            axes.axvspan(max(shortest, low), min(longest, high), zorder=-1, **ARTIFICIAL)
+    axes.set_xlim(low, high)
 
 
 def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D | Patch]:
     """Return one entry of a legend for each substrate of a dataset with `label(surface)`."""
     return [
         Line2D([], [], **surface_look | look, label=str(data["label"].item()))
-        for surface_look, data in by_surface(dataset)
+        for surface_look, data in iterate_surfaces(dataset)
     ]
 
 
-def legend_above(figure: Figure, handles: Sequence[Artist], most: int = 4) -> None:
-    """Write a legend above all axes, in as many columns, `most` at most, as fit the figure."""
-    for columns in range(most, 0, -1):
+def legend_above(figure: Figure, handles: Sequence[Artist], max_columns: int = 4) -> None:
+    """Write a legend above all axes, in as many columns as fit the figure, up to a maximum."""
+    for columns in range(max_columns, 0, -1):
         legend = figure.legend(handles=handles, loc="outside upper center", ncols=columns)
         if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
             return
@@ -195,19 +198,19 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
     return entries
 
 
-def half_width(inside: xr.DataArray) -> float:
-    """Return the largest distance from zero, along x or y, at which a map is true."""
-    return max(float(abs(inside[along]).where(inside).max()) for along in "xy")
+def mask_half_width(mask: xr.DataArray) -> float:
+    """Return the largest distance from zero, along x or y, of the true pixels of a mask."""
+    return max(float(abs(mask[axis]).where(mask).max()) for axis in "xy")
 
 
 def sets_handle() -> Patch:
-    """Return the entry in a legend of bands over the sets of substitutes."""
+    """Return the legend entry of bands over the sets of substitutes."""
     label = f"{print_share(SHARE_OF_SETS)} of all sets of substitutes"
     return Patch(color="0.3", alpha=OPACITY, lw=0, label=label)
 
 
 def print_pair(pair: pd.Series | xr.Dataset) -> str:
-    """Return range and work of adhesion, published or fitted, as they are printed."""
+    """Return a pair of range and work of adhesion as text."""
     work = float(pair["work_of_adhesion"]) / MILLIJOULE
     return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"
 
@@ -232,8 +235,8 @@ def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
     The `height` over the range of adhesion (nm) is the "work" or the "error", in `unit`.
     """
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
-    others = fit["minimum_range"].values != fit["range_of_adhesion"].item()
-    ranges, heights = (fit[f"minimum_{name}"][others] for name in ("range", height))
+    is_other = fit["minimum_range"].values != fit["range_of_adhesion"].item()
+    ranges, heights = fit["minimum_range"][is_other], fit[f"minimum_{height}"][is_other]
     best_look: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
     other_look: Look = best_look | {"label": "other minimum of it"}
     axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
@@ -241,7 +244,7 @@ def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
 
 
 def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
-    """Draw heights (nm) of a square scan of the given size (nm), with a colour bar."""
+    """Draw heights (nm) of a square scan with a size (nm), and a colour bar."""
     image = axes.imshow(heights - heights.mean(), cmap="viridis", extent=(0, size, 0, size))
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
     bar.ax.set_title("nm", fontsize=rcParams["xtick.labelsize"], loc="left", pad=3)

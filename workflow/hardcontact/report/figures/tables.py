@@ -9,16 +9,16 @@ import xarray as xr
 
 from hardcontact.base.statistics import bounds
 
-#: Columns that say what a row is, and those of its value, with what the value depends on between.
+#: First and last columns of a table; between them are the columns of independent variables.
 ROW_COLUMNS = ("panel", "surface", "label", "basis", "origin", "quantity")
 VALUE_COLUMNS = ("value", "low", "high", "unit")
 
-#: Share of the sets of substitutes between `low` and `high`, in the middle of all.
+#: Share of the sets of substitutes between `low` and `high`: the middle of all sets.
 SHARE_OF_SETS = 0.9
 
 
-def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable as `value`, and `low` and `high`, those of its interval if it has one."""
+def value_and_interval(data: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable as `value`, with the ends of its interval, if any, as `low` and `high`."""
     value = data[[name]].rename({name: "value"})
     if f"{name}_interval" not in data:
         return value
@@ -26,35 +26,35 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
     return value.assign(low=low, high=high)
 
 
-def as_rows(values: xr.Dataset | xr.DataArray) -> pd.DataFrame:
-    """Return a row for each number, with its dimensions and variables."""
+def number_rows(values: xr.Dataset | xr.DataArray) -> pd.DataFrame:
+    """Return a row for each number, with its coordinates and variables."""
     is_array = isinstance(values, xr.DataArray)
     frame = values.to_dataframe("value") if is_array else values.to_dataframe()
     return frame.reset_index()
 
 
 def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataFrame:
-    """Return a row for each known `value` of computed quantities, with these further columns."""
-    return as_rows(values).dropna(subset=["value"]).assign(origin="computed", **columns)
+    """Return a row for each finite `value` of computed quantities, with further columns."""
+    return number_rows(values).dropna(subset=["value"]).assign(origin="computed", **columns)
 
 
-def rows_of(
+def quantity_rows(
     panel: str, quantity: str, unit: str, origin: str = "computed", **columns: Any
 ) -> pd.DataFrame:
-    """Return a row for each number of these columns, which may be single numbers."""
+    """Return the rows of a quantity; columns hold an array or a single number."""
     frame = pd.DataFrame({name: np.atleast_1d(values) for name, values in columns.items()})
     return frame.assign(panel=panel, quantity=quantity, unit=unit, origin=origin)
 
 
-def drawn_rows(data: xr.Dataset, *drawn: tuple[str, str, str]) -> pd.DataFrame:
-    """Return the rows of variables of a dataset, each given by panel, name and unit."""
+def variable_rows(data: xr.Dataset, *variables: tuple[str, str, str]) -> pd.DataFrame:
+    """Return the rows of variables of a dataset, for tuples of panel, name and unit."""
     return pd.concat(
-        computed_rows(bounded(data, name), panel=panel, quantity=name, unit=unit)
-        for panel, name, unit in drawn
+        computed_rows(value_and_interval(data, name), panel=panel, quantity=name, unit=unit)
+        for panel, name, unit in variables
     )
 
 
-def over_sets(values: xr.DataArray) -> xr.Dataset:
+def summarize_sets(values: xr.DataArray) -> xr.Dataset:
     """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`."""
     tail = (1 - SHARE_OF_SETS) / 2
     quantiles = values.quantile([0.5, tail, 1 - tail], "set", skipna=False)
@@ -63,12 +63,12 @@ def over_sets(values: xr.DataArray) -> xr.Dataset:
 
 
 def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
-    """Return `value`, `low` and `high` of a variable that is a single number with its interval."""
-    return {str(end): number.item() for end, number in bounded(data, name).items()}
+    """Return `value`, `low` and `high` of a variable with a single number."""
+    return {str(end): number.item() for end, number in value_and_interval(data, name).items()}
 
 
 def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -> pd.DataFrame:
-    """Return a row for each of these published constants, with the ends of its uncertainty."""
+    """Return a row for each published constant in `units`, with the ends of its uncertainty."""
     rows = constants.loc[list(units)]
     value, spread = rows["value"].to_numpy(), rows["uncertainty"].to_numpy()
     ends = {"value": value, "low": value - spread, "high": value + spread}
@@ -81,20 +81,24 @@ def published_edge(constants: pd.DataFrame, side: str) -> float:
     return float(constants["value"][f"critical_wavelength_{side}"])
 
 
-def tidy(
-    frames: Iterable[pd.DataFrame], data: xr.Dataset, *bounds_only: str, surfaces: str = "surface"
+def tidy_table(
+    frames: Iterable[pd.DataFrame],
+    data: xr.Dataset,
+    *further_columns: str,
+    surfaces: str = "surface",
 ) -> pd.DataFrame:
-    """Return a table of ROW_COLUMNS, those between and VALUE_COLUMNS, as `labelled` does."""
+    """Return a table of ROW_COLUMNS, further columns and VALUE_COLUMNS, as `label_rows` does."""
     row_columns = (surfaces if column == "surface" else column for column in ROW_COLUMNS)
-    return labelled(frames, data, [*row_columns, *bounds_only, *VALUE_COLUMNS], surfaces)
+    return label_rows(frames, data, [*row_columns, *further_columns, *VALUE_COLUMNS], surfaces)
 
 
-def labelled(
+def label_rows(
     frames: Iterable[pd.DataFrame], data: xr.Dataset, columns: list[str], surfaces: str = "surface"
 ) -> pd.DataFrame:
-    """Return these columns of all rows, with label and basis of the surface that each names.
+    """Return the columns of all rows, with label and basis of the surface of each row.
 
-    Names in the column `surfaces` that the dataset does not have get none.
+    The column `surfaces` has the names of surfaces. Label and basis are empty for names that the
+    dataset lacks.
     """
     labels = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
     rows = pd.concat(frames, ignore_index=True).join(labels, on=surfaces)
