@@ -64,7 +64,7 @@ def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
 def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     monkeypatch.setattr(
         "snakemake_logger_plugin_stages.read_stages",
-        lambda: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
+        lambda effort: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
     )
     monkeypatch.setattr("snakemake_logger_plugin_stages.threading.Thread", MagicMock())
     clock = SimpleNamespace(monotonic=lambda: 10.0)
@@ -92,7 +92,7 @@ def test_silence_is_broken(capsys, monkeypatch):
 
 
 def test_stages_of_the_study_are_named():
-    stages = read_stages()
+    stages = read_stages("quick")
     assert stage_of("make_scans_1_2", stages).name == "substitute scans 1 to 2"
     assert stage_of("make_scans_3", stages).name == "substitute scans 3"
     assert stage_of("draw_fig_sets", stages).name == "figure fig_sets"
@@ -105,11 +105,18 @@ def test_every_rule_with_jobs_has_a_name_for_people():
         for path in (ROOT / "workflow/rules").glob("*.smk")
         for name in re.findall(r"^rule (\w+):", path.read_text("utf-8"), re.M)
     }
-    assert rules - read_stages().keys() == {"crate", "verify"}  # which make no file of their own
+    assert rules - read_stages("full").keys() == {
+        "crate",
+        "verify",
+    }  # which make no file of their own
 
 
-def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
-    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": ["logs/stitch.log"]}
+@pytest.mark.parametrize("has_log", [True, False])
+def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_log):
+    log = tmp_path / "stitch.log"
+    if has_log:
+        log.touch()
+    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": [str(log)]}
     repeated_error = {"event": LogEvent.ERROR, "exception": "CalledProcessError"}
     errors = [
         (logging.ERROR, "snakemake.logging", "Error", failed),
@@ -122,7 +129,14 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
         ),
     ]
     _, line = show(capsys, [*run(0), *errors])
-    assert "stitch" in line and "logs/stitch.log" in line
+    assert line == "Error in rule stitch" + f": see {log}" * has_log
+
+
+def test_a_target_that_no_rule_makes_is_refused_with_a_similar_one(capsys):
+    message = "No rule to produce claim (if you use input functions ...)."
+    error = {"event": LogEvent.ERROR, "exception": "MissingRuleException"}
+    (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", message, error)])
+    assert line.startswith("error: expected a target") and "did you mean claims" in line
 
 
 def test_the_message_of_a_rule_is_shown(capsys):

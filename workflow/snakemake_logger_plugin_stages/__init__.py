@@ -11,6 +11,7 @@ import time
 from collections import Counter
 from collections.abc import Mapping
 from datetime import timedelta
+from difflib import get_close_matches
 from functools import partial
 from itertools import takewhile
 from logging import WARNING, LogRecord
@@ -64,6 +65,8 @@ class LogHandler(LogHandlerBase):
         event, fields = getattr(record, "event", None), vars(record)
         if event == LogEvent.ERROR and not self._planned and (faults := _command_line_faults()):
             self._say(faults)
+        elif event == LogEvent.ERROR and fields["exception"] == "MissingRuleException":
+            self._say(_missing_target(record.getMessage()))
         elif event == LogEvent.ERROR and fields["exception"] in FILE_EXCEPTIONS:
             self._say("error: " + record.getMessage().strip().splitlines()[-1])
         elif self._own_log:
@@ -77,7 +80,10 @@ class LogHandler(LogHandlerBase):
         elif event == LogEvent.JOB_FINISHED:
             self._finish(self._rules[fields["job_id"]])
         elif event == LogEvent.JOB_ERROR:
-            self._say(f"Error in rule {fields['rule_name']}: see {', '.join(fields['log'])}")
+            logs = [log for log in fields["log"] if os.path.isfile(log)]
+            self._say(
+                f"Error in rule {fields['rule_name']}" + f": see {', '.join(logs)}" * bool(logs)
+            )
         elif event == LogEvent.ERROR and self._planned and _repeats_failure(record):
             pass
         elif (
@@ -93,17 +99,17 @@ class LogHandler(LogHandlerBase):
 
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show the number of planned jobs and about the time that they take."""
-        stages, self._planned = read_stages(), {**jobs}
+        stages, self._planned = read_stages(_effort()), {**jobs}
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
         minutes = self._cost(self._planned) / (os.cpu_count() or 1) / 60
         how_long = f"about {minutes:.0f} minutes" if minutes > 1.5 else "about a minute or less"
-        self._say(f"{self._total} jobs, {how_long} on grids of a quick study")
+        self._say(f"{self._total} jobs, {how_long}")
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
-        """Return the processor time (s) of jobs of a quick study, by rule."""
+        """Return the processor time (s) of numbers of jobs by rule."""
         return sum(self._stages[rule].seconds * count for rule, count in jobs.items())
 
     def _position(self) -> str:
@@ -155,6 +161,24 @@ def _option_words(options: tuple[str, ...]) -> list[str]:
             following = takewhile(lambda word: not word.startswith("-"), sys.argv[index + 1 :])
             words += [value] if value else following
     return words
+
+
+def _effort() -> str:
+    """Return the column of costs for the command line: "quick" for small grids, else "full"."""
+    words = [*_option_words(CONFIGFILE), *_option_words(CONFIG)]
+    is_quick = any(word in ("config/quick.yaml", "effort=quick") for word in words)
+    return "quick" if is_quick else "full"
+
+
+def _missing_target(message: str) -> str:
+    """Return the line for a target that no rule makes, with a similar one if there is any."""
+    from hardcontact.config.configuration import OWN_SURFACE_TARGETS, PAPER_TARGETS
+    from hardcontact.report.figures.listing import FIGURES
+
+    name = message.partition("produce ")[2].partition(" ")[0]
+    similar = get_close_matches(name, {*PAPER_TARGETS, *OWN_SURFACE_TARGETS, *FIGURES, "crate"}, 1)
+    question = f" (did you mean {similar[0]}?)" if similar else ""
+    return f"error: expected a target of README.md or a file of the study, found {name}{question}"
 
 
 def _command_line_faults() -> str:

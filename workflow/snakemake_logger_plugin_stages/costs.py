@@ -1,7 +1,8 @@
 """The table costs.tsv: the cost of a job of each rule, and the name of its stage in the terminal.
 
-After a quick study, this renews the costs from its benchmarks:
-``python workflow/snakemake_logger_plugin_stages/costs.py results/quick results/store-quick``
+After a quick and a full study, this renews the costs from their benchmarks:
+``python workflow/snakemake_logger_plugin_stages/costs.py quick results/quick results/store-quick``
+``python workflow/snakemake_logger_plugin_stages/costs.py full results/paper results/store``
 """
 
 import csv
@@ -16,17 +17,21 @@ TABLE = Path(__file__).with_name("costs.tsv")
 
 
 class Stage(NamedTuple):
-    """Processor time of a job of the quick study in s, and the name that the terminal shows."""
+    """Processor time of a job in s, and the name that the terminal shows."""
 
     seconds: float
     name: str
 
 
-def read_stages() -> dict[str, Stage]:
-    """Return the stage of each rule in the table."""
+def read_stages(effort: str) -> dict[str, Stage]:
+    """Return the stage of each rule, with its cost in a "quick" or a "full" study."""
+    return {row["rule"]: Stage(float(row[effort]), row["name"]) for row in _read_rows()}
+
+
+def _read_rows() -> list[dict[str, str]]:
+    """Return the rows of the table."""
     with open(TABLE, newline="") as file:
-        rows = csv.DictReader(file, delimiter="\t")
-        return {row["rule"]: Stage(float(row["seconds"]), row["name"]) for row in rows}
+        return list(csv.DictReader(file, delimiter="\t"))
 
 
 def _name_in_table(rule: str, stages: dict[str, Stage]) -> str:
@@ -52,21 +57,24 @@ def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
 
 
 def main() -> None:
-    """Write the table again, with the mean costs of the benchmarks in the given folders."""
-    stages, times = read_stages(), defaultdict[str, list[float]](list)
-    for benchmarks in (Path(folder, "benchmarks") for folder in sys.argv[1:]):
+    """Write the table again, with the mean costs of the benchmarks of a study of this effort."""
+    effort, *folders = sys.argv[1:]
+    stages, times = read_stages(effort), defaultdict[str, list[float]](list)
+    for benchmarks in (Path(folder, "benchmarks") for folder in folders):
         for path in benchmarks.rglob("*.tsv"):
             rule = path.relative_to(benchmarks).parts[0].removesuffix(".tsv")
             with open(path, newline="") as file:
                 (row,) = csv.DictReader(file, delimiter="\t")
             if row["cpu_time"] != "NA":
                 times[_name_in_table(rule, stages)].append(float(row["cpu_time"]))
+    rows = _read_rows()
+    for row in rows:
+        if row["rule"] in times:
+            row[effort] = f"{mean(times[row['rule']]):.2g}"
     with open(TABLE, "w", newline="") as file:
-        writer = csv.writer(file, delimiter="\t", lineterminator="\n")
-        writer.writerow(("rule", "seconds", "name"))
-        for rule, stage in stages.items():
-            seconds = mean(times.get(rule, [stage.seconds]))
-            writer.writerow((rule, f"{seconds:.2g}", stage.name))
+        writer = csv.DictWriter(file, list(rows[0]), delimiter="\t", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 if __name__ == "__main__":
