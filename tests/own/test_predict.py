@@ -270,6 +270,17 @@ def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
 # Scans
 
 
+def test_a_profile_under_headings_is_a_scan(tmp_path):
+    path = tmp_path / "profile.csv"
+    positions, heights = np.arange(1024) * 5e-4, line_of(generator(3), 1024, PIXEL).heights
+    headings = "x [mm],z [nm]"
+    np.savetxt(
+        path, np.column_stack([positions, heights]), delimiter=",", header=headings, comments=""
+    )
+    (scan_note,) = own_spectrum([path], unit="mm,nm").notes
+    assert_says(scan_note, "reliable from 2 µm (4 pixels)")
+
+
 @pytest.mark.parametrize("kind", ["map", "line"])
 def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
     make, points = (map_of, 128) if kind == "map" else (line_of, 1024)

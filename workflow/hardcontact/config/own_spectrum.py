@@ -50,6 +50,8 @@ UNITS = {
 }
 #: Characters of the first line of a file that tell a table from heights.
 MAX_LINE = 1000
+#: The first heading of a table of positions and heights.
+POSITION = re.compile(r"\W*(x|position|distance)\b", re.IGNORECASE)
 #: The fewest wavelengths with roughness that a table must have.
 MIN_WAVELENGTHS = 5
 #: Independent waves that each bin of a profile's density is taken to have when it is converted.
@@ -166,14 +168,14 @@ def reliable_spectrum(joined: xr.Dataset) -> Spectrum:
 
 
 def _is_table(path: str | Path) -> bool:
-    """Return True if a file is a table of a spectrum: a CSV that does not begin with numbers."""
+    """Return True if a file is a table of a spectrum: a CSV, but one of numbers or positions."""
     if Path(path).suffix.lower() != ".csv":
         return False
     if not Path(path).is_file():
         return True
     with open(path, "rb") as file:
         first_line = file.readline(MAX_LINE).decode("latin-1")
-    return not ROW.fullmatch(first_line.strip())
+    return not (ROW.fullmatch(first_line.strip()) or POSITION.match(first_line))
 
 
 def table_spectrum(path: str | Path) -> Spectrum:
@@ -211,8 +213,8 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(
-            f"{table.path}: expected {COLUMNS}, or a scan that begins with numbers, found "
-            f"{quote_cell(', '.join(table.header))}"
+            f"{table.path}: expected {COLUMNS}, or a scan that begins with numbers or a column x, "
+            f"found {quote_cell(', '.join(table.header))}"
         )
     table.require([present[0], f"{present[0]}_unit"], COLUMNS)
     return present[0]

@@ -328,7 +328,15 @@ def _topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]
             with suppress(MetadataAlreadyFixedByFile):
                 channel.topography(**arguments | {argument: value})
                 arguments[argument] = value
-    words = [f"{METADATA_KEYS[argument]} {value}" for argument, value in arguments.items()]
+    words = [
+        f"{METADATA_KEYS[argument]} "
+        + (
+            " x ".join(f"{length:.6g}" for length in value)
+            if argument == "physical_sizes"
+            else str(value)
+        )
+        for argument, value in arguments.items()
+    ]
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
     if is_text_line and (
