@@ -18,7 +18,9 @@ rule answer_surfaces:
         **{name: PATTERNS.dataset(name) for name in ("topography", "spectra", "edges", "force")},
         fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
         code=code_inputs("answer_surfaces.py"),
-        templates=template_inputs("own.html", "own_headline.txt", "own_warnings.txt", "own_words.html"),
+        templates=template_inputs(
+            "own.html", "own_headline.txt", "own_warnings.txt", "own_words.html"
+        ),
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:
