@@ -25,7 +25,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, va
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.closed_form_errors import spectrum_of_grid
-from hardcontact.theory.prediction import table_coordinates
+from hardcontact.theory.prediction_errors import table_coordinates
 
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1

@@ -29,7 +29,8 @@ from hardcontact.surfaces.spectrum import (
     spectrum_from,
 )
 from hardcontact.theory.closed_form import closed_form, edges
-from hardcontact.theory.prediction import nearest_errors, table_coordinates, trim_spectrum
+from hardcontact.theory.prediction import trim_spectrum
+from hardcontact.theory.prediction_errors import nearest_errors, table_coordinates
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"

@@ -19,7 +19,7 @@ from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import edge_formulas as formulas
 from hardcontact.theory.closed_form import edges, gaussian_share
-from hardcontact.theory.prediction import FOUND, validation
+from hardcontact.theory.prediction_errors import FOUND, validation
 from hardcontact.theory.summits import Approaches, closest_approaches, moment, rough_waves
 
 HURST, ROLL_OFF = 0.8, 1000.0

@@ -5,11 +5,10 @@ Lengths and heights are in nm, wavevectors in rad/nm, forces in N, works of adhe
 pressures in Pa. All raise ValueError with a line for each fault of their input.
 """
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
@@ -17,9 +16,16 @@ import xarray as xr
 from hardcontact.band.critical_band import logarithmic_limits
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.number import Number
-from hardcontact.config.faults import refuse_lines, shorten
-from hardcontact.config.grids import Grid
-from hardcontact.config.limits import scan_limits
+from hardcontact.config.arguments import (
+    make_periodic,
+    refuse_cutoffs,
+    refuse_lengths,
+    refuse_non_numbers,
+    refuse_non_positive,
+    refuse_reading,
+    refuse_unfit,
+)
+from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE
 from hardcontact.config.own_spectrum import own_spectrum, reliable_spectrum
 from hardcontact.contact.all_surfaces import stacked_forces
@@ -27,7 +33,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
 from hardcontact.own.open_edges import edges_of_curves
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.limited_process import RefusedFile
@@ -41,8 +47,8 @@ from hardcontact.surfaces.scans import (
 )
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
-from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.theory.prediction import prediction, wide_contact_message
+from hardcontact.theory.hard_contact import wide_contact_message
+from hardcontact.theory.prediction import prediction
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
@@ -85,8 +91,8 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
-    _refuse_reading([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
-    _refuse_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
+    refuse_reading([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    refuse_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
     measurement = read_measurement(path, dataset, undefined_pixels, unit, edge)
     return _prepare(measurement, sphere_radius, levelling)
 
@@ -125,7 +131,7 @@ def from_topography(
             "topography: expected a map of SurfaceTopography with a unit of length, found "
             f"{type(topography).__name__}"
         )
-    _refuse_lengths(sphere_radius=sphere_radius)
+    refuse_lengths(sphere_radius=sphere_radius)
     try:
         values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
@@ -183,8 +189,8 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
-    _refuse_reading(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
-    _refuse_lengths(
+    refuse_reading(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    refuse_lengths(
         edge=edge if edge != NONE else None, tip_radius=tip_radius, sphere_radius=sphere_radius
     )
     user_spectrum = own_spectrum(
@@ -250,10 +256,11 @@ def pull_off_forces(
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
     contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
-    _refuse_non_positive(work=work)
-    _refuse_non_numbers("ranges", ranges)
-    surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
-    _refuse_unfit(surface, contact, ranges)
+    refuse_non_positive(work=work)
+    refuse_non_numbers("ranges", ranges)
+    surface = make_periodic(scan)
+    rough = None if sphere is None else make_periodic(sphere, "sphere")
+    refuse_unfit(surface, contact, ranges)
     pair = bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
     forces = pull_off_of_pair(pair, contact, ranges).merge(window_change([pair], longest))
@@ -319,10 +326,11 @@ def force_ratios(
     contact = Contact(
         radius=radius, preload=preload, hardness=hardness, window=window, count=count, range=rho
     )
-    _refuse_non_positive(tolerance=tolerance)
-    surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
-    _refuse_unfit(surface, contact, [rho])
-    _refuse_cutoffs(cutoffs, surface)
+    refuse_non_positive(tolerance=tolerance)
+    surface = make_periodic(scan)
+    rough = None if sphere is None else make_periodic(sphere, "sphere")
+    refuse_unfit(surface, contact, [rho])
+    refuse_cutoffs(cutoffs, surface)
     forces = {}
     for side, side_cutoffs in cutoffs.items():
         wavelengths = sorted({float(wavelength) for wavelength in side_cutoffs})
@@ -384,7 +392,7 @@ def predict(
     ... )
     >>> force = numbers["pull_off_force"].value  # N
     """
-    _refuse_non_positive(
+    refuse_non_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
     joined_scans, skewness = None, 0.0
@@ -401,95 +409,3 @@ def predict(
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [wide_contact_message(contact)]))
     return prediction(spectrum, contact, tolerance, joined=joined_scans, skewness=skewness)
-
-
-def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
-    """Return a periodic map, or the mirror-stitched map of another map; refuse other objects."""
-    if not isinstance(surface, HeightMap):
-        raise ValueError(
-            f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
-            f"in nm, found {type(surface).__name__}"
-        )
-    heights = surface.heights
-    if heights.ndim != 2 or len(set(heights.shape)) > 1 or not np.isfinite(heights).all():
-        shape = " x ".join(map(str, heights.shape))
-        raise ValueError(f"{name}: expected a square map of finite heights, found {shape} pixels")
-    return surface if surface.periodic else mirror_stitch(surface)
-
-
-def _refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
-    """Refuse cutoffs at which a periodic surface has no waves."""
-    if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
-        raise ValueError(
-            f"cutoffs: expected those of small, large or both, found {shorten(cutoffs)}"
-        )
-    for side_cutoffs in cutoffs.values():
-        _refuse_non_numbers("cutoffs", side_cutoffs)
-    shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
-    refuse_lines(
-        f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
-        f"the {longest:.6g} nm of the stitched scan on the {side} side, found {[*side_cutoffs]}"
-        for side, side_cutoffs in cutoffs.items()
-        if not len(side_cutoffs) or not shortest < min(side_cutoffs) <= max(side_cutoffs) <= longest
-    )
-
-
-def _refuse_reading(files: Sequence[object], **texts: object) -> None:
-    """Refuse files that are not paths, and arguments that are not text, by their names."""
-    refuse_lines(
-        [
-            f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
-            for file in files
-            if not isinstance(file, str | Path)
-        ]
-        + [
-            f"{name}: expected a text, found {shorten(text)}"
-            for name, text in texts.items()
-            if not isinstance(text, str)
-        ]
-    )
-
-
-def _refuse_lengths(**lengths: object) -> None:
-    """Refuse lengths (nm) that are not None and not positive numbers, by their names."""
-    _refuse_non_positive(**{name: value for name, value in lengths.items() if value is not None})
-
-
-def _refuse_non_numbers(name: str, numbers: object) -> None:
-    """Refuse an argument that is not a sequence of positive numbers."""
-    if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
-        raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
-    for number in numbers:
-        _refuse_non_positive(**{name: number})
-
-
-def _refuse_non_positive(**numbers: object) -> None:
-    """Refuse numbers that are not positive and finite, by their names."""
-    refuse_lines(
-        f"{name}: expected a positive number, found {value!r}"
-        for name, value in numbers.items()
-        if not (isinstance(value, int | float | np.number) and 0 < value < math.inf)
-    )
-
-
-def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
-    """Refuse numbers that a study of this periodic surface would refuse, in its words."""
-    keys = ("preload", "hardness", "window", "count")
-    section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
-    shortest_range = min(ranges, default=math.nan)
-    _refuse_non_positive(radius=contact.radius, **section, ranges=shortest_range)
-    if contact.count != int(contact.count):
-        raise ValueError(f"count: expected a whole number, found {contact.count:g}")
-    # Of the scan, which mirroring doubled.
-    pixels, size = surface.pixels // 2, surface.size / 2
-    grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
-    config = {
-        "published": NONE,
-        "sphere": {"radius": contact.radius},
-        "contact": section,
-        "adhesion": {"ranges": [shortest_range]},
-        "scales": {"range": math.inf},  # the ranges are those above
-    }
-    for holds, key, accepted, value in scan_limits(config, "the map", grid):
-        if not holds:
-            raise ValueError(f"{key.split('.')[-1]}: expected {accepted}, found {value}")

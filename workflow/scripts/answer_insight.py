@@ -10,7 +10,7 @@ from hardcontact.paper.verdicts import read_verdicts
 from hardcontact.report.captions import caption
 from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe
 from hardcontact.report.insight import insight_page
-from hardcontact.theory.prediction import validated_errors
+from hardcontact.theory.prediction_errors import validated_errors
 
 with job(snakemake) as job:
     figures = {}

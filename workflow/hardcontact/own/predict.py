@@ -25,12 +25,8 @@ from hardcontact.own.request import (
     parse_quantities,
     questioned_quantities,
 )
-from hardcontact.theory.prediction import (
-    MAX_NEGLIGIBLE_CHANGE,
-    prediction,
-    tabor,
-    wide_contact_message,
-)
+from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
+from hardcontact.theory.prediction import prediction
 
 DESCRIPTION = """\
 Predict the pull-off force of a smooth sphere from the power spectral density of a

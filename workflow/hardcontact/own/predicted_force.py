@@ -32,7 +32,7 @@ from hardcontact.own.scan_parts import (
 )
 from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.theory.edge_scaling import regime_coordinates
-from hardcontact.theory.prediction import tabor
+from hardcontact.theory.hard_contact import tabor
 from hardcontact.theory.pull_off_statistics import force_scatter
 from hardcontact.theory.summits import draw_size
 

@@ -92,10 +92,8 @@ def fit(
 
     Parameters
     ----------
-    mean_forces : numpy.ndarray
-        Computed forces (..., surface, rho) in N at 1 J/m².
-    published : numpy.ndarray
-        Measured forces (surface,) in N.
+    mean_forces, published : numpy.ndarray
+        As for `fit_work`.
 
     Returns
     -------

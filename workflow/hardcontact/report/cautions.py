@@ -18,7 +18,7 @@ from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import bounds_only, number_of
 from hardcontact.surfaces.contradictions import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
-from hardcontact.theory.prediction import HARD
+from hardcontact.theory.hard_contact import HARD
 
 Caution = Mapping[str, Any]
 

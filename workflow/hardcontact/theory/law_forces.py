@@ -83,12 +83,8 @@ def filtered_range_forces(
         Periodic surface.
     filters : Filters
         The cutoffs of one side.
-    contact : Contact
-        The sphere, its load and the contacts.
-    reach : float
-        Edge in nm of the window that attracts, as for `range_forces`.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
+    contact, reach, ranges : Contact, float, sequence of float
+        As for `scan_range_forces`.
 
     Returns
     -------

@@ -6,24 +6,14 @@ of these surfaces counts that was held out while the closed form was developed.
 
 import math
 from collections.abc import Iterator, Mapping
-from functools import cache
-from itertools import product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 
-from hardcontact.base.code import LIBRARY
 from hardcontact.base.number import Number
-from hardcontact.base.printing import print_length, print_quantity
+from hardcontact.base.printing import print_length
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import (
-    maugis_parameter,
-    tabor_parameter,
-    transition_coefficient,
-)
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
 from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
@@ -32,182 +22,38 @@ from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
     all_scales_moments,
-    roll_off,
 )
 from hardcontact.theory.closed_form import (
     ClosedForm,
     closed_form,
-    contact_share,
     edges,
     smooth_force,
 )
+from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, UNKNOWN
+from hardcontact.theory.prediction_errors import (
+    FOUND,
+    INSIDE,
+    NONE,
+    OUTSIDE,
+    VALIDATED_QUANTITIES,
+    is_validated,
+    nearest_errors,
+    table_coordinates,
+    validated_ranges,
+)
 from hardcontact.theory.pull_off_statistics import force_statistics
 
-#: Designed surfaces with computed and predicted numbers; its README describes the columns.
-VALIDATION = LIBRARY.parents[1] / "resources/validation/prediction.csv"
-#: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
-#: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
-NEAREST_SURFACES = 19
-#: A smaller modulus counts as this one. It is 0 where the sphere goes below the mean plane.
-MIN_MODULUS = 1e-3
-#: Predicted and computed quantities: columns of the table.
-VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
-#: Parameters on which an error depends, with their units. An input must lie within their ranges in
-#: the table.
-VALIDATED_PARAMETERS = {
-    "rho": "nm",
-    "radius": "nm",
-    "modulus": "1",
-    "contact_over_rolloff": "1",
-    "mean_hurst": "1",
-    "bend": "1",
-}
-#: Points of a spectrum to which a Hurst exponent and its change are fitted.
-FITTED_POINTS = 40
 #: Smallest accepted rms height in nm: a tenth of an atom.
 MIN_RMS_HEIGHT = 0.01
-#: Largest relative change of the force, by missing waves or by elasticity, that is negligible.
-MAX_NEGLIGIBLE_CHANGE = 0.1
 #: Largest ratio of neighbouring wavelengths: the spectrum may bend unnoticed in a wider gap.
 MAX_WAVELENGTH_RATIO = 4.0
 #: Largest skewness of heights that count as Gaussian. Of 240 self-affine maps, with roll-offs of up
 #: to four times their size, none had 0.7. On bumps with a skewness of 1 the closed form was 7 to 15
 #: times too high, on pores with -3 it was 3 times too low.
 MAX_SKEWNESS = 1.0
-#: Statuses: inside or outside the validated ranges; whether missing waves matter; whether an edge
-#: exists; whether the bodies are practically rigid.
-INSIDE, OUTSIDE = "inside", "outside"
-MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
-FOUND, NONE = "found", "none"
+MATTERS, NEGLIGIBLE = "matters", "negligible"
 #: Of a force that is withheld: heights with steep edges are not Gaussian.
 STEEP_EDGES = "steep_edges"
-HARD, SOFT = "hard", "soft"
-
-
-@cache
-def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
-    """Return the surfaces of the table that were held out, with their errors.
-
-    Parameters
-    ----------
-    path : str or Path
-        The table, resources/validation/prediction.csv by default.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
-        computed value relative to the predicted value, NaN if an edge is open or not predicted.
-    """
-    table = pd.read_csv(path)
-    held_out = table[table["held_back"] == 1].copy()
-    for name in VALIDATED_QUANTITIES:
-        error = held_out[name] / held_out[f"predicted_{name}"]
-        if f"{name}_is" in held_out:
-            error = error.where(held_out[f"{name}_is"] == FOUND)
-        held_out[f"{name}_error"] = error
-    return held_out
-
-
-def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, int]]:
-    """Return the errors of the closed form by quantity and regime.
-
-    Parameters
-    ----------
-    path : str or Path
-        The table, as for `validation`.
-
-    Returns
-    -------
-    dict of tuple to tuple
-        By name (VALIDATED_QUANTITIES) and regime: the computed value relative to the predicted
-        value, and the number of surfaces. The value is the median over these surfaces; nine tenths
-        of them lie within its interval.
-    """
-    errors_by_regime = {}
-    for name, (regime, table) in product(VALIDATED_QUANTITIES, validation(path).groupby("regime")):
-        ratios = table[f"{name}_error"].dropna()
-        low, median, high = ratios.quantile([0.05, 0.5, 0.95])
-        errors_by_regime[name, str(regime)] = Number(name, median, "1", low, high), len(ratios)
-    return errors_by_regime
-
-
-def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
-    """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
-
-    Parameters
-    ----------
-    waves : Spectrum
-        Trimmed by `trim_spectrum`.
-    contact : Contact
-        The sphere, the attraction and the area in contact.
-    form : ClosedForm
-        The closed form of both.
-
-    Returns
-    -------
-    dict
-        ``modulus``, k = rho m/sigma², the inverse of the freezing, infinite without roughness;
-        ``contact_over_rolloff``, ``mean_hurst``, ``bend`` and ``regime``.
-    """
-    mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
-    return {
-        "modulus": 1 / form.freezing if form.freezing else math.inf,
-        "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
-        "mean_hurst": mean_hurst,
-        "bend": bend,
-        "regime": form.regime,
-    }
-
-
-def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float]:
-    """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
-
-    A parabola is fitted to log C_iso against log q. The fit begins at the roll-off and ends at the
-    length of the contact (nm), or at the shortest wave if that is longer. Both numbers are NaN if
-    the roll-off is shorter than the length of the contact.
-    """
-    lowest, highest = 2 * np.pi / roll_off(waves), waves.wavevector[-1]
-    decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
-    if decades <= 0:
-        return math.nan, math.nan
-    log_wavevectors = np.linspace(-decades / 2, decades / 2, FITTED_POINTS)
-    density = waves(np.minimum(lowest * 10 ** (log_wavevectors + decades / 2), highest))
-    curvature, slope, _ = np.polyfit(log_wavevectors, np.log10(density), 2)
-    return float(-1 - slope / 2), float(-curvature)
-
-
-def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the smallest and the largest error among the nearest surfaces of the table.
-
-    Distances are those between the logarithms of modulus and contact_over_rolloff. A surface of
-    another regime is farther by one. A point outside the table is moved to its border.
-
-    Parameters
-    ----------
-    point : mapping
-        `table_coordinates` of an input.
-    name : str
-        One of VALIDATED_QUANTITIES.
-
-    Returns
-    -------
-    tuple of float
-        Computed value relative to the predicted value, smallest and largest.
-    """
-    surfaces = validation().dropna(subset=f"{name}_error")
-    axes = ["modulus", "contact_over_rolloff"]
-    rows = surfaces[axes].to_numpy()
-    nearest_inside = np.clip([point[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
-    log_distances = np.log(np.maximum(rows, MIN_MODULUS) / np.maximum(nearest_inside, MIN_MODULUS))
-    distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
-    errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
-    return float(errors.min()), float(errors.max())
-
-
-def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
-    """Return whether the table covers a contact, so that the error of its closed form is known."""
-    return all(number.status == INSIDE for number in _validated_ranges(waves, contact, form))
 
 
 def prediction(
@@ -282,7 +128,7 @@ def prediction(
     *extrapolated, change = _extrapolated_numbers(
         spectrum, joined, contact, form.force, tolerance, enough_waves
     )
-    checks += [change, *_validated_ranges(waves, contact, form)]
+    checks += [change, *validated_ranges(waves, contact, form)]
     validated = all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
     point = table_coordinates(waves, contact, form)
     ends = zip(VALIDATED_QUANTITIES[1:], edges(waves, contact, tolerance), strict=True)
@@ -351,46 +197,6 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
             "right?"
         )
     return rough
-
-
-def tabor(contact: Contact, modulus: float) -> Number:
-    """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
-
-    Parameters
-    ----------
-    contact : Contact
-        The sphere and the attraction.
-    modulus : float
-        Effective modulus in Pa, NaN if it is not known.
-
-    Returns
-    -------
-    Number
-        The status is UNKNOWN without a modulus. It is SOFT if elasticity reduces the force of a
-        smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
-    """
-    if math.isnan(modulus):
-        return Number("tabor_parameter", modulus, status=UNKNOWN)
-    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.range))
-    softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
-    return Number(
-        "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
-    )
-
-
-def wide_contact_message(contact: Contact) -> str:
-    """Return a message if the contact area alone attracts as strongly as a smooth sphere.
-
-    The message is empty otherwise. It names the largest preload (N) that is valid.
-    """
-    share = contact_share(contact)
-    if share < 1:
-        return ""
-    return (
-        f"preload: expected less than {print_quantity(contact.preload / share, 'N')} at this "
-        f"hardness, radius and range, found {print_quantity(contact.preload, 'N')}: the contact "
-        "alone would stick like a smooth sphere"
-    )
 
 
 def _validated_interval(
@@ -480,16 +286,3 @@ def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Numb
         change = abs(closed_form(shorter_waves, contact).force / form.force - 1)
         status = MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE
     return Number("longest_octave_change", change, status=status)
-
-
-def _validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
-    """Yield the parameters on which an error depends, with their ranges in the table."""
-    values = {
-        "rho": contact.range,
-        "radius": contact.radius,
-        **table_coordinates(waves, contact, form),
-    }
-    for name, unit in VALIDATED_PARAMETERS.items():
-        lowest, highest = validation()[name].agg(["min", "max"])
-        status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
-        yield Number(f"tried_{name}", values[name], unit, lowest, highest, status)

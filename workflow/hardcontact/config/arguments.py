@@ -1,0 +1,110 @@
+"""Checks of the arguments of the Python functions, in the words of the study."""
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hardcontact.config.faults import refuse_lines, shorten
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import scan_limits
+from hardcontact.config.model import NONE
+from hardcontact.contact.contact import Contact
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import metrics as metrics
+from hardcontact.surfaces.spectrum import measured_psds as measured_psds
+from hardcontact.surfaces.synthesis import SIDES
+
+
+def refuse_reading(files: Sequence[object], **texts: object) -> None:
+    """Refuse files that are not paths, and arguments that are not text, by their names."""
+    refuse_lines(
+        [
+            f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
+            for file in files
+            if not isinstance(file, str | Path)
+        ]
+        + [
+            f"{name}: expected a text, found {shorten(text)}"
+            for name, text in texts.items()
+            if not isinstance(text, str)
+        ]
+    )
+
+
+def refuse_lengths(**lengths: object) -> None:
+    """Refuse lengths (nm) that are not None and not positive numbers, by their names."""
+    refuse_non_positive(**{name: value for name, value in lengths.items() if value is not None})
+
+
+def refuse_non_numbers(name: str, numbers: object) -> None:
+    """Refuse an argument that is not a sequence of positive numbers."""
+    if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
+        raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
+    for number in numbers:
+        refuse_non_positive(**{name: number})
+
+
+def refuse_non_positive(**numbers: object) -> None:
+    """Refuse numbers that are not positive and finite, by their names."""
+    refuse_lines(
+        f"{name}: expected a positive number, found {value!r}"
+        for name, value in numbers.items()
+        if not (isinstance(value, int | float | np.number) and 0 < value < math.inf)
+    )
+
+
+def refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
+    """Refuse numbers that a study of this periodic surface would refuse, in its words."""
+    keys = ("preload", "hardness", "window", "count")
+    section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
+    shortest_range = min(ranges, default=math.nan)
+    refuse_non_positive(radius=contact.radius, **section, ranges=shortest_range)
+    if contact.count != int(contact.count):
+        raise ValueError(f"count: expected a whole number, found {contact.count:g}")
+    # Of the scan, which mirroring doubled.
+    pixels, size = surface.pixels // 2, surface.size / 2
+    grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
+    config = {
+        "published": NONE,
+        "sphere": {"radius": contact.radius},
+        "contact": section,
+        "adhesion": {"ranges": [shortest_range]},
+        "scales": {"range": math.inf},  # the ranges are those above
+    }
+    for holds, key, accepted, value in scan_limits(config, "the map", grid):
+        if not holds:
+            raise ValueError(f"{key.split('.')[-1]}: expected {accepted}, found {value}")
+
+
+def refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
+    """Refuse cutoffs at which a periodic surface has no waves."""
+    if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
+        raise ValueError(
+            f"cutoffs: expected those of small, large or both, found {shorten(cutoffs)}"
+        )
+    for side_cutoffs in cutoffs.values():
+        refuse_non_numbers("cutoffs", side_cutoffs)
+    shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
+    refuse_lines(
+        f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "
+        f"the {longest:.6g} nm of the stitched scan on the {side} side, found {[*side_cutoffs]}"
+        for side, side_cutoffs in cutoffs.items()
+        if not len(side_cutoffs) or not shortest < min(side_cutoffs) <= max(side_cutoffs) <= longest
+    )
+
+
+def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
+    """Return a periodic map, or the mirror-stitched map of another map; refuse other objects."""
+    if not isinstance(surface, HeightMap):
+        raise ValueError(
+            f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
+            f"in nm, found {type(surface).__name__}"
+        )
+    heights = surface.heights
+    if heights.ndim != 2 or len(set(heights.shape)) > 1 or not np.isfinite(heights).all():
+        shape = " x ".join(map(str, heights.shape))
+        raise ValueError(f"{name}: expected a square map of finite heights, found {shape} pixels")
+    return surface if surface.periodic else mirror_stitch(surface)

@@ -1,0 +1,190 @@
+"""The errors of the closed form, from designed surfaces with computed forces and edges.
+
+Only the half of these surfaces counts that was held out while the closed form was developed.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import cache
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from hardcontact.base.code import LIBRARY
+from hardcontact.base.number import Number
+from hardcontact.contact.contact import Contact
+from hardcontact.surfaces.spectrum import (
+    Spectrum,
+    roll_off,
+)
+from hardcontact.theory.closed_form import (
+    ClosedForm,
+)
+
+#: Designed surfaces with computed and predicted numbers; its README describes the columns.
+VALIDATION = LIBRARY.parents[1] / "resources/validation/prediction.csv"
+#: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
+#: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
+NEAREST_SURFACES = 19
+#: A smaller modulus counts as this one. It is 0 where the sphere goes below the mean plane.
+MIN_MODULUS = 1e-3
+#: Predicted and computed quantities: columns of the table.
+VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
+#: Parameters on which an error depends, with their units. An input must lie within their ranges in
+#: the table.
+VALIDATED_PARAMETERS = {
+    "rho": "nm",
+    "radius": "nm",
+    "modulus": "1",
+    "contact_over_rolloff": "1",
+    "mean_hurst": "1",
+    "bend": "1",
+}
+#: Points of a spectrum to which a Hurst exponent and its change are fitted.
+FITTED_POINTS = 40
+#: Statuses: inside or outside the validated ranges; whether missing waves matter; whether an edge
+#: exists; whether the bodies are practically rigid.
+INSIDE, OUTSIDE = "inside", "outside"
+FOUND, NONE = "found", "none"
+
+
+@cache
+def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
+    """Return the surfaces of the table that were held out, with their errors.
+
+    Parameters
+    ----------
+    path : str or Path
+        The table, resources/validation/prediction.csv by default.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
+        computed value relative to the predicted value, NaN if an edge is open or not predicted.
+    """
+    table = pd.read_csv(path)
+    held_out = table[table["held_back"] == 1].copy()
+    for name in VALIDATED_QUANTITIES:
+        error = held_out[name] / held_out[f"predicted_{name}"]
+        if f"{name}_is" in held_out:
+            error = error.where(held_out[f"{name}_is"] == FOUND)
+        held_out[f"{name}_error"] = error
+    return held_out
+
+
+def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, int]]:
+    """Return the errors of the closed form by quantity and regime.
+
+    Parameters
+    ----------
+    path : str or Path
+        The table, as for `validation`.
+
+    Returns
+    -------
+    dict of tuple to tuple
+        By name (VALIDATED_QUANTITIES) and regime: the computed value relative to the predicted
+        value, and the number of surfaces. The value is the median over these surfaces; nine tenths
+        of them lie within its interval.
+    """
+    errors_by_regime = {}
+    for name, (regime, table) in product(VALIDATED_QUANTITIES, validation(path).groupby("regime")):
+        ratios = table[f"{name}_error"].dropna()
+        low, median, high = ratios.quantile([0.05, 0.5, 0.95])
+        errors_by_regime[name, str(regime)] = Number(name, median, "1", low, high), len(ratios)
+    return errors_by_regime
+
+
+def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
+    """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
+
+    Parameters
+    ----------
+    waves : Spectrum
+        Trimmed by `trim_spectrum`.
+    contact : Contact
+        The sphere, the attraction and the area in contact.
+    form : ClosedForm
+        The closed form of both.
+
+    Returns
+    -------
+    dict
+        ``modulus``, k = rho m/sigma², the inverse of the freezing, infinite without roughness;
+        ``contact_over_rolloff``, ``mean_hurst``, ``bend`` and ``regime``.
+    """
+    mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
+    return {
+        "modulus": 1 / form.freezing if form.freezing else math.inf,
+        "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
+        "mean_hurst": mean_hurst,
+        "bend": bend,
+        "regime": form.regime,
+    }
+
+
+def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float]:
+    """Return the mean Hurst exponent of a spectrum, and its change per decade of wavevector.
+
+    A parabola is fitted to log C_iso against log q. The fit begins at the roll-off and ends at the
+    length of the contact (nm), or at the shortest wave if that is longer. Both numbers are NaN if
+    the roll-off is shorter than the length of the contact.
+    """
+    lowest, highest = 2 * np.pi / roll_off(waves), waves.wavevector[-1]
+    decades = math.log10(min(highest, 2 * np.pi / contact_length) / lowest)
+    if decades <= 0:
+        return math.nan, math.nan
+    log_wavevectors = np.linspace(-decades / 2, decades / 2, FITTED_POINTS)
+    density = waves(np.minimum(lowest * 10 ** (log_wavevectors + decades / 2), highest))
+    curvature, slope, _ = np.polyfit(log_wavevectors, np.log10(density), 2)
+    return float(-1 - slope / 2), float(-curvature)
+
+
+def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
+    """Return the smallest and the largest error among the nearest surfaces of the table.
+
+    Distances are those between the logarithms of modulus and contact_over_rolloff. A surface of
+    another regime is farther by one. A point outside the table is moved to its border.
+
+    Parameters
+    ----------
+    point : mapping
+        `table_coordinates` of an input.
+    name : str
+        One of VALIDATED_QUANTITIES.
+
+    Returns
+    -------
+    tuple of float
+        Computed value relative to the predicted value, smallest and largest.
+    """
+    surfaces = validation().dropna(subset=f"{name}_error")
+    axes = ["modulus", "contact_over_rolloff"]
+    rows = surfaces[axes].to_numpy()
+    nearest_inside = np.clip([point[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
+    log_distances = np.log(np.maximum(rows, MIN_MODULUS) / np.maximum(nearest_inside, MIN_MODULUS))
+    distance = np.hypot(*log_distances.T) + (surfaces["regime"] != point["regime"]).to_numpy()
+    errors = surfaces[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST_SURFACES]]
+    return float(errors.min()), float(errors.max())
+
+
+def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
+    """Return whether the table covers a contact, so that the error of its closed form is known."""
+    return all(number.status == INSIDE for number in validated_ranges(waves, contact, form))
+
+
+def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
+    """Yield the parameters on which an error depends, with their ranges in the table."""
+    values = {
+        "rho": contact.range,
+        "radius": contact.radius,
+        **table_coordinates(waves, contact, form),
+    }
+    for name, unit in VALIDATED_PARAMETERS.items():
+        lowest, highest = validation()[name].agg(["min", "max"])
+        status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
+        yield Number(f"tried_{name}", values[name], unit, lowest, highest, status)
