@@ -160,7 +160,10 @@ def _limits_of_gaps(windows: _Windows, contact_pixels: int) -> Floats:
     # The N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
     contacts, tiles = windows.bounds.shape
     count = min(-(-contact_pixels // TILE**2), tiles)
-    best = np.argpartition(windows.bounds, count - 1, axis=1)[:, :count]
+    if count == 1:
+        best = windows.bounds.argmin(axis=1)[:, None]
+    else:
+        best = np.argpartition(windows.bounds, count - 1, axis=1)[:, :count]
     gaps, _, _ = windows.gaps(np.repeat(np.arange(contacts), count), best.ravel())
     gaps = gaps.reshape(contacts, -1)
     if gaps.shape[1] < contact_pixels:
