@@ -21,3 +21,12 @@ def test_the_cluster_profile_names_rules_there_are_and_the_resources_of_all_othe
     assert (profile["groups"].keys() | profile["set-resources"].keys()) - rules == set()
     assert profile["default-resources"].keys() == {"mem_mb", "runtime"}
     assert set(profile["groups"].values()) == profile["group-components"].keys()
+
+
+def test_the_cluster_profile_groups_the_rules_that_end_soon(repository):
+    """Rules of one short job, such as a figure, share SLURM jobs."""
+    rules = {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
+    short_rules = {rule for rule in rules if re.match("aggregate|answer|compare|draw|judge", rule)}
+    short_rules.remove("answer")  # a target
+    profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
+    assert short_rules - profile["groups"].keys() == set()
