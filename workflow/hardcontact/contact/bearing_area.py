@@ -17,7 +17,8 @@ from hardcontact.surfaces.height_map import HeightMap
 Floats = NDArray[np.float64]
 
 #: Pixels along an edge of a tile, and tiles that are read at once.
-TILE, BATCH = 64, 64
+TILE = 64
+BATCH = 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,14 +39,16 @@ class Tiles:
         """
         count = self.maxima.shape[0]
         start = positions - window // 2
-        first, last = (
-            pixel // self.pixels * count + pixel % self.pixels // TILE
-            for pixel in (start, start + window - 1)
-        )
+        first = self._tile_number(start)
+        last = self._tile_number(start + window - 1)
         tile = first[..., None] + np.arange((last - first).max() + 1)
         index = tile % count
         offset = tile // count * self.pixels + index * TILE - positions[..., None]
         return offset, index, tile <= last[..., None]
+
+    def _tile_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
+        """Return the number of the tile of a pixel along one axis, counted on over periods."""
+        return np.asarray(pixel // self.pixels * len(self.maxima) + pixel % self.pixels // TILE)
 
     def upper_bound(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
         """Return an upper bound of the map on TILE x TILE pixels from offsets, which broadcast.
@@ -64,7 +67,8 @@ class Tiles:
 
 def as_tiles(surface: HeightMap) -> Tiles:
     """Cut a square periodic map into tiles."""
-    heights, count = surface.heights, -(-surface.pixels // TILE)
+    heights = surface.heights
+    count = -(-surface.pixels // TILE)
     extra = count * TILE - surface.pixels
     if extra:
         heights = np.pad(heights, ((0, extra), (0, extra)), constant_values=-np.inf)
@@ -95,7 +99,9 @@ class _Windows:
         geometry: ContactGeometry,
         positions: NDArray[np.int_],
     ) -> None:
-        self.substrate, self.roughness, self.geometry = substrate, roughness, geometry
+        self.substrate = substrate
+        self.roughness = roughness
+        self.geometry = geometry
         #: (contact, axis, tiles along the axis)
         self.offset, self.index, meets = substrate.in_window(positions, geometry.window)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
@@ -117,16 +123,17 @@ class _Windows:
         row, column = np.divmod(tile, self.offset.shape[-1])
         y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
         x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
-        sphere_y, sphere_x = (
-            np.where(self.geometry.inside(offset), self.geometry.paraboloid(offset), np.inf)
-            for offset in (y, x)
-        )
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
-        gaps: Floats = sphere_y[:, :, None] + sphere_x[:, None, :]
+        gaps: Floats = self._sphere_in_window(y)[:, :, None] + self._sphere_in_window(x)[:, None, :]
         gaps -= self.substrate.blocks[tile_y, :, tile_x, :]
         if self.roughness is not None:
             gaps -= self.roughness.heights_at(y[:, :, None], x[:, None, :])
         return gaps, y, x
+
+    def _sphere_in_window(self, offset: NDArray[np.int_]) -> Floats:
+        """Return the height (nm) of the sphere along one axis, infinite outside the window."""
+        geometry = self.geometry
+        return np.where(geometry.inside(offset), geometry.paraboloid(offset), np.inf)
 
 
 def lowest_gaps(
@@ -201,7 +208,8 @@ def all_lowest_gaps(bodies: Bodies, contact_pixels: int) -> dict[tuple[int, int]
     """Return `lowest_gaps` of every contact, by its place (i, j) in the array."""
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
-    geometry, positions = bodies.geometry, bodies.geometry.positions
+    geometry = bodies.geometry
+    positions = bodies.geometry.positions
     rows = (np.column_stack([np.full_like(positions, y), positions]) for y in positions)
     return {
         (i, j): contact

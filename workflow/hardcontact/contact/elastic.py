@@ -165,7 +165,8 @@ def elastic_contacts_of_pair(
     in a window (edge in nm) about the lowest gap of the contact. The dataset has UNITS by contact,
     and of the first the pressure (y, x) about its peak.
     """
-    geometry, pixel_size = bodies.geometry, bodies.geometry.pixel_size
+    geometry = bodies.geometry
+    pixel_size = bodies.geometry.pixel_size
     period = min(bodies.substrate.pixels, geometry.window)
     window = min(max(window_pixels(pull_off_window, pixel_size), LEAST_WINDOW_PIXELS), period)
     numbers: list[tuple[float, ...]] = []

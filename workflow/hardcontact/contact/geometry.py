@@ -95,7 +95,8 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
     roughness = None
     if sphere is not None:
         fine = min(substrate.pixel_size, sphere.pixel_size)
-        substrate, rough = (_on_pixels(surface, fine) for surface in (substrate, sphere))
+        substrate = _on_pixels(substrate, fine)
+        rough = _on_pixels(sphere, fine)
         # The origin of a stitched map is a corner of the scan, the apex in the middle of it.
         middle = rough.pixels // 4
         heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
@@ -138,8 +139,10 @@ def gap_map(bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_]) -> Floa
 
     The apex stands at the pixel (window/2, window/2).
     """
-    geometry, offset = bodies.geometry, bodies.geometry.offsets()
-    rows, columns = ((geometry.positions[i] + offset) % bodies.substrate.pixels for i in contact)
+    geometry = bodies.geometry
+    offset = geometry.offsets()
+    apex = geometry.positions[list(contact)]
+    rows, columns = (apex[:, None] + offset) % bodies.substrate.pixels
     gap = bodies.sphere(offset, offset)
     gap -= bodies.substrate.heights[np.ix_(rows, columns)]
     return gap
@@ -158,8 +161,5 @@ def flattened_gaps(gap: Floats, contact_pixels: int) -> Floats:
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:
     """Return the part (pixels, pixels) of a gap map (n, n) about its lowest point."""
     lowest = np.unravel_index(gap.argmin(), gap.shape)
-    rows, columns = (
-        slice(first, first + pixels)
-        for first in np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
-    )
-    return gap[rows, columns]
+    row, column = np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
+    return gap[row : row + pixels, column : column + pixels]

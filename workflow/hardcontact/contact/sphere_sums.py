@@ -32,7 +32,8 @@ class ContactPixels:
     """
 
     def __init__(self, bodies: Bodies, contacts: Contacts) -> None:
-        pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
+        pixels = bodies.substrate.pixels
+        positions = bodies.geometry.positions
         touching = {
             contact: np.ravel_multi_index(
                 tuple(((positions[list(contact)] + offsets) % pixels).T), (pixels, pixels)
@@ -70,13 +71,16 @@ class ContactPixels:
 
 def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
     """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
-    pixels, geometry = bodies.substrate.pixels, bodies.geometry
+    pixels = bodies.substrate.pixels
+    geometry = bodies.geometry
     if geometry.window <= pixels:
         return np.empty(0)
     reach = -(-geometry.window // (2 * pixels))
     flat, inverse = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
     periods = pixels * np.arange(-reach, reach)
-    y, x = (index[:, None] + periods for index in np.divmod(flat, pixels))
+    row, column = np.divmod(flat, pixels)
+    y = row[:, None] + periods
+    x = column[:, None] + periods
     in_window = geometry.inside(y)[:, :, None] & geometry.inside(x)[:, None, :]
     own_y, own_x = (offsets // pixels + reach).T
     in_window[inverse, own_y, own_x] = False
@@ -148,7 +152,8 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     d is the separation of closest approach. The contacts are `LowestGaps` by place (i, j) of the
     array.
     """
-    substrate, roughness = bodies.substrate, bodies.roughness
+    substrate = bodies.substrate
+    roughness = bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
     touching = substrate.heights[contact_pixels.row, contact_pixels.column]
     h_max = float(substrate.heights.max())
@@ -171,7 +176,9 @@ def _smooth_sphere_terms(
     bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield, for each range, the sums over all but contact pixels and the factor at these."""
-    pixels, row, column = bodies.substrate.pixels, contact_pixels.row, contact_pixels.column
+    pixels = bodies.substrate.pixels
+    row = contact_pixels.row
+    column = contact_pixels.column
     # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
     totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos)
@@ -188,7 +195,8 @@ def _rough_sphere_terms(
 ) -> Iterator[SphereTerms]:
     """Yield the same of a rough sphere, relative to the highest point t_max of its roughness."""
     assert bodies.roughness is not None
-    pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
+    pixels = bodies.substrate.pixels
+    positions = bodies.geometry.positions
     roughness = bodies.roughness.heights
     #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
     rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
@@ -209,7 +217,8 @@ def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: flo
     """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
     period = len(attraction)
     weights = _folded_by_shift(pixels, period, geometry, rho)
-    kernel, columns = np.zeros((pixels, pixels)), np.arange(pixels)
+    kernel = np.zeros((pixels, pixels))
+    columns = np.arange(pixels)
     for start in range(0, pixels, ROWS):
         rows = columns[start : start + ROWS]
         for (shift_y, weight_y), (shift_x, weight_x) in product(weights.items(), repeat=2):
@@ -236,7 +245,8 @@ def _folded_by_shift(
 def _correlation(attraction: Floats, kernel: Floats, positions: NDArray[np.int_]) -> Floats:
     """Return the sum (contact, contact) of attraction * kernel, shifted to each contact."""
     # Each row of the kernel times one row of the attraction for every contact: matrices again.
-    pixels, step = len(kernel), 4
+    pixels = len(kernel)
+    step = 4
     total = np.zeros((len(positions),) * 2)
     for start in range(0, pixels, step):
         rows = kernel[start : start + step]
