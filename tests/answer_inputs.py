@@ -26,7 +26,7 @@ SIZE = PIXELS * PIXEL_SIZE
 
 #: Scatter of forces over places, and the place of a surface among the regimes.
 SCATTER = {
-    "modulus": 0.5, "spread": 0.4, "contacts_needed": 80.0,
+    "weibull_modulus": 0.5, "log_force_std": 0.4, "contacts_needed": 80.0,
 }  # fmt: skip
 
 
@@ -122,7 +122,7 @@ def _spectra_of(bins, measured):
                                                 power_law(WAVEVECTORS), 0)),
             "psd": (("measurement", "bin_wavevector"), psd),
             "reliable": (("measurement", "bin_wavevector"), reliable),
-            "joined": ("bin_wavevector", joined),
+            "joined_psd": ("bin_wavevector", joined),
             **{name: ("measurement", np.array(values, float)) for name, values in columns.items()},
             **{name: ("measurement", values) for name, values in texts.items()},
             **{name: ("measurement", np.full(len(measured), np.nan)) for name in DEFECT_UNITS},
@@ -163,9 +163,9 @@ def edges(count=1):
     )  # fmt: skip
     return data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
-        edge_at_least=(("surface", "side"), [[0] * 2] * count),
+        edge_bound_is_lower=(("surface", "side"), [[0] * 2] * count),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
-        interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
+        edge_interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
         conditional=("surface", [0] * count),
         interval_source=("surface", ["scans"] * count),
         interval_scans=("surface", [SCANS] * count),
@@ -194,9 +194,9 @@ def unresolved_edges():
     data["edge_interval"] *= np.nan
     return data.assign(
         edge_bound=(("surface", "side"), [[CUTOFFS["small"][-1], CUTOFFS["large"][0]]]),
-        edge_at_least=(("surface", "side"), [[1, 0]]),
+        edge_bound_is_lower=(("surface", "side"), [[1, 0]]),
         edge_status=(("surface", "side"), [["beyond the cutoffs"] * 2]),
-        interval_status=(("surface", "side", "bound"), [[["open"] * 2] * 2]),
+        edge_interval_status=(("surface", "side", "bound"), [[["open"] * 2] * 2]),
     )
 
 
@@ -207,10 +207,10 @@ def open_edges(count=1):
     data["edge"].loc[at] = np.nan
     data["edge_interval"].loc[at] = np.nan
     data["edge_bound"].loc[at] = CUTOFFS["large"][-1]
-    data["edge_at_least"].loc[at] = 1
+    data["edge_bound_is_lower"].loc[at] = 1
     for name, value in {
         "edge_status": "beyond the cell",
-        "interval_status": "open",
+        "edge_interval_status": "open",
     }.items():
         values = data[name].astype(object)
         values.loc[at] = value
@@ -237,7 +237,7 @@ def force(count=1):
     data["interval_source"] = "surface", ["scans"] * count
     data["interval_scans"] = "surface", [SCANS] * count
     data["conditional"] = "surface", [0] * count
-    data = data.merge(continued_force(count))
+    data = data.merge(extrapolated_force(count))
     data["correlation_of_parts"] = "surface", [0.0] * count
     data["draw_size"] = "surface", np.full(count, SIZE / 2)
     data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
@@ -253,18 +253,20 @@ def force(count=1):
     )  # fmt: skip
 
 
-def continued_force(count=1):
+def extrapolated_force(count=1):
     """Return forces with continued roughness, as on the scans."""
     continued = np.tile(0.64e-6 * np.arange(1, count + 1)[:, None], 2)
     axes = ("surface", "side")
     data = xr.Dataset(
-        between_multiples("continued_force", axes, continued, (0.8, 1.25), CONFIDENCE, units="N"),
+        between_multiples(
+            "extrapolated_force", axes, continued, (0.8, 1.25), CONFIDENCE, units="N"
+        ),
         {"surface": SURFACES[:count], "side": SIDES},
     )
     return data.assign(
-        continued_source=(axes, [["scans"] * 2] * count),
-        continued_end=(axes, [[5.0, 2560.0]] * count),
-        continued_differs=(axes, [[0, 0]] * count),
+        extrapolation_source=(axes, [["scans"] * 2] * count),
+        extrapolation_end=(axes, [[5.0, 2560.0]] * count),
+        extrapolation_matters=(axes, [[0, 0]] * count),
         transition=("side", [20.0, 1000.0]),
     )
 
@@ -273,9 +275,9 @@ def continued(data, **factors):
     """Return forces that continued roughness changes by a factor on a side, beyond the interval."""
     changed = data.copy(deep=True)
     for side, factor in factors.items():
-        for name in ("continued_force", "continued_force_interval"):
+        for name in ("extrapolated_force", "extrapolated_force_interval"):
             changed[name].loc[{"side": side}] *= factor
-        changed["continued_differs"].loc[{"side": side}] = 1
+        changed["extrapolation_matters"].loc[{"side": side}] = 1
     return changed
 
 
@@ -314,23 +316,23 @@ def fit(count=1):
             region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
             region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
             region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
-            tests=("surface", [40] * count),
+            test_count=("surface", [40] * count),
             label=("surface", LABELS[:count]),
             interval_source=("surface", ["scans"] * count),
         )
-        .assign(continued_work(count))
+        .assign(extrapolated_work(count))
         .assign_attrs(basis="measured", confidence=CONFIDENCE, range_of_adhesion=RANGE)
     )
 
 
-def continued_work(count):
+def extrapolated_work(count):
     """Return the works of adhesion with continued roughness, half of WORK, on so many surfaces."""
     axes = ("surface", "side")
     work = np.full((count, 2), WORK / 2)
     return between_multiples(
-        "continued_work", axes, work, (0.8, 1.25), CONFIDENCE, units="J m-2"
+        "extrapolated_work", axes, work, (0.8, 1.25), CONFIDENCE, units="J m-2"
     ) | {
-        "continued_differs": (axes, [[0, 0]] * count),
+        "extrapolation_matters": (axes, [[0, 0]] * count),
         "transition": ("side", [20.0, 1000.0]),
         "side": SIDES,
     }

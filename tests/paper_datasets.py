@@ -54,7 +54,7 @@ def topography(pixels: int = 512) -> xr.Dataset:
             "label": ("surface", [*LABELS, "ruby"]),
             "basis": ("surface", ["substitute"] * len(names)),
             "scan_size": ("surface", [2500.0] * len(names)),
-            "calibrated_to_table1": ("surface", [constructed] * len(SUBSTRATES) + [""]),
+            "table1_rows_met": ("surface", [constructed] * len(SUBSTRATES) + [""]),
             "example_heights": (("surface", "row"), np.zeros((len(names), pixels))),
         },
         {"surface": names},
@@ -74,8 +74,8 @@ def band() -> xr.Dataset:
     return xr.Dataset(
         {
             "scale_change": change.expand_dims(group=groups),
-            "critical_wavelength": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
-            "critical_wavelength_interval": (
+            "edge": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
+            "edge_interval": (
                 ("side", "group", "bound"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
             ),
         },
@@ -96,7 +96,7 @@ def sets() -> xr.Dataset:
             "range_of_adhesion": (fits, ranges),
             "work_of_adhesion": (fits, 0.12 / ranges),
             "scale_change": band()["scale_change"].isel(cutoff_wavelength=slice(1, -1)),
-            "critical_wavelength": edges * band()["critical_wavelength"],
+            "edge": edges * band()["edge"],
         },
         {"contact_model": ["rigid", "plastic"]},
         {"confidence": 0.9},
@@ -113,11 +113,11 @@ def scan_size() -> xr.Dataset:
     """Return forces on mirrored windows of three sizes and, the last two, on whole surfaces."""
     ratio = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20
     forces = between_multiples(
-        "force_over_largest", ("surface", "edge_size"), ratio, (0.8, 1.2), 0.9, units="1"
+        "force_over_largest", ("surface", "map_size"), ratio, (0.8, 1.2), 0.9, units="1"
     )
     return xr.Dataset(
-        forces | {"mirrored": ("edge_size", [1, 1, 1, 0, 0])},
-        {"surface": SUBSTRATES, "edge_size": [1250.0, 2500.0, 5000.0, 20e3, 40e3]},
+        forces | {"mirrored": ("map_size", [1, 1, 1, 0, 0])},
+        {"surface": SUBSTRATES, "map_size": [1250.0, 2500.0, 5000.0, 20e3, 40e3]},
         {"scan_size": 2500.0},
     )
 
@@ -140,7 +140,7 @@ def leave_one_out() -> xr.Dataset:
 def protruded() -> xr.Dataset:
     """Return fits of sets with two protruded surfaces, of which one has the published forces."""
     scatter = np.random.default_rng(3).lognormal(0, 0.2, (2, SETS))
-    axes = ("variant", "set")
+    axes = ("draw", "set")
     return xr.Dataset(
         {
             "range_of_adhesion": (axes, 5.0 * scatter),

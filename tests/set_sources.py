@@ -66,7 +66,7 @@ def make_topography(measured=()):
     stacked = xr.concat(parts, pd.Index(SURFACES, name="surface"))
     stacked = stacked.assign_coords(scan=range(1, SCANS + 1))
     basis = ["measured" if name in measured else "substitute" for name in SURFACES]
-    named = {"label": SURFACES, "basis": basis, "calibrated_to_table1": [""] * len(SURFACES)}
+    named = {"label": SURFACES, "basis": basis, "table1_rows_met": [""] * len(SURFACES)}
     names = json.dumps(table1_variables("gradient", "half_laplacian"))
     return (
         xr.merge([stacked, scan_averages(stacked, CONFIDENCE)])

@@ -154,7 +154,7 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
     )
     expected = 2 * np.pi * SPHERE["radius"] * 1e-9 * 0.05
     assert forces.pull_off_force.sel(contact_model="rigid").item() == pytest.approx(expected)
-    assert forces.window_change.item() < 1e-9
+    assert forces.wider_window_change.item() < 1e-9
 
 
 def test_ratios_are_those_of_the_waves_that_are_left():
@@ -180,7 +180,7 @@ def test_ratios_are_those_of_the_waves_that_are_left():
     assert 30 < edge.edge < 200 and edge.edge_status == "found"
     # At least as much of the force as the tolerance asks for: the edge is open.
     open_edge = hc.force_ratios(two_waves, {"small": [30, 60]}, rho=5.6, **sphere).sel(side="small")
-    assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60 and open_edge.edge_at_least
+    assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60 and open_edge.edge_bound_is_lower
 
 
 def test_the_prediction_is_that_of_the_command(files):
@@ -264,7 +264,7 @@ def test_a_scan_is_predicted_as_its_file(files):
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
     numbers = hc.predict(hc.read_scan("scan.nc"), **contact)
     numbers_written = json.loads(predict(predict_arguments(["scan.nc", "--json", "-"])))
-    for name in ("pull_off_force", "continued_force", "short_edge"):
+    for name in ("pull_off_force", "extrapolated_force", "short_edge"):
         assert numbers[name].value == pytest.approx(numbers_written[name]["value"], rel=1e-4)
     y, x = np.indices((128, 128)) % 32 - 15.5
     heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)

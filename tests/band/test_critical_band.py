@@ -50,8 +50,8 @@ def test_each_side_is_read_from_its_unfiltered_end():
     for group, sides in EDGES.items():
         for side, wavelength in sides.items():
             selected = bands.sel(side=side, group=group)
-            assert float(selected.critical_wavelength) == pytest.approx(wavelength)
-            np.testing.assert_allclose(selected.critical_wavelength_interval, wavelength)
+            assert float(selected.edge) == pytest.approx(wavelength)
+            np.testing.assert_allclose(selected.edge_interval, wavelength)
 
 
 def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
@@ -66,9 +66,9 @@ def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
     np.testing.assert_allclose(bands.scale_ratio.sel(surface="b"), decreasing)
     edge_of_b = 10 ** (1 + np.log(0.9) / np.log(0.8))
     np.testing.assert_allclose(
-        bands.critical_wavelength.sel(side="small"), [EDGES["a"]["small"], edge_of_b, 10**1.5]
+        bands.edge.sel(side="small"), [EDGES["a"]["small"], edge_of_b, 10**1.5]
     )
-    assert bands.critical_wavelength_interval.isnull().all()
+    assert bands.edge_interval.isnull().all()
 
 
 FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
@@ -76,9 +76,9 @@ FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
 
 def test_curves_that_never_leave_bound_the_interval_by_the_last_cutoff_of_their_side():
     bands = band.critical_band(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
-    assert bands.critical_wavelength.isnull().all()
-    np.testing.assert_allclose(bands.critical_wavelength_interval.sel(side="small"), 100.0)
-    np.testing.assert_allclose(bands.critical_wavelength_interval.sel(side="large"), 1000.0)
+    assert bands.edge.isnull().all()
+    np.testing.assert_allclose(bands.edge_interval.sel(side="small"), 100.0)
+    np.testing.assert_allclose(bands.edge_interval.sel(side="large"), 1000.0)
 
 
 def test_intervals_are_over_realizations():
@@ -90,8 +90,8 @@ def test_intervals_are_over_realizations():
     np.testing.assert_allclose(
         small.scale_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
     )
-    low, high = bounds(bands.sel(side="small", group="a"), "critical_wavelength")
+    low, high = bounds(bands.sel(side="small", group="a"), "edge")
     # The upper end of the change gives the lower end of the wavelength.
     edge_interval = 10 ** (1 + np.log(1.1) / np.log(ratio_interval.values))
     np.testing.assert_allclose([high, low], edge_interval, rtol=0.3)
-    assert bands.critical_wavelength_interval.attrs["confidence"] == 0.9
+    assert bands.edge_interval.attrs["confidence"] == 0.9

@@ -56,7 +56,7 @@ def test_an_edge_and_its_interval_are_found_between_cutoffs():
     assert small["edge"] == pytest.approx(10**1.5)
     np.testing.assert_allclose(small["edge_interval"], [10, 1000])
     assert small["edge_status"] == "found" and np.isnan(small["edge_bound"])
-    assert small["interval_status"].tolist() == ["found", "found"]
+    assert small["edge_interval_status"].tolist() == ["found", "found"]
     large = edge("large", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
     assert large["edge"] == pytest.approx(10**2.5)
     np.testing.assert_allclose(large["edge_interval"], [10, 1000])
@@ -79,8 +79,8 @@ def test_an_edge_beyond_what_was_computed_is_open(
     result = edge(side, changes, cell=cell)
     assert np.isnan(result["edge"]) and result["edge_bound"] == bound
     assert result["edge_status"] == f"beyond the {status}"
-    assert result["edge_at_least"] == is_lower_bound
-    assert result["interval_status"].tolist() == ["open", "open"]
+    assert result["edge_bound_is_lower"] == is_lower_bound
+    assert result["edge_interval_status"].tolist() == ["open", "open"]
 
 
 def test_an_open_edge_may_have_a_known_end():

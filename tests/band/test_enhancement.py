@@ -25,13 +25,13 @@ def test_every_contact_has_the_edge_of_its_own_forces():
         }
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = bands_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
-    critical = bands["critical_wavelength"].sel(group="a", side="small")
+    critical = bands["edge"].sel(group="a", side="small")
     assert bands["contact_model"].values.tolist() == CONTACTS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(critical.sel(contact_model=model), edge, rtol=1e-9)
     ratio = bands["edge_ratio"].sel(group="a", side="small")
     edge_ratios = [edges[0, 0] / edges[1, 0], edges[0, 0] / edges[0, 1]]
-    np.testing.assert_allclose(ratio.sel(without=["plasticity", "long_range"]), edge_ratios)
+    np.testing.assert_allclose(ratio.sel(removed_cause=["plasticity", "long_range"]), edge_ratios)
 
 
 def test_edges_that_scatter_alike_have_a_ratio_that_is_known():
@@ -44,6 +44,6 @@ def test_edges_that_scatter_alike_have_a_ratio_that_is_known():
         unfiltered_wavelength=(("surface", "side"), [[2.0]])
     )
     bands = bands_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
-    low, high = np.moveaxis(bands["critical_wavelength_interval"].values, -1, 0)
+    low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()
     np.testing.assert_allclose(bands["edge_ratio_interval"], 1)

@@ -73,7 +73,7 @@ def floors(configuration, store):
             varied * (made(sets[side]["pixels"]) + filtered(**sets[side])) for side in sides
         ),
         "synthesize_masters": sides["small"] * made(scales["small"]["pixels"]),
-        "compute_pool": pools * CHUNK * sets["amplitudes"] * of_scans,
+        "compute_pool": pools * CHUNK * sets["rms_heights"] * of_scans,
     }
 
 

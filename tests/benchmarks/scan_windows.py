@@ -100,29 +100,36 @@ def filtered_window_forces(name: str, density: Density, filters: WindowFilters) 
 
     Returns
     -------
-    ``pull_off_force`` (realization, edge_size) in N at 1 J/m² and ``ratio`` (realization,
-    edge_size, cutoff_wavelength), the force without wavelengths above the cutoff relative to that
+    ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``ratio`` (realization,
+    map_size, cutoff_wavelength), the force without wavelengths above the cutoff relative to that
     with all, NaN at cutoffs above the period. Both are means over the windows of a surface.
-    ``period`` (edge_size) is in nm; ``mirrored`` (edge_size) is 1 for windows. Edge sizes are
+    ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map sizes are
     those of the windows, then those of the whole surfaces.
     """
     realizations = range(filters.realizations)
     means = np.array([_realization_forces(name, density, filters, k) for k in realizations])
     windows, whole = filters.windows.sizes, filters.sizes
-    nm, axes = {"units": "nm"}, ("realization", "edge_size")
+    nm, axes = {"units": "nm"}, ("realization", "map_size")
     periods = [*(2 * size for size in windows), *whole]
-    over_all = {"units": "1", "long_name": "force without longer waves over that with all"}
-    of_windows = {"units": "1", "long_name": "1 of mirrored windows, 0 of whole surfaces"}
+    over_all = {
+        "units": "1",
+        "long_name": "force without longer waves, relative to the force with all waves",
+    }
+    of_windows = {"units": "1", "long_name": "1 for mirrored windows, 0 for whole surfaces"}
     removed = nm | {"long_name": "wavelength above which roughness is removed"}
     return xr.Dataset(
         {
             "pull_off_force": (axes, means[..., 0], FORCE),
             "ratio": ((*axes, "cutoff_wavelength"), means[..., 1:], over_all),
-            "period": ("edge_size", periods, nm | {"long_name": "longest wave of the surface"}),
-            "mirrored": ("edge_size", [1] * len(windows) + [0] * len(whole), of_windows),
+            "period": ("map_size", periods, nm | {"long_name": "longest wave of the surface"}),
+            "mirrored": ("map_size", [1] * len(windows) + [0] * len(whole), of_windows),
         },
         {
-            "edge_size": ("edge_size", [*windows, *whole], nm | {"long_name": "edge of the scan"}),
+            "map_size": (
+                "map_size",
+                [*windows, *whole],
+                nm | {"long_name": "size of the mirrored windows, then of the whole surfaces"},
+            ),
             "cutoff_wavelength": ("cutoff_wavelength", filters.cutoffs, removed),
         },
     )

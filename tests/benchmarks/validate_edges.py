@@ -32,7 +32,7 @@ def placed(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
     """Return where a surface lies on the map of the regimes, and its edges by the formulas."""
     found, edges = closed_form(spectrum, contact), formula_edges(spectrum, contact, TOLERANCE)
     return {
-        "over_range": found.rms_height / contact.range,
+        "rms_height_over_range": found.rms_height / contact.range,
         "level": found.closest_approach / found.rms_height,
         "contact_over_rolloff": np.sqrt(contact.area) / roll_off(spectrum),
         "short_edge": edges.short,

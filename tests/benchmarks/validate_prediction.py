@@ -49,7 +49,7 @@ STEEP = "steep"
 STEEP_SEED = 20261125
 STEEP_BOUNDS = {name: ends for name, ends in BOUNDS.items() if name != "kind"} | {
     "hurst": (1.0, 1.9),
-    "change": (-0.7, 0.7),
+    "hurst_change": (-0.7, 0.7),
 }
 #: Surfaces of the first design and of the second.
 FIRST, SECOND = 96, 64
@@ -74,9 +74,9 @@ def drawn(
     """Yield the inputs of the first surfaces of a Sobol sequence (scrambled) within bounds."""
     points = qmc.Sobol(len(bounds), rng=np.random.default_rng(seed)).random_base2(7)[:surfaces]
     for number, point in enumerate(points):
-        row: dict[str, Any] = {"surface": number, "held_back": number // 2 % 2}
+        row: dict[str, Any] = {"surface": number, "held_out": number // 2 % 2}
         for (name, (low, high)), share in zip(bounds.items(), point, strict=True):
-            even = name in ("hurst", "change", "kind")
+            even = name in ("hurst", "hurst_change", "kind")
             row[name] = low + share * (high - low) if even else low * (high / low) ** share
         if "kind" in row:
             row["kind"] = next(kind for kind, end in KINDS.items() if row["kind"] <= end)
@@ -104,7 +104,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
         "pixels": pixels,
         "shortest": 4 * pixel_size,
         "area": contact.pixels(pixel_size) * pixel_size**2,
-        "lacks": "short" if coarse else "long" if small else "nothing",
+        "missing_waves": "short" if coarse else "long" if small else "nothing",
     }
 
 
@@ -120,7 +120,7 @@ def spectrum_of(row: dict[str, Any]) -> Spectrum:
     if row["kind"] == "bent":
         density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst - 0.4, 0.4)
     if row["kind"] == STEEP:
-        density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst, row["change"])
+        density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst, row["hurst_change"])
     density = np.where(2 * np.pi / WAVEVECTORS >= row["shortest"], density, 0.0)
     height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
     return Spectrum(WAVEVECTORS, density * (row["rms_height"] / height) ** 2)
@@ -166,10 +166,10 @@ def edge(
     limits = logarithmic_limits(TOLERANCE)
     one = describe_edge(Curve(side, size, cutoffs[order], curve, limits))
     known = one["edge_status"] == "found"
-    bound = "at least" if one["edge_at_least"] else "at most"
+    bound = "at least" if one["edge_bound_is_lower"] else "at most"
     return {
         f"{name}_edge": one["edge"] if known else one["edge_bound"],
-        f"{name}_edge_is": "found" if known else bound,
+        f"{name}_edge_status": "found" if known else bound,
         f"{name}_edge_low": one["edge_interval"][0],
         f"{name}_edge_high": one["edge_interval"][1],
     }
@@ -186,8 +186,8 @@ def predicted(row: dict[str, Any]) -> dict[str, Any]:
         "predicted_short_edge": short,
         "predicted_long_edge": long,
         **table_coordinates(waves, contact, found),
-        "waves_height": found.rms_height,
-        "approach": found.closest_approach,
+        "unfollowed_rms_height": found.rms_height,
+        "closest_approach": found.closest_approach,
     }
 
 

@@ -196,9 +196,9 @@ def ratio_of_means(
 def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) -> xr.Dataset:
     """Return how much larger the force is on windows than on surfaces of a spectrum.
 
-    ``excess`` (scan_size, rho), with its interval, is a `ratio_of_means`; ``rms_height``,
-    ``roll_off`` and ``radius`` of the sphere are in nm. The name of the spectrum is for its random
-    numbers.
+    ``finite_scan_ratio`` (scan_size, rho), with its interval, is a `ratio_of_means`;
+    ``rms_height``, ``rolloff`` and ``radius`` of the sphere are in nm. The name of the spectrum is
+    for its random numbers.
     """
     windows = replace(trials.windows, contact=replace(trials.windows.contact, radius=radius))
     forces = []
@@ -216,10 +216,10 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
     nm = {"units": "nm"}
     return xr.Dataset(
         {
-            "excess": excess,
-            "excess_interval": interval.assign_attrs(units="1"),
+            "finite_scan_ratio": excess,
+            "finite_scan_ratio_interval": interval.assign_attrs(units="1"),
             "rms_height": ((), all_scales_moments(spectrum)[0], nm),
-            "roll_off": ((), roll_off(spectrum), nm),
+            "rolloff": ((), roll_off(spectrum), nm),
             "radius": ((), radius, nm),
         }
     )
@@ -233,12 +233,11 @@ def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
     tested : `window_excess` over (surface, scan_size, rho)
     known : `window_excess` of random surfaces over (trial, scan_size, rho), to fit the rule to
 
-    Returns
-    -------
-    The tested excess with ``predicted_excess``, over the same dimensions; ``known_excess`` and
-    ``predicted_known_excess`` over those of the known, each predicted by a rule that was fitted
-    without its spectrum; ``strength`` and ``exponent`` (ratio) of the rule; ``error`` (tested,
-    kind) of `correction_errors`; ``size_needed`` (surface, rho) in nm for ALLOWED_EXCESS.
+    Returns ------- The tested excess with ``predicted_finite_scan_ratio``, over the same
+    dimensions; ``trial_finite_scan_ratio`` and ``predicted_trial_finite_scan_ratio`` over those of
+    the known, each predicted by a rule that was fitted without its spectrum; ``rule_factor`` and
+    ``exponent`` (exponent_of) of the rule; ``rms_log_error`` (tested_on, correction) of
+    `correction_errors`; ``size_needed`` (surface, rho) in nm for ALLOWED_EXCESS.
     """
     random_cases, known_excess = _cases(known)
     surface_cases, tested_excess = _cases(tested)
@@ -258,17 +257,17 @@ def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
     surfaces, sizes, ranges = (tested.sizes[name] for name in axes)
     by_trial = predicted_known.reshape(-1, sizes, ranges)
     return tested.assign(
-        predicted_excess=(axes, predicted.reshape(surfaces, sizes, ranges), unitless),
-        known_excess=known["excess"],
-        predicted_known_excess=(("trial", *axes[1:]), by_trial, unitless),
-        strength=((), rule.strength, unitless),
-        exponent=("ratio", rule.exponents, unitless),
-        error=(("tested", "kind"), errors, unitless),
+        predicted_finite_scan_ratio=(axes, predicted.reshape(surfaces, sizes, ranges), unitless),
+        trial_finite_scan_ratio=known["finite_scan_ratio"],
+        predicted_trial_finite_scan_ratio=(("trial", *axes[1:]), by_trial, unitless),
+        rule_factor=((), rule.strength, unitless),
+        exponent=("exponent_of", rule.exponents, unitless),
+        rms_log_error=(("tested_on", "correction"), errors, unitless),
         size_needed=(("surface", "rho"), needed.reshape(surfaces, ranges), {"units": "nm"}),
     ).assign_coords(
-        ratio=RATIOS,
-        tested=["random surfaces", "surfaces"],
-        kind=["corrected", "uncorrected"],
+        exponent_of=RATIOS,
+        tested_on=["random surfaces", "surfaces"],
+        correction=["corrected", "uncorrected"],
         scan_size=tested["scan_size"].assign_attrs(units="nm"),
         rho=tested["rho"].assign_attrs(units="nm"),
     )
@@ -276,8 +275,8 @@ def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
 
 def _cases(excess: xr.Dataset) -> tuple[Case, Floats]:
     """Return the scans of a dataset of `window_excess` and their factors: both flat."""
-    factors = excess["excess"]
-    names = ("scan_size", "rms_height", "roll_off", "radius", "rho")
+    factors = excess["finite_scan_ratio"]
+    names = ("scan_size", "rms_height", "rolloff", "radius", "rho")
     lengths = (excess[name].broadcast_like(factors).transpose(*factors.dims) for name in names)
     return Case(*(length.values.ravel() for length in lengths)), factors.values.ravel()
 
@@ -285,27 +284,27 @@ def _cases(excess: xr.Dataset) -> tuple[Case, Floats]:
 def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the long edges of the band from windows and whole surfaces, and the forces on them.
 
-    The forces are of `filtered_window_forces`, by surface. With intervals: ``long_ratio`` (surface,
-    edge_size, cutoff_wavelength), the mean over realizations of the force without longer waves
-    relative to that with all, and ``force_over_largest`` (surface, edge_size), the force relative
-    to that on the larger whole surface. What `describe_edge` says of each edge size has names that
-    begin with ``long_``. ``period`` and ``mirrored`` are those of the forces.
+    The forces are of `filtered_window_forces`, by surface. With intervals: ``scale_ratio``
+    (surface, map_size, cutoff_wavelength), the mean over realizations of the force without longer
+    waves relative to that with all, and ``force_over_largest`` (surface, map_size), the force
+    relative to that on the larger whole surface. What `describe_edge` says of each map size has
+    names that begin with ``long_``. ``period`` and ``mirrored`` are those of the forces.
     """
     windows = next(iter(forces.values()))[["period", "mirrored"]]
     stacked = stack({(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"])
     ratio = stacked["ratio"].mean("realization", keep_attrs=True)
     interval = student_log_interval(stacked["ratio"], CONFIDENCE, "realization")
     force = stacked["pull_off_force"]
-    over_largest, over_interval = ratio_of_means(force, force.isel(edge_size=-1, drop=True))
+    over_largest, over_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
     cells = windows["period"].broadcast_like(over_largest).transpose(*over_largest.dims)
     curves = xr.Dataset(
         {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
     ).assign_coords(side="large")
     edges = edges_of_curves(curves, logarithmic_limits(TOLERANCE))
-    of_largest = {"units": "1", "long_name": "force over that on the larger whole surface"}
+    of_largest = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
     return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
-        long_ratio=ratio,
-        long_ratio_interval=interval.assign_attrs(units="1"),
+        scale_ratio=ratio,
+        scale_ratio_interval=interval.assign_attrs(units="1"),
         force_over_largest=over_largest.assign_attrs(of_largest),
         force_over_largest_interval=over_interval.assign_attrs(of_largest, confidence=CONFIDENCE),
     )
@@ -342,7 +341,7 @@ def main() -> None:
         title="forces and long edges on mirrored windows of random surfaces, and the rule fitted",
         history="computed by tests/benchmarks/validate_scan_sizes.py",
         sphere_radius=TRIALS.windows.contact.radius, surface_size=TRIALS.size, rho=RANGE,
-        tolerance=TOLERANCE, allowed_excess=ALLOWED_EXCESS, confidence=CONFIDENCE,
+        tolerance=TOLERANCE, allowed_ratio=ALLOWED_EXCESS, confidence=CONFIDENCE,
     )  # fmt: skip
     dataset.write(table, arguments.table)
 

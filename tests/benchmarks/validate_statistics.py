@@ -42,7 +42,7 @@ BOUNDS = {
     "steepness": (1 / 400, 1 / 20),
     "hurst": (0.4, 0.95),
     "radius": (5e3, 5e5),
-    "modulus": (0.1, 10.0),  # rho/sigma of it at the level LEVEL
+    "weibull_modulus": (0.1, 10.0),  # rho/sigma of it at the level LEVEL
     "area": (50.0, 5000.0),
     "kind": (0.0, 1.0),
 }
@@ -58,7 +58,7 @@ def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
     rows = []
     for row in drawn(BOUNDS, SEED, surfaces):
-        row["rho"] = float(np.clip(row.pop("modulus") * row["rms_height"] / LEVEL, *RANGES))
+        row["rho"] = float(np.clip(row.pop("weibull_modulus") * row["rms_height"] / LEVEL, *RANGES))
         skewed = row["surface"] % EVERY == EVERY - 1
         row["skewed"] = (SKEWED if row["surface"] % 2 else -SKEWED) if skewed else 0.0
         rows.append(row | grid(row))
@@ -86,7 +86,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     return {
         "size": size,
         "pixels": pixels,
-        "along": along,
+        "places_along_edge": along,
         "shortest": 4 * size / pixels,
         "area": contact.pixels(size / pixels) * (size / pixels) ** 2,
     }
@@ -112,10 +112,10 @@ def computed(row: dict[str, Any]) -> xr.Dataset:
         preload=row["area"] * HARDNESS * 1e-18,
         hardness=HARDNESS,
         window=max(wide, 32 * row["size"] / pixels),
-        count=row["along"],
+        count=row["places_along_edge"],
     )
     found = []
-    for realization in range(-(-PLACES // row["along"] ** 2)):
+    for realization in range(-(-PLACES // row["places_along_edge"] ** 2)):
         rng = generator(SEED, row["surface"], realization, "statistics")
         surface = mapped(random_surface(rng, pixels, row["size"] / pixels, spectrum), row)
         pair = bodies(surface, None, contact)
@@ -124,7 +124,7 @@ def computed(row: dict[str, Any]) -> xr.Dataset:
     every = xr.concat(found, "realization").stack(place=axes).isel(place=slice(PLACES))
     over, smooth = ("contact_model", "place"), float(dmt_pull_off(1.0, row["radius"]))
     relative = every["pull_off_force"].transpose(*over).values / smooth
-    level = -every["closest_approach"].transpose(*over).values / row["rms_height"]
+    level = -every["apex_depth"].transpose(*over).values / row["rms_height"]
     return xr.Dataset(
         {
             "log_force": (over, np.log(relative), {"units": "1", "long_name": "ln(F/2 pi R W)"}),
@@ -156,9 +156,9 @@ def compared(one: xr.Dataset) -> Iterator[dict[str, Any]]:
             "contact_model": model,
             "area": area,
             "level": one["level"].sel(contact_model=model).values.mean(),
-            "spread": logs.std(),
-            "predicted_spread": found.spread,
-            "modulus": found.modulus,
+            "log_force_std": logs.std(),
+            "predicted_log_force_std": found.spread,
+            "weibull_modulus": found.modulus,
             "clumps": found.clumps,
             "force_over_predicted": np.exp(logs).mean()
             * 2e-9

@@ -142,7 +142,7 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
     ],
 )
 def test_the_surfaces_that_protrusions_change(bearer, measured_surfaces, surfaces):
-    rows = files(measured=measured_surfaces, sets__protruded=10).protruded_chunks(bearer)
+    rows = files(measured=measured_surfaces, sets__protrusion_draws=10).protruded_chunks(bearer)
     assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))]
 
 

@@ -28,7 +28,7 @@ def test_pull_off_forces_of_pairs():
     scans = {
         scan: all_surfaces.over_sphere_scans(
             {key[2]: pair for key, pair in pairs.items() if key[:2] == scan}
-        ).assign(window_change=((), change, {"units": "1"}))
+        ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
     forces = all_surfaces.stacked_pull_off_forces(scans, DESCRIBED)
@@ -38,8 +38,8 @@ def test_pull_off_forces_of_pairs():
     assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
     assert forces.contact_x.values.tolist() == [0, 1]
     assert forces.contact_pixels.values.tolist() == [1, 13]
-    assert forces.window_change.dims == ("surface", "scan")
-    np.testing.assert_array_equal(forces.window_change, [[0.1, np.nan], [0.2, 0.3]])
+    assert forces.wider_window_change.dims == ("surface", "scan")
+    np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])
     assert forces.label.values.tolist() == ["A", "B"]
     assert forces.basis.values.tolist() == ["measured", "substitute"]
     assert forces.attrs["work_of_adhesion"] == 1.0

@@ -40,6 +40,6 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     places = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     pair = over(heights, None, 20.0, 200, 2)
     carriers = asperities_of_pair(pair, contact, places, 0.9, [1.0])
-    assert (carriers["patches"] == 1).all()
+    assert (carriers["patch_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)
     assert carriers["contact_y"].values.tolist() == [0, 0, 1, 1]

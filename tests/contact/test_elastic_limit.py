@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from published_contact import MODULUS
 
-from hardcontact.contact.elastic_limit import SLOPE_OVER_PRESSURE, slope_index
+from hardcontact.contact.elastic_limit import SLOPE_OVER_PRESSURE, pressure_over_hardness
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
 
@@ -16,7 +16,7 @@ def test_slope_over_pressure_is_that_of_a_parabola():
 def test_every_octave_of_a_fourth_power_adds_the_same_to_the_squared_slope():
     q = np.geomspace(1e-3, 10, 401)
     spectra = {"flat": Spectrum(q, 5 * q**-4.0), "cut": Spectrum(q, 5 * q**-4.0 * (q < 0.1))}
-    index = slope_index(spectra, MODULUS, 25e9)
+    index = pressure_over_hardness(spectra, MODULUS, 25e9)
     slope = index * SLOPE_OVER_PRESSURE * 25e9 / MODULUS
     expected = np.sqrt(5 * np.log(q / q[0]) / (2 * np.pi))
     np.testing.assert_allclose(slope.sel(surface="flat")[::-1], expected, rtol=1e-6, atol=1e-9)

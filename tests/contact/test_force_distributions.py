@@ -20,8 +20,8 @@ def test_statistics_of_a_known_distribution():
         assert computed[name].attrs["units"] == unit
         low, high = bounds(computed, name)
         assert low < computed[name] < high, name
-    assert float(computed.force_mean) == pytest.approx(FORCES.mean())
-    assert float(computed.force_median) == pytest.approx(np.median(FORCES))
+    assert float(computed.mean_force_at_pair) == pytest.approx(FORCES.mean())
+    assert float(computed.median_force_at_pair) == pytest.approx(np.median(FORCES))
     assert float(computed.censored_fraction) == pytest.approx((FORCES < 3e-8).mean())
 
 
@@ -39,11 +39,11 @@ def test_interval_is_over_scans_not_over_contacts():
     computed = force_statistics(forces, 3e-8, Sampling(0, 1, 0.683))
     scans = xr.DataArray(levels, dims="scan")
     expected = student_log_interval(scans, 0.683, "scan")
-    np.testing.assert_allclose(computed.force_mean_interval, expected)
+    np.testing.assert_allclose(computed.mean_force_at_pair_interval, expected)
     np.testing.assert_allclose(computed.censored_fraction_interval, 0.0)
 
 
-COVERED = {"force_median": 0.94, "lognormal_median": 0.94, "lognormal_shape": 0.79}
+COVERED = {"median_force_at_pair": 0.94, "lognormal_median": 0.94, "lognormal_shape": 0.79}
 
 
 @pytest.mark.study

@@ -11,10 +11,10 @@ from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.contact.pull_off import (
-    finer_pixel_change,
+    finer_pixel_ratio,
     mean_pull_off_of_pair,
     pull_off_of_pair,
-    window_change,
+    wider_window_change,
 )
 from hardcontact.contact.traced_contact import traced_contact
 from hardcontact.surfaces.filters import filtered_series
@@ -39,7 +39,7 @@ def direct_force(gap, contact_pixels, rho, pixel_size, work=1.0):
 def test_pull_off_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
     arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
     forces = arrays["pull_off_force"].values
-    approaches = arrays["closest_approach"].values
+    approaches = arrays["apex_depth"].values
     count = LOAD.pixels(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixels"].values.tolist() == [1, count]
@@ -71,15 +71,15 @@ def test_window_change_is_that_of_the_direct_sum():
                 for bodies_of_pair in (one, wider)
             )
             changes.append(abs(wide / narrow - 1))
-    arrays = window_change(iter(pairs), LOAD)
-    assert arrays["window_change"].values == pytest.approx(max(changes), rel=1e-6)
+    arrays = wider_window_change(iter(pairs), LOAD)
+    assert arrays["wider_window_change"].values == pytest.approx(max(changes), rel=1e-6)
 
 
 @pytest.mark.parametrize(("pixels", "expected"), [(1, 1 / 4), (4, 1), (40, 1)])
 def test_at_a_small_range_finer_pixels_change_the_area_in_contact_alone(pixels, expected):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
-    change = finer_pixel_change(pair(), load)["finer_pixel_change"]
+    change = finer_pixel_ratio(pair(), load)["finer_pixel_ratio"]
     assert change == pytest.approx(expected, rel=0.05)
 
 

@@ -54,7 +54,7 @@ def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
     band = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
     assert band.edge.isnull().all()
     np.testing.assert_array_equal(band.edge_bound, [1000, 4000])
-    np.testing.assert_array_equal(band.edge_at_least, [1, 1])
+    np.testing.assert_array_equal(band.edge_bound_is_lower, [1, 1])
     # The cell of the large side is 10 µm; that of the small side, a single mirrored scan, 5 µm.
     band = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
     assert band.edge_status.values.tolist() == ["beyond the cell", "beyond the cutoffs"]

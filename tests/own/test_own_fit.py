@@ -9,7 +9,7 @@ from known_forces import FORCE_DIMS
 from hardcontact.base.statistics import Sampling
 from hardcontact.own.own_fit import (
     MeasuredTests,
-    add_continued_work,
+    add_extrapolated_work,
     fit_measured,
     measured_tests,
     sampled_means,
@@ -158,7 +158,7 @@ def test_samples_hold_the_mean_as_often_as_they_say(shape, number):
 
 
 def test_work_with_continued_roughness_is_inversely_proportional_to_the_force():
-    measured_force, continued_force = 0.32, 0.08  # N, the latter at 0.05 J/m²
+    measured_force, extrapolated_force = 0.32, 0.08  # N, the latter at 0.05 J/m²
     ends = ("surface", "bound"), [[measured_force / 1.1, measured_force * 1.1]]
     fit = xr.Dataset(
         {"measured_force": ("surface", [measured_force]), "measured_force_interval": ends},
@@ -168,22 +168,22 @@ def test_work_with_continued_roughness_is_inversely_proportional_to_the_force():
     sides = ("surface", "side")
     force = xr.Dataset(
         {
-            "continued_force": (sides, [[continued_force]]),
-            "continued_force_interval": (
+            "extrapolated_force": (sides, [[extrapolated_force]]),
+            "extrapolated_force_interval": (
                 (*sides, "bound"),
-                [[[continued_force / 1.2, continued_force * 1.3]]],
+                [[[extrapolated_force / 1.2, extrapolated_force * 1.3]]],
             ),
-            "continued_differs": (sides, [[1]]),
+            "extrapolation_matters": (sides, [[1]]),
             "transition": ("side", [20.0]),
         },
         {"surface": ["a"], "side": ["small"], "bound": ["low", "high"]},
         {"work_of_adhesion": 0.05, "range_of_adhesion": 5.0},
     )
-    fit_with_work = add_continued_work(fit, force).sel(surface="a", side="small")
-    assert float(fit_with_work.continued_work) == pytest.approx(
-        0.05 * measured_force / continued_force
+    fit_with_work = add_extrapolated_work(fit, force).sel(surface="a", side="small")
+    assert float(fit_with_work.extrapolated_work) == pytest.approx(
+        0.05 * measured_force / extrapolated_force
     )
     np.testing.assert_allclose(
-        np.log(fit_with_work.continued_work_interval / fit_with_work.continued_work),
+        np.log(fit_with_work.extrapolated_work_interval / fit_with_work.extrapolated_work),
         [-np.hypot(np.log(1.1), np.log(1.3)), np.hypot(np.log(1.1), np.log(1.2))],
     )

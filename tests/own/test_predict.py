@@ -194,12 +194,12 @@ def test_short_waves_that_the_table_lacks_are_continued(table):
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
     density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)
     expected = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
-    assert numbers["continued_force"]["value"] == pytest.approx(expected, rel=1e-6)
-    assert numbers["continued_change"]["status"] == "matters"
+    assert numbers["extrapolated_force"]["value"] == pytest.approx(expected, rel=1e-6)
+    assert numbers["extrapolated_change"]["status"] == "matters"
     for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(rough(17, 1000, 0.8, 0.1))):
         numbers = numbers_of(table(*ended))
-        assert "continued_force" not in numbers
-        assert numbers["continued_change"]["status"] == "negligible"
+        assert "extrapolated_force" not in numbers
+        assert numbers["extrapolated_change"]["status"] == "negligible"
 
 
 def remove_bins(spectrum, kept_bins):
@@ -293,8 +293,10 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
         scan_files.write_coordinates(scan_files.line(heights, size), path)
     joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
     spectrum = own_spectrum([path]).spectrum
-    has_roughness = np.isfinite(joined_scans.joined.values)
-    assert spectrum.density == pytest.approx(joined_scans.joined.values[has_roughness], rel=1e-4)
+    has_roughness = np.isfinite(joined_scans.joined_psd.values)
+    assert spectrum.density == pytest.approx(
+        joined_scans.joined_psd.values[has_roughness], rel=1e-4
+    )
     assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
     numbers = numbers_of(str(path))
     assert f"{path}: reliable from" in capsys.readouterr().err
@@ -302,9 +304,9 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
     assert numbers["pull_off_force"]["value"] == pytest.approx(force)
     # It is continued as the masters of the study are, up to a roll-off beyond the scan.
     force = closed_form(spectrum_from(joined_scans), CONTACT).force
-    assert numbers["continued_force"]["value"] == pytest.approx(force, rel=1e-3)
+    assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
     rolloff = joined_scans.attrs["rolloff"]
-    assert numbers["continued_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
+    assert numbers["extrapolated_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
 
 
 def test_the_force_on_pillars_is_not_predicted(tmp_path):
@@ -319,7 +321,7 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
     assert numbers["pull_off_force"] == {"value": None, "unit": "N", "status": "steep_edges"}
     smooth = 2 * np.pi * 250e-6 * 0.0463
     assert numbers["smooth_force"]["value"] == pytest.approx(smooth, rel=0.01)
-    assert "short_edge" not in numbers and "continued_force" not in numbers
+    assert "short_edge" not in numbers and "extrapolated_force" not in numbers
 
 
 @pytest.mark.parametrize("sign", [1, -1])

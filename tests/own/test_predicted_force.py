@@ -15,9 +15,9 @@ from hardcontact.own.master_forces import (
     half_width_over_masters,
 )
 from hardcontact.own.predicted_force import (
-    add_continued_force,
+    add_extrapolated_force,
     bound_by_smooth_sphere,
-    continued_force,
+    extrapolated_force,
     predicted_force,
 )
 
@@ -97,8 +97,8 @@ def test_quarters_whose_contacts_touch_fewer_places_give_no_interval():
         assert prediction.force_interval.sel(surface="a").notnull().all()
         assert prediction.contacts.values.tolist() == [16, 16]
         masters = Masters({"a": 1}, 2, {"a": places})
-        continued_forces = continued_force(master_forces(), masters, 0.05, 0.95)
-        assert continued_forces.continued_force_interval.notnull().all() == (places == 4)
+        extrapolated_forces = extrapolated_force(master_forces(), masters, 0.05, 0.95)
+        assert extrapolated_forces.extrapolated_force_interval.notnull().all() == (places == 4)
 
 
 @pytest.mark.parametrize("pixels", [1, 8])
@@ -124,10 +124,10 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
 
 def test_no_mean_exceeds_the_bound():
     prediction = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
-    continued_forces = xr.Dataset(
-        {"continued_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
-    ).assign(continued_force_interval=("side", [1e-9, 1.0]))
-    bounded = bound_by_smooth_sphere(prediction.merge(continued_forces), 400.0)
+    extrapolated_forces = xr.Dataset(
+        {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
+    ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
+    bounded = bound_by_smooth_sphere(prediction.merge(extrapolated_forces), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
@@ -136,9 +136,9 @@ def test_no_mean_exceeds_the_bound():
     np.testing.assert_allclose(bounded.smooth_bound, bound)
     np.testing.assert_allclose(bounded.force, bound.expand_dims(surface=2))
     assert (bounded.force_interval <= bounded.smooth_bound).all()
-    np.testing.assert_allclose(bounded.continued_force, [1e-9, bound[1, 1]])
+    np.testing.assert_allclose(bounded.extrapolated_force, [1e-9, bound[1, 1]])
     endless = prediction.assign(force_interval=prediction.force_interval * 0 + np.inf).merge(
-        continued_forces
+        extrapolated_forces
     )
     assert np.isinf(bound_by_smooth_sphere(endless, 400.0).force_interval).all()
 
@@ -156,7 +156,7 @@ def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work()
     forces = master_forces()
     mean = forces.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
     np.testing.assert_allclose(
-        continued_force(forces, MASTERS, 0.05, 0.95).continued_force, 0.05 * mean
+        extrapolated_force(forces, MASTERS, 0.05, 0.95).extrapolated_force, 0.05 * mean
     )
 
 
@@ -166,10 +166,10 @@ def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work()
 def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolerance(
     ratio, half, differs
 ):
-    continued_forces = continued_force(master_forces(), MASTERS, 0.05, 0.95)
+    extrapolated_forces = extrapolated_force(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to that with continued roughness below them.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
-    unit = continued_forces.continued_force.sel(side="small").item()
+    unit = extrapolated_forces.extrapolated_force.sel(side="small").item()
     axes = ("surface", "contact_model", "rho")
     scan_forces = xr.Dataset(
         {
@@ -179,7 +179,7 @@ def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolera
         {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "bound": ["low", "high"]},
         {"range_of_adhesion": 5.0},
     )
-    comparison = add_continued_force(scan_forces, continued_forces, 0.1).continued_differs
+    comparison = add_extrapolated_force(scan_forces, extrapolated_forces, 0.1).extrapolation_matters
     assert comparison.sel(side="small").values.tolist() == [differs]
 
 
@@ -195,7 +195,7 @@ def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share
         sampled_forces = template.assign(unfiltered_pull_off_force=forces)
         masters = forces_of_masters(sampled_forces, "a", "small", MASTERS)
         half = half_width_over_masters(
-            masters, lambda filtered, whole: whole, "unfiltered_shift", 0.95
+            masters, lambda filtered, whole: whole, "log_unfiltered_force_shift", 0.95
         )
         mean = float(masters.forces.unfiltered_pull_off_force.mean())
         contained.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)

@@ -17,7 +17,7 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     dims = ("contact_model", "pair", "surface")
     return xr.Dataset(
         {
-            "force_mean": (dims, [[forces]]),
+            "mean_force_at_pair": (dims, [[forces]]),
             "force_mean_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
             "label": ("surface", surfaces),
             "basis": ("surface", ["measured"] * len(surfaces)),
@@ -48,11 +48,11 @@ def test_forces_and_works_of_polished_uncd(classical):
     uncd = classical.sel(surface="polished_uncd")
     low, high = bounds(uncd, "published_mean_force")
     assert (float(low), float(high)) == pytest.approx((8.75e-6, 8.85e-6))
-    work = uncd["effective_work_of_adhesion"].sel(against="published")
+    work = uncd["effective_work_of_adhesion"].sel(force_source="published")
     assert work.item() == pytest.approx(6.97e-3, rel=1e-3)
     low, high = bounds(uncd, "effective_work_of_adhesion")
-    work = uncd["effective_work_of_adhesion"].sel(against="computed").item()
-    ends = [end.sel(against="computed").item() / work for end in (low, high)]
+    work = uncd["effective_work_of_adhesion"].sel(force_source="computed").item()
+    ends = [end.sel(force_source="computed").item() / work for end in (low, high)]
     assert ends == pytest.approx([0.99, 1.01])
 
 

@@ -67,7 +67,7 @@ def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
     works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
     laws = power_laws(AFM, samples, works, Sampling(0, 2, 0.95))
     assert list(laws.rms_parameter.values) == list(Roughness._fields)
-    assert list(laws.against.values) == list(works)
+    assert list(laws.force_source.values) == list(works)
     # A factor common to all surfaces changes no error.
     low, high = bounds(laws, "power_law_error")
     np.testing.assert_allclose(low, high)

@@ -31,7 +31,7 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
             "scan_size": ("surface", [2.5e3] * 4),
             "example_heights": (("surface", "row"), np.zeros((4, 256))),
             "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in names]),
-            "calibrated_to_table1": ("surface", ["afm_rms_height"] * 3 + [""]),
+            "table1_rows_met": ("surface", ["afm_rms_height"] * 3 + [""]),
         },
         {"surface": names},
         {

@@ -23,7 +23,7 @@ def test_inference_finds_the_range_and_work_that_made_the_forces():
     assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
     assert float(fits.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
     assert float(fits.best_error) < 0.01
-    for name, value in (("region_range", 4.0), ("region_work", 0.05)):
+    for name, value in (("low_error_range", 4.0), ("low_error_work", 0.05)):
         low, high = fits[name].sel(bound=["low", "high"]).values
         assert low < value < high
 
@@ -93,7 +93,7 @@ def test_ratios_that_are_met_twice_give_two_minima():
     assert sorted(fits.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
     np.testing.assert_allclose(fits.minimum_work[:2], 0.05, rtol=0.02)
     assert fits.minimum_error[0] <= fits.minimum_error[1] < 0.02
-    assert fits.minimum_error[0] == fits.best_error == fits.error_of_range.min()
+    assert fits.minimum_error[0] == fits.best_error == fits.best_error_by_range.min()
     assert fits.minimum_range[0] == fits.range_of_adhesion
     assert fits.minimum_range.isnull().values.tolist() == [False, False, True]
 
@@ -133,9 +133,9 @@ def test_published_range_beyond_the_sweep_has_no_forces():
     distant = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
     fits = inference.infer(adhesion, distant, "uncd", 0.1, 30e-9, SAMPLING)
-    assert fits.force_mean.sel(pair="published").isnull().all()
+    assert fits.mean_force_at_pair.sel(pair="published").isnull().all()
     assert fits.ratio_at_pair_interval.sel(pair="published").isnull().all()
-    assert fits.force_mean.sel(pair="fitted").notnull().all()
+    assert fits.mean_force_at_pair.sel(pair="fitted").notnull().all()
 
 
 def test_models_are_compared_with_the_same_samples():
@@ -154,6 +154,6 @@ def test_forces_stand_at_the_published_and_at_the_fitted_pair():
     forces = power_forces(spread=0.1)
     fits = infer(forces).sel(contact_model="plastic")
     mean = 0.04 * forces.sel(rho=5.0).mean(["scan", "sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(fits["force_mean"].sel(pair="published"), mean)
+    np.testing.assert_allclose(fits["mean_force_at_pair"].sel(pair="published"), mean)
     np.testing.assert_allclose(fits["ratio_at_pair"].sel(pair="published"), mean / mean[1])
-    np.testing.assert_allclose(fits["force_mean"].sel(pair="fitted"), MEAN_FORCE, rtol=0.1)
+    np.testing.assert_allclose(fits["mean_force_at_pair"].sel(pair="fitted"), MEAN_FORCE, rtol=0.1)

@@ -77,7 +77,7 @@ def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
 def test_fits_and_the_band_are_kept_for_figures(sets):
     assert {"best_error", "mean_force", "ratio"} <= set(sets)
     assert sets["scale_ratio"].sizes == {"set": 3, "side": 2, "surface": 4, "cutoff_wavelength": 6}
-    assert sets["critical_wavelength"].sel(group="pooled").dims == ("set", "side")
+    assert sets["edge"].sel(group="pooled").dims == ("set", "side")
 
 
 def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():

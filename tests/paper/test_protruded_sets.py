@@ -31,8 +31,8 @@ ROUGHNESS = Roughness(10.0, 0.5, 0.7, 3.0)
 def test_a_variant_does_not_depend_on_those_computed_with_it(bearer):
     variants = compute_protruded([1, 2], 2, SOURCES, ROUGHNESS, bearer)
     variant = compute_protruded([2], 2, SOURCES, ROUGHNESS, bearer)
-    assert variants["pull_off_force"].sizes == {"variant": 2, "rho": 3, "contact": 2 * 2 * 2}
-    xr.testing.assert_equal(variants.sel(variant=[2]), variant)
+    assert variants["pull_off_force"].sizes == {"draw": 2, "rho": 3, "contact": 2 * 2 * 2}
+    xr.testing.assert_equal(variants.sel(draw=[2]), variant)
 
 
 @pytest.mark.parametrize("bearer", ["uncd", "ruby"])
@@ -40,7 +40,7 @@ def test_protrusions_without_height_change_no_force(bearer, monkeypatch):
     flat_protrusions = Protrusions(density=50.0, height=0.0, width=50.0)
     monkeypatch.setattr(protruded_sets, "draw_protrusions", lambda *_: flat_protrusions)
     variant = compute_protruded([1], 2, SOURCES, ROUGHNESS, bearer)
-    np.testing.assert_allclose(variant["mean_change"], 1, rtol=1e-9)
+    np.testing.assert_allclose(variant["mean_force_ratio"], 1, rtol=1e-9)
 
 
 def test_protrusions_of_the_sphere_are_the_same_for_all_coatings_and_keep_their_height():
@@ -96,20 +96,22 @@ def test_the_pair_is_that_of_forces_that_agree():
     smooth = xr.Dataset(
         {
             "pull_off_force": (
-                ("variant", "rho", "contact"),
+                ("draw", "rho", "contact"),
                 (mean_on_smooth_sphere[:, None] * [0.5, 1.5])[None],
             ),
-            "mean_change": (("variant", "rho"), np.ones((1, RANGES.size))),
-            "density": ("variant", [1.0]),
-            "height": ("variant", [4.0]),
-            "width": ("variant", [50.0]),
+            "mean_force_ratio": (("draw", "rho"), np.ones((1, RANGES.size))),
+            "density": ("draw", [1.0]),
+            "height": ("draw", [4.0]),
+            "width": ("draw", [50.0]),
         },
-        {"variant": [7], "rho": RANGES},
+        {"draw": [7], "rho": RANGES},
         {"surface": "smooth"},
     )
-    halved = smooth.assign(mean_change=smooth["mean_change"] / 2).assign_attrs(surface="rough")
+    halved = smooth.assign(mean_force_ratio=smooth["mean_force_ratio"] / 2).assign_attrs(
+        surface="rough"
+    )
     protruded = [smooth, halved]
-    fits = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR)).sel(variant=7)
+    fits = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR)).sel(draw=7)
     np.testing.assert_allclose(fits["range_of_adhesion"], PAIR[0], rtol=0.01)
     np.testing.assert_allclose(fits["work_of_adhesion"], PAIR[1], rtol=0.03)
     np.testing.assert_allclose(fits["mean_force"], measured_forces["smooth"], rtol=0.03)
@@ -118,8 +120,8 @@ def test_the_pair_is_that_of_forces_that_agree():
     fits_of_skewed = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR))
     assert fits_of_skewed["agrees"].values.tolist() == [[0, 0]]
     assert fits["mean_at_published"].item() == pytest.approx(measured_forces["smooth"], rel=1e-3)
-    assert fits["spread_at_published"].item() == pytest.approx(np.log(3) / 2)
+    assert fits["log_force_std_at_published"].item() == pytest.approx(np.log(3) / 2)
     fits_of_no_variant = judge_protruded(
         [empty_protruded("smooth", RANGES)], "smooth", sets, Published(forces, PAIR)
     )
-    assert fits_of_no_variant["agrees"].sizes == {"variant": 0, "set": 2}
+    assert fits_of_no_variant["agrees"].sizes == {"draw": 0, "set": 2}

@@ -60,7 +60,7 @@ def test_roughness_of_all_scales_over_that_of_scans():
 def test_contact_height_is_taken_scan_by_scan():
     """If apex and roughness scatter together, their ratio does not scatter."""
     rms = np.array([16.0, 17.0, 19.0])
-    adhesion = xr.Dataset({"closest_approach": (("scan", "contact"), -3.4 * rms[:, None])})
+    adhesion = xr.Dataset({"apex_depth": (("scan", "contact"), -3.4 * rms[:, None])})
     topography = xr.Dataset({"rms_height": ("scan", rms)})
     height = contact.contact_height(adhesion.assign_attrs(confidence=0.95), topography)
     near(height, 3.4)
@@ -95,7 +95,7 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
         {
             "rigid_pull_off_force": (dims, rigid),
             "elastic_pull_off_force": (dims, 0.99 * rigid),
-            "hard_share": (dims, [[0.2, 0.4], [0.5, 0.7]]),
+            "share_above_hardness": (dims, [[0.2, 0.4], [0.5, 0.7]]),
             "contact_area": (dims, [[100.0, 100.0], [400.0, 400.0]]),
         },
         attrs={"hardness": 25e9, "preload": 10e-6, "confidence": 0.95},
@@ -103,9 +103,9 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
     near(contact.elastic_change(elastic), 0.01)
     # The median of three surfaces is the second one.
     scale = xr.DataArray([0.1, 1.0, 1.3], dims="surface")
-    areas, shares = elastic["contact_area"] * scale, elastic["hard_share"] * scale
-    three = elastic.assign(contact_area=areas, hard_share=shares)
-    near(contact.typical_hard_share(three), 0.45)
+    areas, shares = elastic["contact_area"] * scale, elastic["share_above_hardness"] * scale
+    three = elastic.assign(contact_area=areas, share_above_hardness=shares)
+    near(contact.typical_share_above_hardness(three), 0.45)
     near(contact.typical_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
     near(contact.typical_force_exponent(exponents), 0.1)
@@ -253,7 +253,7 @@ def test_errors_at_short_ranges_and_at_the_second_minimum():
         {
             "best_error": 0.05,
             "minimum_error": ("minimum", [0.05, 0.3]),
-            "error_of_range": ("rho_fine", [0.5, 0.2, 0.05]),
+            "best_error_by_range": ("rho_fine", [0.5, 0.2, 0.05]),
         },
         {"minimum": [1, 2], "rho_fine": [0.3, 0.6, 5.6]},
     )
@@ -279,8 +279,8 @@ def band():
         {
             "scale_ratio": (dims, ratio),
             "scale_change": (dims, np.abs(np.array(ratio) - 1)),
-            "critical_wavelength": ("side", critical),
-            "critical_wavelength_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
+            "edge": ("side", critical),
+            "edge_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
         },
         {"side": ["small", "large"], "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
         {"sphere_radius": RADIUS},
@@ -300,7 +300,7 @@ def test_the_edge_of_a_curve_that_never_leaves_is_its_last_cutoff(band):
     near(inference.band_edge(band), [46.0, 1750.0])
     ratio = inference.critical_over_interaction_radius(band, PAPER)
     near(ratio.sel(side="large"), 1750 / 1673, rtol=1e-3)
-    band["critical_wavelength"][:] = np.nan
+    band["edge"][:] = np.nan
     near(inference.band_edge(band), [1000.0, 200.0])
 
 
@@ -311,8 +311,8 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
     band = xr.Dataset(
         {
             "scale_change": (("side", "group", "cutoff_wavelength"), np.stack([curve] * 3, axis=1)),
-            "critical_wavelength": (("side", "group"), edges),
-            "critical_wavelength_interval": (
+            "edge": (("side", "group"), edges),
+            "edge_interval": (
                 ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
             ),
         },

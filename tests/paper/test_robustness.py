@@ -100,5 +100,5 @@ def test_another_probe_changes_the_critical_band_alone(variants):
         assert variants[name].drop_sel(variant="rough_sphere").notnull().all(), name
     for name, change in (("baseline", 0.2), ("rough_sphere", 1.0)):
         decades = 0.1 / change
-        edges = variants.critical_wavelength.sel(variant=name, side=["small", "large"])
+        edges = variants.edge.sel(variant=name, side=["small", "large"])
         np.testing.assert_allclose(edges, [10 ** (1 + decades), 10 ** (4 - decades)])

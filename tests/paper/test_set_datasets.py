@@ -73,7 +73,7 @@ def test_band_of_masters_that_are_alike_is_that_of_one():
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
     band = set_band(alike, 5, 0.1, NO_SAMPLES, 3)
     single_band = critical_band(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
-    for name in ("scale_ratio", "scale_change", "critical_wavelength"):
+    for name in ("scale_ratio", "scale_change", "edge"):
         np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 
 

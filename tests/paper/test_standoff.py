@@ -42,8 +42,9 @@ def test_forces_that_agree_leave_no_height_missing():
     heights = standoff(adhesion, published, 0.05, pd.Series({"a": 3.0, "b": 20.0}))
     pair_heights = heights.sel(rho=5.6)
     for work in ("published", "fitted"):
-        required = pair_heights["required_height"].sel(work_of_adhesion=work)
+        required = pair_heights["height_from_published"].sel(work_source=work)
         np.testing.assert_allclose(
-            required.sel(statistic="mean"), pair_heights["computed_height"].sel(statistic="mean")
+            required.sel(statistic="mean"),
+            pair_heights["height_from_computed"].sel(statistic="mean"),
         )
         assert (required.sel(statistic="median") > required.sel(statistic="mean")).all()

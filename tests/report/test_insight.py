@@ -10,7 +10,7 @@ from hardcontact.report.insight import edge_errors, half_factor, long_edge, scat
 def test_half_of_the_forces_lie_within_a_factor():
     errors = [[[[0.5, 1.1, 0.8]], [[9, 9, 9]]]]
     data = xr.Dataset(
-        {"error": (("map_size", "source", "surface", "rho"), errors)},
+        {"predicted_over_computed": (("map_size", "source", "surface", "rho"), errors)},
         {"source": ["spectrum", "computed"]},
     )
     assert half_factor(data) == pytest.approx(1.25)
@@ -18,12 +18,12 @@ def test_half_of_the_forces_lie_within_a_factor():
 
 def test_an_open_long_edge_is_a_bound():
     data = xr.Dataset(
-        {"long_edge": np.nan, "long_edge_bound": 4e3, "long_edge_at_least": 1,
+        {"long_edge": np.nan, "long_edge_bound": 4e3, "long_edge_bound_is_lower": 1,
          "long_edge_interval": ("bound", [np.nan, np.nan])},
         {"bound": ["low", "high"]},
     )  # fmt: skip
     assert long_edge(data)[1:3] == (4e3, "nm") and long_edge(data).status == "open_above"
-    assert long_edge(data.assign(long_edge_at_least=0)).status == "open_below"
+    assert long_edge(data.assign(long_edge_bound_is_lower=0)).status == "open_below"
     known = data.assign(long_edge=1e3, long_edge_bound=np.nan)
     assert (long_edge(known).value, long_edge(known).status) == (1e3, "no_interval")
 
@@ -32,11 +32,14 @@ def test_errors_of_edges_are_those_of_surfaces_held_out_with_an_edge_by_regime()
     error = np.array([1.0, 2.0, 3.0, 9.0, 9.0])  # the last two: looked at, and a bound
     data = xr.Dataset(
         {
-            "held_back": ("designed", [1, 1, 1, 0, 1]),
+            "held_out": ("designed", [1, 1, 1, 0, 1]),
             "designed_level": ("designed", [2.0, 2, 1, 1, 1]),
-            "designed_over_range": ("designed", [1.0, 1, 2, 2, 2]),
+            "designed_rms_height_over_range": ("designed", [1.0, 1, 2, 2, 2]),
             "designed_bound": (("side", "designed"), [[0, 0, 0, 0, 1]] * 2),
-            "designed_error": (("prediction", "side", "designed"), [[error] * 2, [error**2] * 2]),
+            "designed_computed_over_predicted": (
+                ("prediction", "side", "designed"),
+                [[error] * 2, [error**2] * 2],
+            ),
         },
         {"side": ["small", "large"], "prediction": ["formula", "closed form"]},
     )
@@ -52,12 +55,12 @@ def test_errors_of_edges_are_those_of_surfaces_held_out_with_an_edge_by_regime()
 def test_errors_of_the_law_are_those_of_gaussian_surfaces_held_out():
     names = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
     columns = {
-        "held_back": [1, 1, 0, 1],
+        "held_out": [1, 1, 0, 1],
         "skewed": [0, 0, 0, 1],
         "level": [5.0] * 4,
-        "modulus": [0.5, 2, 2, 2],
-        "spread": [1.1, 0.5, 9, 9],
-        "predicted_spread": [1.0, 1, 1, 1],
+        "weibull_modulus": [0.5, 2, 2, 2],
+        "log_force_std": [1.1, 0.5, 9, 9],
+        "predicted_log_force_std": [1.0, 1, 1, 1],
     }
     columns |= {f"distance_{name}": [0.1, 0.2, 9, 9] for name in names}
     data = xr.Dataset({f"designed_{name}": ("case", values) for name, values in columns.items()})

@@ -34,7 +34,7 @@ def changed(name, **values):
 def with_critical(side, wavelength):
     """A band whose edge of all substrates is at a wavelength."""
     of_all = band()
-    of_all["critical_wavelength"].loc[{"side": side, "group": "pooled"}] = wavelength
+    of_all["edge"].loc[{"side": side, "group": "pooled"}] = wavelength
     return of_all
 
 
@@ -114,7 +114,7 @@ def test_a_claim_without_a_number_is_not_in_the_answer(name):
 
 def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
     data = scan_size()
-    place = {"surface": "mcd", "edge_size": 2500.0}
+    place = {"surface": "mcd", "map_size": 2500.0}
     data["force_over_largest"].loc[place] = 2.24
     data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
     made = answer(scan_size=data)

@@ -65,7 +65,7 @@ def test_open_edges_are_bounds():
     assert plain(found.fact) == plain(bound)
     assert found.about["reason"] == "beyond the cell"
     below = open_edges()
-    below["edge_at_least"].loc[{"side": "large"}] = 0
+    below["edge_bound_is_lower"].loc[{"side": "large"}] = 0
     assert rows(edges=below)["long_edge"].fact.status == "open_below"
     below["edge_bound"].loc[{"side": "large"}] = 30_000.0
     assert classify_edge(datasets(edges=below).select_surface(SURFACES[0]), "large") == "inside"
@@ -91,7 +91,7 @@ def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
 )
 def test_an_open_edge_says_on_which_side_to_measure(at_least, expected):
     data = open_edges()
-    data["edge_at_least"].loc[{"side": "large"}] = at_least
+    data["edge_bound_is_lower"].loc[{"side": "large"}] = at_least
     measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
     long = [(one["code"], one["limit"].value) for one in measurements if one["edge"] == "long_edge"]
     assert long == [expected]
@@ -199,8 +199,8 @@ def test_own_forces_have_rows_of_their_surface_alone():
     assert found["measured_force"].about == {"tests": 40, "lopsided": False}
     assert found["measured_work"].fact.value == pytest.approx(WORK)
     changed = fit()
-    changed["continued_differs"].loc[{"side": "small"}] = 1
-    assert rows(changed)["continued_work"].fact.value == pytest.approx(WORK / 2)
+    changed["extrapolation_matters"].loc[{"side": "small"}] = 1
+    assert rows(changed)["extrapolated_work"].fact.value == pytest.approx(WORK / 2)
     assert "measured_force" not in rows(fit().assign_coords(surface=["other"]))
 
 

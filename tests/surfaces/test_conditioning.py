@@ -50,7 +50,7 @@ def spectrum():
     """UNCD's spectrum, calibrated to the AFM rows of Table 1."""
     moments = expected_moments(UNCD, transfer_weights(256, PIXEL, 64))
     return spectrum_dataset(UNCD.density).assign_attrs(
-        calibrated_to_table1="afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope",
+        table1_rows_met="afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope",
         expected_scan_moments=moments,
     )
 
@@ -131,7 +131,7 @@ def test_on_coarser_pixels_the_rms_height_stays(spectrum):
     np.testing.assert_allclose(list(targets.means.values()), [height, *moments[1:]], rtol=1e-3)
     assert targets.rows == ("afm_rms_height",)
     group = conditioning.conditioned_group(spectrum, targets, generators(1, 2), coarse)
-    assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
+    assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
 def test_a_surface_that_nothing_is_published_of_is_left_as_it_is(spectrum):
@@ -166,7 +166,7 @@ def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
     rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
     group = conditioning.conditioned_group(spectrum, targets, generators(1, 2, 3), GRID)
-    assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
+    assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
     scan_metrics = synthesized_metrics(spectrum, group, GRID)
     assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
     assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)

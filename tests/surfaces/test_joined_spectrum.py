@@ -19,7 +19,7 @@ def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scat
     for seed in range(8):
         joined_data = joined_spectrum(two_sizes_and_a_line(seed), [None] * 3)
         wavevector = joined_data["bin_wavevector"].values
-        errors.append(np.log(joined_data["joined"].values / gentle(wavevector)))
+        errors.append(np.log(joined_data["joined_psd"].values / gentle(wavevector)))
     errors = np.array(errors)
     wavelength = 2 * np.pi / wavevector
     is_measured = (wavelength > 16) & (wavelength < 40_000 / 3)

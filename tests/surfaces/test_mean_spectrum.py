@@ -34,7 +34,7 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
         joined_data = joined_spectrum([scan], [1e-3])
         is_reliable = joined_data["reliable"].values[0] == 1
         power = BIN_CENTRES[is_reliable] ** 2 * joined_data["psd"].values[0, is_reliable]
-        joined_power = BIN_CENTRES[is_reliable] ** 2 * joined_data["joined"].values[is_reliable]
+        joined_power = BIN_CENTRES[is_reliable] ** 2 * joined_data["joined_psd"].values[is_reliable]
         assert joined_power.sum() == pytest.approx(power.sum(), rel=0.01)
         if "grating" in kind:  # The line stands where it was measured.
             peak = power.argmax()

@@ -53,10 +53,10 @@ def table(maps):
         for name, radius in (("uncd", None), ("ruby", 250e3))
     }
     spectra = {
-        name: spectrum_dataset(factor * UNCD.density).assign_attrs(calibrated_to_table1=name)
+        name: spectrum_dataset(factor * UNCD.density).assign_attrs(table1_rows_met=name)
         for name, factor in (("uncd", 1), ("ruby", 4))
     }
-    conditionings = {"ruby": xr.Dataset(attrs={"calibrated_to_table1": "afm_rms_height"})}
+    conditionings = {"ruby": xr.Dataset(attrs={"table1_rows_met": "afm_rms_height"})}
     scans = {key: measured_roughness(scan) for key, scan in maps.items()}
     return roughness_table(scans, spectra, conditionings, examples, **SETTINGS)
 
@@ -67,7 +67,7 @@ def test_table_has_every_scan_and_what_is_missing_is_nan(table, maps):
         assert row.rms_height == metrics(heights)["rms_height"]
         np.testing.assert_array_equal(row.psd_isotropic, measured_psds(heights)[2])
     assert np.isnan(table.rms_height.sel(surface="ruby", scan=2))
-    assert list(table.calibrated_to_table1.values) == ["uncd", "afm_rms_height"]
+    assert list(table.table1_rows_met.values) == ["uncd", "afm_rms_height"]
 
 
 def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):

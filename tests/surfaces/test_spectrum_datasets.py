@@ -25,7 +25,7 @@ BANDS = pd.DataFrame(
 def substitute(bands=BANDS):
     """Return the spectrum of a substitute."""
     return spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
-        basis="substitute", calibrated_to_table1="", bands=bands.to_csv(index=False)
+        basis="substitute", table1_rows_met="", bands=bands.to_csv(index=False)
     )
 
 
@@ -38,7 +38,7 @@ def test_known_bands_are_those_of_published_or_measured_sources():
     is_known = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
     density = self_affine(spectrum.bin_wavevector.values, 1e9, 2000.0, 0.8)
     density[~is_known] = np.nan
-    np.testing.assert_allclose(spectrum.joined, density, rtol=0.03)
+    np.testing.assert_allclose(spectrum.joined_psd, density, rtol=0.03)
     assert np.isnan(spectrum.attrs["tail_hurst"])
     assert set(spectrum.limited_by.values) == {"source"}
 
@@ -61,6 +61,6 @@ def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
     for name, single in (("rough", rough), ("coat", coat)):
         surface_spectrum = table.sel(surface=name)
         np.testing.assert_array_equal(surface_spectrum["spectrum"], single["spectrum"])
-        np.testing.assert_array_equal(surface_spectrum["joined"], single["joined"])
+        np.testing.assert_array_equal(surface_spectrum["joined_psd"], single["joined_psd"])
         for limit in ("shortest_measured", "longest_measured", *Tail._fields):
             assert surface_spectrum[limit].item() == single.attrs[limit]

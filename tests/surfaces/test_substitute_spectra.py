@@ -168,7 +168,7 @@ def test_no_default_spectrum_jumps(surface):
 def test_default_spectra_meet_every_row_of_table_1_but_the_height_over_all_scales(surface):
     table1, default = default_spectrum(surface)
     calibrated = [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
-    assert default.attrs["calibrated_to_table1"] == ",".join(calibrated)
+    assert default.attrs["table1_rows_met"] == ",".join(calibrated)
     moments = all_scales_moments(Spectrum(WAVEVECTORS, default.spectrum.values))
     all_moments = [*default.attrs["expected_scan_moments"], *moments[1:]]
     np.testing.assert_allclose(all_moments, table1.value[calibrated], rtol=1e-9)

@@ -100,7 +100,7 @@ def test_forces_on_random_surfaces(rms, rho, error, error_at_contacts):
         pair = bodies(surface, None, touching)
         plastic = pull_off_of_pair(pair, touching, [rho]).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean())
-        approaches.append(-plastic["closest_approach"].values)
+        approaches.append(-plastic["apex_depth"].values)
     form = closed_form(spectrum, contact(rho, 400.0, radius))
     assert form.force == pytest.approx(np.mean(forces), rel=error)
     form = closed_form(spectrum, contact(rho, 400.0, radius), np.array(approaches))

@@ -32,10 +32,12 @@ def test_a_grid_holds_the_height_of_its_surfaces():
 
 
 def test_errors_are_predicted_over_computed(errors):
-    assert set(errors.error.dims) == {"surface", "map_size", "source", "rho"}
+    assert set(errors.predicted_over_computed.dims) == {"surface", "map_size", "source", "rho"}
     ratio = errors.predicted_force / errors.computed_force
-    assert errors.error.values == pytest.approx(ratio.transpose(*errors.error.dims).values)
-    assert errors.error.sel(source="contacts").values == pytest.approx(1, abs=0.1)
+    assert errors.predicted_over_computed.values == pytest.approx(
+        ratio.transpose(*errors.predicted_over_computed.dims).values
+    )
+    assert errors.predicted_over_computed.sel(source="contacts").values == pytest.approx(1, abs=0.1)
     interval = errors.computed_force_interval
     assert (interval.sel(bound="low") <= errors.computed_force).all()
     assert (errors.computed_force <= interval.sel(bound="high")).all()

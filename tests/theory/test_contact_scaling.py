@@ -150,7 +150,7 @@ def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
     contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
     coordinates = regime_coordinates(SPECTRA, contact).sel(surface="b")
     form = closed_form(SPECTRA["b"], contact)
-    assert coordinates["over_range"].item() == pytest.approx(form.rms_height / 5.6)
+    assert coordinates["rms_height_over_range"].item() == pytest.approx(form.rms_height / 5.6)
     level = form.closest_approach / form.rms_height
     assert coordinates["approach_level"].item() == pytest.approx(level)
     # The table has forty points a decade.

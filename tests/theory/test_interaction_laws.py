@@ -7,9 +7,9 @@ from scipy import constants, integrate
 from hardcontact.theory.interaction_laws import (
     EXPONENTIAL,
     LAWS,
-    implied_over_known,
     pressure,
     range_grid,
+    strength_over_known,
     work_shares,
 )
 from hardcontact.theory.law_forces import MIXED_RANGES
@@ -57,10 +57,10 @@ def test_power_law_of_large_exponent_is_the_exponential_law():
 def test_known_strengths():
     # A = 12 pi g0² W; ideal mirrors attract with 1.30 mPa at 1 µm; 1 V over 1 nm is 4.4 MPa.
     work = 5e-19 / (12 * np.pi * (0.3e-9) ** 2)
-    assert implied_over_known(BY_NAME["van_der_waals"], 0.15, work) == pytest.approx(1)
+    assert strength_over_known(BY_NAME["van_der_waals"], 0.15, work) == pytest.approx(1)
     mirrors = BY_NAME["retarded"]
     assert 3 * mirrors.max_strength / (1e-6) ** 4 == pytest.approx(1.30e-3, rel=1e-3)
     assert BY_NAME["electrostatic"].max_strength / 1e-18 == pytest.approx(
         constants.epsilon_0 / 2e-18
     )
-    assert np.isnan(implied_over_known(EXPONENTIAL, 5.6, 0.0463))
+    assert np.isnan(strength_over_known(EXPONENTIAL, 5.6, 0.0463))

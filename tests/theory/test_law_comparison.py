@@ -107,12 +107,12 @@ def test_force_of_a_law_is_a_moment_of_its_mixture(law):
 def test_fit_finds_the_law_that_made_the_forces(number):
     law, rho = LAWS[number], LENGTHS[120]
     laws = compare_laws(forces(), masters(), published(law, rho, 0.03), **CHOICES)
-    fitted = laws.sel(law=law.name, case="fitted")
+    fitted = laws.sel(law=law.name, range_choice="fitted")
     assert fitted.range_of_law.item() == pytest.approx(rho)
     assert fitted.work_of_adhesion.item() == pytest.approx(0.03, rel=1e-3)
     assert fitted.fit_error.item() < 1e-3
     np.testing.assert_allclose(fitted.ratio, laws.published_ratio, rtol=1e-3)
-    errors = laws.fit_error.sel(case="fitted")
+    errors = laws.fit_error.sel(range_choice="fitted")
     ratio = errors / errors.sel(law="exponential")
     np.testing.assert_allclose(laws.error_over_exponential, ratio, rtol=1e-9)
 
@@ -123,7 +123,7 @@ def test_equivalent_lengths_are_those_of_the_closed_form():
     for law in LAWS:
         curves = np.array([law_power(law, LENGTHS, slope) for slope in SLOPES])
         best, work, error = fit(curves, target)
-        equivalent = laws.sel(law=law.name, case="equivalent")
+        equivalent = laws.sel(law=law.name, range_choice="equivalent")
         assert equivalent.range_of_law.item() == pytest.approx(LENGTHS[best], rel=0.07)
         assert equivalent.fit_error.item() == pytest.approx(error, abs=2e-3)
         assert equivalent.work_of_adhesion.item() == pytest.approx(work, rel=0.02)
@@ -134,5 +134,5 @@ def test_edges_are_alike_where_filters_change_every_range_alike():
     cutoffs = masters().cutoff_wavelength.values
     # 10 % is half way between 8 % and 12 %, in the logarithm of the cutoff.
     pooled_edges = [np.sqrt(cutoffs[2] * cutoffs[3]), np.sqrt(cutoffs[5] * cutoffs[4])]
-    edges = laws.critical_wavelength.sel(group="pooled")
+    edges = laws.edge.sel(group="pooled")
     np.testing.assert_allclose(edges, np.broadcast_to(pooled_edges, edges.shape), rtol=1e-3)

@@ -30,7 +30,7 @@ def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
         assert form.force == pytest.approx(row["predicted_force"], rel=1e-3)
         assert form.regime == row["regime"]
         assert (form.rms_height, form.closest_approach) == pytest.approx(
-            (row["waves_height"], row["approach"]), rel=1e-3
+            (row["unfollowed_rms_height"], row["closest_approach"]), rel=1e-3
         )
     predicted = validate_prediction.predicted(row)
     assert predicted["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
@@ -46,8 +46,8 @@ def test_a_surface_computed_again_has_the_numbers_of_the_table():
 @pytest.mark.parametrize("name", prediction_errors.VALIDATED_QUANTITIES)
 def test_intervals_hold_what_they_should_on_the_other_half(name):
     """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""
-    table = TABLE[TABLE["held_back"] == 0]
-    closed_edges = table[table.get(f"{name}_is", pd.Series("found", table.index)) == "found"]
+    table = TABLE[TABLE["held_out"] == 0]
+    closed_edges = table[table.get(f"{name}_status", pd.Series("found", table.index)) == "found"]
     closed_edges = closed_edges.dropna(subset=f"predicted_{name}")
     is_inside = []
     for _, row in closed_edges.iterrows():

@@ -189,7 +189,7 @@ def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_toleranc
     )
     law = force_statistics(rough(10.0), SPHERE)
     shape = np.sqrt(-2 * np.log(law.quantile(0.5) / law.force))
-    assert scatter["total_shape"].item() == pytest.approx(shape, rel=0.01)
+    assert scatter["total_lognormal_shape"].item() == pytest.approx(shape, rel=0.01)
     needed = round(scatter["contacts_needed"].item())
     rng = generator(1, "contacts")
     level = rng.choice(len(law.means), (2000, needed), p=law.weights)

@@ -39,17 +39,20 @@ def random_heights(rms):
 
 def test_the_table_holds_what_its_rule_predicts():
     table = dataset.read(TABLE)
-    rule = ScanSizeRule(table["strength"].item(), table["exponent"].values)
+    rule = ScanSizeRule(table["rule_factor"].item(), table["exponent"].values)
     for surface in table["surface"].values:
         row = table.sel(surface=surface)
-        lengths = [row[name].item() for name in ("rms_height", "roll_off", "radius")]
+        lengths = [row[name].item() for name in ("rms_height", "rolloff", "radius")]
         case = Case(row["scan_size"].values[:, None], *lengths, row["rho"].values)
-        np.testing.assert_allclose(row["predicted_excess"], rule.excess(case))
+        np.testing.assert_allclose(row["predicted_finite_scan_ratio"], rule.excess(case))
         needed = case._replace(size=row["size_needed"].values)
-        np.testing.assert_allclose(rule.excess(needed), table.attrs["allowed_excess"])
-    for tested, name in (("surfaces", "excess"), ("random surfaces", "known_excess")):
+        np.testing.assert_allclose(rule.excess(needed), table.attrs["allowed_ratio"])
+    for tested, name in (
+        ("surfaces", "finite_scan_ratio"),
+        ("random surfaces", "trial_finite_scan_ratio"),
+    ):
         residual = np.log(table[name] / table[f"predicted_{name}"])
-        error = table["error"].sel(tested=tested, kind="corrected")
+        error = table["rms_log_error"].sel(tested_on=tested, correction="corrected")
         np.testing.assert_allclose(error, np.sqrt((residual**2).mean()))
 
 
@@ -104,12 +107,12 @@ def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
     ratios = [[1.5, 1.0, np.nan], [1.5, 1.2, np.nan], [2.0, 1.21, 1.0]]
     forces = xr.Dataset(
         {
-            "ratio": (("realization", "edge_size", "cutoff_wavelength"), [ratios, ratios]),
-            "pull_off_force": (("realization", "edge_size"), [[2.0, 3.0, 1.0]] * 2),
-            "period": ("edge_size", [1000.0, 1000.0, 8000.0]),
-            "mirrored": ("edge_size", [1, 1, 0]),
+            "ratio": (("realization", "map_size", "cutoff_wavelength"), [ratios, ratios]),
+            "pull_off_force": (("realization", "map_size"), [[2.0, 3.0, 1.0]] * 2),
+            "period": ("map_size", [1000.0, 1000.0, 8000.0]),
+            "mirrored": ("map_size", [1, 1, 0]),
         },
-        {"edge_size": [500.0, 501.0, 8000.0], "cutoff_wavelength": [250.0, 1000.0, 4000.0]},
+        {"map_size": [500.0, 501.0, 8000.0], "cutoff_wavelength": [250.0, 1000.0, 4000.0]},
     )
     edges = window_edges({"one": forces}).isel(surface=0)
     # Linear in ln(ratio) against ln(wavelength).
@@ -117,5 +120,7 @@ def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
     assert edges["long_edge"].values[0] == pytest.approx(1000 * 0.25**share)
     assert edges["long_edge"].values[2] == pytest.approx(2000, rel=1e-3)
     assert np.isnan(edges["long_edge"][1]) and edges["long_edge_bound"][1] == 1000
-    assert edges["long_edge_status"][1] == "beyond the cell" and edges["long_edge_at_least"][1]
+    assert (
+        edges["long_edge_status"][1] == "beyond the cell" and edges["long_edge_bound_is_lower"][1]
+    )
     assert edges["force_over_largest"].values.tolist() == [2.0, 3.0, 1.0]

@@ -74,4 +74,4 @@ def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_c
         np.testing.assert_allclose(figure_table["range_of_adhesion"], computed_range, rtol=1e-6)
         assert '"percentile":0.8' in inference.attrs["parameters"]
     with xr.open_dataset(results / "laws.nc") as laws:
-        assert laws["fit_error"].sel(law="steep", case="fitted").notnull()
+        assert laws["fit_error"].sel(law="steep", range_choice="fitted").notnull()

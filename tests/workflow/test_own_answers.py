@@ -107,7 +107,7 @@ def test_surfaces_on_different_grids_have_each_their_answer(several):
 
 def test_the_interval_of_own_forces_holds_the_truth(several):
     fit = xr.load_dataset(several / "fit.nc").sel(contact_model="plastic")
-    assert fit.tests.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
+    assert fit.test_count.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
     works = fit.work_of_adhesion_interval
     low, high = works.sel(surface="twin").sel(rho=RANGE, method="nearest").values
     assert low < WORK < high < 5 * low
@@ -135,7 +135,7 @@ def mean_over_contacts(values):
 
 def gaussian_relative(adhesion, rms_height):
     """Mean over contacts of F/(2 pi R W) in closed form, at their approaches (model, range)."""
-    approach = -adhesion.closest_approach
+    approach = -adhesion.apex_depth
     summits = xr.apply_ufunc(stats.norm.sf, approach / rms_height)
     relative = xr.apply_ufunc(gaussian_share, rms_height, approach, adhesion.rho) + summits
     return mean_over_contacts(relative)
@@ -169,7 +169,7 @@ def test_a_rough_sphere_sticks_less(own_study, several):
         smooth_adhesion, flat
     )
     # The closed form is that of many points: single peaks decide at the shortest range alone.
-    touches_many = adhesion.rho > (combined_rms**2 / -adhesion.closest_approach).max()
+    touches_many = adhesion.rho > (combined_rms**2 / -adhesion.apex_depth).max()
     assert (~touches_many).sum() <= 1
     lost, lost_in_theory = (
         1 - force_ratio.where(touches_many, drop=True) for force_ratio in (ratio, gaussian_ratio)

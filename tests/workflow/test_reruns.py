@@ -203,7 +203,7 @@ def overlay(key, value):
                                    "compare_enhancement"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),
-        ("insight.reach", "18 um", {"compute_law_forces"}),
+        ("insight.window", "18 um", {"compute_law_forces"}),
         ("scales.small.transition", "90 nm", {
             "synthesize_masters", "filter_masters", "compute_law_forces", "aggregate_scales"}),
     ],

@@ -27,7 +27,7 @@ def test_only_what_a_variant_concerns_is_another(robustness):
     assert len(fitted) == 8 and all(value.isnull().all() for value in rough.values())
     other_variants = fitted.drop_sel(variant="rough_sphere").sel(minimum=1)  # others need not exist
     assert all(np.isfinite(value).all() for value in other_variants.values())
-    cutoffs = robustness.critical_wavelength
+    cutoffs = robustness.edge
     assert np.isfinite(cutoffs).all()
     for name in robustness.variant.values[1:]:
         assert (cutoffs.sel(variant=name) != cutoffs.sel(variant="baseline")).any(), name
@@ -50,8 +50,8 @@ def test_loads_that_as_many_pixels_carry_are_one(robustness):
         assert half == hard < study
     alike = [name for name in robustness.data_vars if robustness[name].dtype.kind == "f"]
     xr.testing.assert_equal(
-        preload[alike].drop_vars(["variant", "variant_label", "group"]),
-        hardness[alike].drop_vars(["variant", "variant_label", "group"]),
+        preload[alike].drop_vars(["variant", "variant_label", "variant_kind"]),
+        hardness[alike].drop_vars(["variant", "variant_label", "variant_kind"]),
     )
 
 

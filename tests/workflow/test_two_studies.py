@@ -28,7 +28,7 @@ FIXED = {
 #: Keys whose values, or the numbers of what they count, stand in paths.
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
-    "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protruded",
+    "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protrusion_draws",
     "sets.realizations", "robustness.realizations", "robustness.preloads",
     "robustness.hardnesses", "insight.realizations", "insight.scaling.radii",
     "insight.scaling.ranges", "insight.scaling.preloads",
@@ -130,7 +130,7 @@ def test_keys_that_no_path_has_change_no_file(plans, folder):
     [
         ["scales.sphere_roughness"],
         ["scales.realizations", "insight.realizations", "robustness.hardnesses"],
-        ["sets.pool", "sets.protruded", "sets.realizations", "robustness.realizations"],
+        ["sets.pool", "sets.protrusion_draws", "sets.realizations", "robustness.realizations"],
     ],
 )
 def test_values_in_paths_change_no_file(plans, keys):

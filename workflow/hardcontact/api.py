@@ -31,7 +31,7 @@ from hardcontact.config.own_spectrum import own_spectrum, reliable_spectrum
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
+from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
 from hardcontact.own.open_edges import edges_of_curves
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.height_map import metrics as metrics
@@ -242,9 +242,9 @@ def pull_off_forces(
     -------
     xarray.Dataset
         ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N, rigid and plastic;
-        ``closest_approach`` in nm; ``touched_places``, the number of places that contacts touch;
-        ``window_change``, the relative change of the forces at the longest range in a window that
-        is wider by a period on each side.
+        ``apex_depth`` in nm; ``touched_places``, the number of places that contacts touch;
+        ``wider_window_change``, the relative change of the forces at the longest range in a window
+        that is wider by a period on each side.
 
     Examples
     --------
@@ -263,7 +263,7 @@ def pull_off_forces(
     refuse_unfit(surface, contact, ranges)
     pair = bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
-    forces = pull_off_of_pair(pair, contact, ranges).merge(window_change([pair], longest))
+    forces = pull_off_of_pair(pair, contact, ranges).merge(wider_window_change([pair], longest))
     force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
     return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(
@@ -310,9 +310,9 @@ def force_ratios(
     xarray.Dataset
         ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``,
         ``"found"`` or the reason for an open edge; ``edge_bound`` in nm, a lower bound of an open
-        edge if ``edge_at_least`` is 1, else an upper bound; ``ratio`` (side, cutoff_wavelength) of
-        the mean plastic force to the force on the unfiltered scan, NaN at cutoffs of the other
-        side.
+        edge if ``edge_bound_is_lower`` is 1, else an upper bound; ``ratio`` (side,
+        cutoff_wavelength) of the mean plastic force to the force on the unfiltered scan, NaN at
+        cutoffs of the other side.
 
     Examples
     --------
@@ -348,7 +348,7 @@ def force_ratios(
         }
     )
     edges = edges_of_curves(curves, logarithmic_limits(tolerance))
-    names = ("edge", "edge_status", "edge_bound", "edge_at_least")
+    names = ("edge", "edge_status", "edge_bound", "edge_bound_is_lower")
     return xr.Dataset(
         {"ratio": ratio} | {name: edges[name] for name in names},
         attrs={"rho": rho, "tolerance": tolerance},

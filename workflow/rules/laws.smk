@@ -23,7 +23,7 @@ rule compute_law_forces:
                 "scan": int(w.scan),
                 "contact": STUDY["contact"] | {"count": INSIGHT["count"]},
                 "radius": STUDY["sphere"]["radius"],
-                "reach": INSIGHT["reach"],
+                "window": INSIGHT["window"],
                 "anchor": STUDY["scales"]["range"],
                 "scales": {
                     side: {"transition": STUDY["scales"][side]["transition"]} | INSIGHT[side]

@@ -24,7 +24,7 @@ def pool_parameters(wildcards):
         "scans": len(SELECTION.scans(wildcards.surface)),
         "scan": SCAN_GRID,
         "table1": FILES.surface_variants[wildcards.variant].table1,
-        "amplitudes": STUDY["sets"]["amplitudes"],
+        "rms_heights": STUDY["sets"]["rms_heights"],
         "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
         "ranges": RANGES,
         "radius": STUDY["sphere"]["radius"],

@@ -15,7 +15,7 @@ with job(snakemake) as job:
     surface, number = params["surface"], params["scan"]
     scan = read_height_map(job.input.scan)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
-    contact, reach = Contact(radius=params["radius"], **params["contact"]), params["reach"]
+    contact, reach = Contact(radius=params["radius"], **params["contact"]), params["window"]
     ranges = range_grid(params["anchor"], **MIXED_RANGES).tolist()
     job.write(
         scan_range_forces(scan, sphere, contact, reach, ranges),

@@ -6,7 +6,7 @@ from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import over_sphere_scans
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.contact.pull_off import finer_pixel_change, pull_off_of_pair, window_change
+from hardcontact.contact.pull_off import finer_pixel_ratio, pull_off_of_pair, wider_window_change
 
 with job(snakemake) as job:
     params = job.parameters
@@ -23,8 +23,8 @@ with job(snakemake) as job:
     )
     first_pair, shortest = next(iter(pairs.values())), replace(contact, range=min(params["ranges"]))
     job.write(
-        forces.assign(window_change(pairs.values(), contact)).assign(
-            finer_pixel_change(first_pair, shortest)
+        forces.assign(wider_window_change(pairs.values(), contact)).assign(
+            finer_pixel_ratio(first_pair, shortest)
         ),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

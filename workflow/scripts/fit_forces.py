@@ -4,7 +4,7 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.tables import measured_forces
-from hardcontact.own.own_fit import add_continued_work, fit_measured
+from hardcontact.own.own_fit import add_extrapolated_work, fit_measured
 
 with job(snakemake) as job:
     params = job.parameters
@@ -16,6 +16,6 @@ with job(snakemake) as job:
         Sampling(params["seed"], params["samples"], params["confidence"]),
     )
     job.write(
-        add_continued_work(fitted, dataset.read(job.input.force)),
+        add_extrapolated_work(fitted, dataset.read(job.input.force)),
         title="range and work of adhesion from measured forces",
     )

@@ -44,7 +44,7 @@ def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
     Parameters
     ----------
     band : xarray.Dataset
-        ``critical_wavelength`` and ``scale_change`` of `critical_band`.
+        ``edge`` and ``scale_change`` of `critical_band`.
 
     Returns
     -------
@@ -55,7 +55,7 @@ def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
     last_cutoffs = cutoffs.max("cutoff_wavelength").where(
         band["side"] == "small", cutoffs.min("cutoff_wavelength")
     )
-    return band["critical_wavelength"].fillna(last_cutoffs)
+    return band["edge"].fillna(last_cutoffs)
 
 
 def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
@@ -81,7 +81,7 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     xarray.Dataset
         With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
         group, cutoff_wavelength), |ratio - 1|, and its mean over surfaces for the group POOLED; and
-        ``critical_wavelength`` (side, group) in nm.
+        ``edge`` (side, group) in nm.
     """
     return add_intervals(sampled_band(scales, tolerance, sampling), scales, sampling)
 
@@ -167,15 +167,15 @@ def sampled_band(
     critical_samples = np.where(never_leaves, last_cutoffs, critical_samples)
     return {
         "scale_ratio": SampledVariable(
-            AXES, ratio, ratio_samples, "1", "pull-off force over that unfiltered"
+            AXES, ratio, ratio_samples, "1", "pull-off force relative to the unfiltered force"
         ),
         "scale_change": SampledVariable(
             ("side", "group", "cutoff_wavelength"), change, change_samples,
-            "1", "relative change of the pull-off force, up or down",
+            "1", "magnitude of the relative change of the pull-off force",
         ),
-        "critical_wavelength": SampledVariable(
+        "edge": SampledVariable(
             ("side", "group"), critical, critical_samples,
-            "nm", "cutoff where the force leaves its tolerance",
+            "nm", "cutoff at which the change of the force exceeds the tolerance",
         ),
     }  # fmt: skip
 
@@ -283,8 +283,9 @@ def describe_edge(curve: Curve) -> dict[str, Any]:
     -------
     dict
         ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
-        ``edge_at_least``, 1 if the edge is longer than its bound, else 0; ``edge_status`` and
-        ``interval_status`` (2,), ``"found"`` or the end of the cutoffs that the edge lies beyond.
+        ``edge_bound_is_lower``, 1 if the edge is longer than its bound, else 0; ``edge_status`` and
+        ``edge_interval_status`` (2,), ``"found"`` or the end of the cutoffs that the edge lies
+        beyond.
     """
     cutoffs = curve.cutoffs
     small = curve.side == "small"
@@ -315,10 +316,10 @@ def describe_edge(curve: Curve) -> dict[str, Any]:
     return {
         "edge": edge,
         "edge_bound": bound,
-        "edge_at_least": int(is_lower_bound),
+        "edge_bound_is_lower": int(is_lower_bound),
         "edge_status": status,
         "edge_interval": interval,
-        "interval_status": np.where(np.isfinite(interval), "found", "open"),
+        "edge_interval_status": np.where(np.isfinite(interval), "found", "open"),
     }
 
 

@@ -46,7 +46,7 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
             contact = sorted_forces.isel(load=load, rho=column, drop=True)
             variables = sampled_band(contact, tolerance, sampling)
             bands_by_range.append(add_intervals(variables, contact, sampling))
-            edges[model, rho] = variables["critical_wavelength"]
+            edges[model, rho] = variables["edge"]
         models.append(xr.concat(bands_by_range, sorted_forces["rho"]))
     bands = xr.concat(models, pd.Index(CONTACTS, name="contact_model"))
     return bands.merge(_edge_ratios(edges, sampling))
@@ -61,8 +61,11 @@ def _edge_ratios(
     reduced_edges = {"plasticity": edges["rigid", long], "long_range": edges["plastic", short]}
     values = np.stack([complete.value / edge.value for edge in reduced_edges.values()])
     samples = np.stack([complete.samples / edge.samples for edge in reduced_edges.values()], axis=1)
-    attributes = {"units": "1", "long_name": "edge of the band over that without a cause"}
+    attributes = {
+        "units": "1",
+        "long_name": "edge relative to the edge without plasticity, or without the long range",
+    }
     variables = sampling.with_interval(
-        "edge_ratio", ("without", *complete.dimensions), values, samples, attributes
+        "edge_ratio", ("removed_cause", *complete.dimensions), values, samples, attributes
     )
-    return xr.Dataset(variables, {"without": list(reduced_edges)})
+    return xr.Dataset(variables, {"removed_cause": list(reduced_edges)})

@@ -69,7 +69,7 @@ def forces_at_cutoffs(
     results = (forces(surface) for surface in surfaces)
     unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "small" else master.size
-    nanometres = {"units": "nm", "long_name": "end of the unfiltered spectrum"}
+    nanometres = {"units": "nm", "long_name": "last wavelength of the unfiltered spectrum"}
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
     return xr.Dataset(
         {

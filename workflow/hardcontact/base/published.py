@@ -37,5 +37,5 @@ def table1(path: str | Path) -> pd.DataFrame:
 
 
 def rows_met(stored: str) -> list[str]:
-    """Return the rows of Table 1 that an attribute or variable `calibrated_to_table1` names."""
+    """Return the rows of Table 1 that an attribute or variable `table1_rows_met` names."""
     return [row for row in stored.split(",") if row]

@@ -236,7 +236,7 @@ class Files:
         is_measured = selection.basis[bearer] == "measured"
         if is_measured or not set(surfaces) <= set(selection.pooled):
             return []
-        chunks = _chunks(self._configuration["sets"]["protruded"], PROTRUDED_CHUNK)
+        chunks = _chunks(self._configuration["sets"]["protrusion_draws"], PROTRUDED_CHUNK)
         return [ProtrudedChunk(name, bearer, *chunk) for name in surfaces for chunk in chunks]
 
     # Masters

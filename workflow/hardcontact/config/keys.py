@@ -250,12 +250,12 @@ class SetsKeys(Keys):
     """Sets drawn."""
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
     """Independent scans of each substrate that sets are drawn from."""
-    amplitudes: Annotated[int, Field(ge=4, le=50)] = 7
-    """Heights that forces of each scan of the pool are computed at; between them forces are
-    interpolated."""
-    protruded: Annotated[int, Field(ge=2, le=1000)] = 24
-    """Rare protrusions, each time others, that every set is fitted with: on
-    `robustness.heights.surface`, or on the sphere. A quarter of the times there are none."""
+    rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
+    """Number of rms heights at which the forces of each scan of the pool are computed; between
+    them forces are interpolated."""
+    protrusion_draws: Annotated[int, Field(ge=2, le=1000)] = 24
+    """Number of draws of rare protrusions, on `robustness.heights.surface` or on the sphere. Every
+    set is fitted with each draw. A quarter of the draws have no protrusions."""
     count: Count = 10
     """Contacts along an edge of the array."""
     realizations: Realizations = 20
@@ -348,14 +348,15 @@ class InsightKeys(Keys):
     """Insight.
 
     The chapter of `snakemake insight` goes beyond the paper: the causes of the critical band, and
-    the limits of the method. `laws.nc` uses `small`, `large` and `reach`; `scaling.nc` uses
+    the limits of the method. `laws.nc` uses `small`, `large` and `window`; `scaling.nc` uses
     `scaling` and `small.pixels`; both and `closed_form.nc` use `count` and `realizations`;
     `closed_form.nc` and `statistics.nc` use all other keys.
     """
 
     realizations: Realizations = 3
-    """Random surfaces of each size beside the closed form, scans with masters for other laws, of
-    each substrate; surfaces in repeated contact."""
+    """Number, for each substrate, of random surfaces of each size that are compared with the closed
+    form, and of scans with masters for other laws. Also the number of surfaces in repeated
+    contact."""
     count: Count = 8
     """Contacts along an edge of the array."""
     ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
@@ -364,8 +365,9 @@ class InsightKeys(Keys):
     """Pixels along an edge of the random surfaces beside the closed form."""
     sizes: Lengths = key(["5000 nm", "20000 nm"])
     """Edges of these surfaces, ascending; repeated contact is on the largest."""
-    reach: Length = key("80 um")
-    """Edge of the window within which these laws attract, at least `contact.window`."""
+    window: Length = key("80 um")
+    """Edge of the window within which other laws of attraction than Eq. 1 act, at least
+    `contact.window`."""
     small: LawSmallScaleKeys = LawSmallScaleKeys()
     large: LawLargeScaleKeys = LawLargeScaleKeys()
     scaling: ScalingKeys = ScalingKeys()

@@ -163,8 +163,10 @@ def own_spectrum(
 
 def reliable_spectrum(joined: xr.Dataset) -> Spectrum:
     """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans."""
-    is_measured = np.isfinite(joined.joined.values)
-    return Spectrum(joined.bin_wavevector.values[is_measured], joined.joined.values[is_measured])
+    is_measured = np.isfinite(joined.joined_psd.values)
+    return Spectrum(
+        joined.bin_wavevector.values[is_measured], joined.joined_psd.values[is_measured]
+    )
 
 
 def _is_table(path: str | Path) -> bool:

@@ -18,7 +18,7 @@ _SUBSTITUTES = ("seed", "scans", "scan.pixels", "scan.size")
 SCANS = (*_SUBSTITUTES, *_MEASURED)
 _CONTACTS = (*SCANS, "contact.window", "contact.count")
 _POOL = (
-    *_SUBSTITUTES, "sets.amplitudes", "sets.count", "contact.window", "adhesion.ranges",
+    *_SUBSTITUTES, "sets.rms_heights", "sets.count", "contact.window", "adhesion.ranges",
 )  # fmt: skip
 _TRANSITIONS = ("scales.small.transition", "scales.large.transition")
 
@@ -39,7 +39,7 @@ STORE_KEYS = {
     "protruded": (*_POOL, "robustness.heights.surface"),
     "masters": (*SCANS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
     "laws": (
-        *SCANS, *_TRANSITIONS, "contact.window", "insight.count", "insight.reach", "insight.small",
+        *SCANS, *_TRANSITIONS, "contact.window", "insight.count", "insight.window", "insight.small",
         "insight.large",
     ),
 }  # fmt: skip

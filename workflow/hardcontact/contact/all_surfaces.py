@@ -42,7 +42,7 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
 def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    The scans come from `over_sphere_scans`, with `window_change`, by (surface, scan).
+    The scans come from `over_sphere_scans`, with `wider_window_change`, by (surface, scan).
     ``contact_pixels`` (contact_model) are the most of any pair.
     """
     dimensions = ["surface", "scan"]
@@ -103,7 +103,7 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
         forces[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
     )
     ratio = (filtered / unfiltered).assign_attrs(
-        units="1", long_name="mean pull-off force over that unfiltered"
+        units="1", long_name="mean pull-off force relative to the unfiltered force"
     )
     ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
     scales = forces.assign(ratio=ratio, unfiltered_wavelength=ends)
@@ -115,13 +115,15 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with the changes that another spectrum makes.
 
     Both come from `stacked_forces`; varied masters have drawn spectra and the same random numbers.
-    ``ratio_shift`` and ``unfiltered_shift`` are changes of the logarithms of ``ratio`` and of the
-    mean ``unfiltered_pull_off_force``, NaN where there is no other master.
+    ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are changes of the logarithms of
+    ``ratio`` and of the mean ``unfiltered_pull_off_force``, NaN where there is no other master.
     """
     whole = "unfiltered_pull_off_force"
     ratio = varied["ratio"] / scales["ratio"]
     mean = varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES)
-    shifts = xr.Dataset({"ratio_shift": np.log(ratio), "unfiltered_shift": np.log(mean)})
+    shifts = xr.Dataset(
+        {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}
+    )
     for name in shifts.data_vars:
         shifts[name].attrs = {"units": "1"}
     return scales.merge(shifts, join="left", compat="no_conflicts")
@@ -129,6 +131,6 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
     """Return forces of masters with the wavelengths (nm) where artificial roughness begins."""
-    attributes = {"units": "nm", "long_name": "artificial roughness begins"}
+    attributes = {"units": "nm", "long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]
     return scales.assign(transition=("side", lengths, attributes))

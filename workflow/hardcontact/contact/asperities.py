@@ -16,7 +16,7 @@ from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 
 Floats = NDArray[np.float64]
 
-UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent": "nm"}
+UNITS = {"largest_share": "1", "two_largest_share": "1", "patch_count": "1", "extent": "nm"}
 #: Share of the force that patches carry: they are those of the fewest pixels.
 SHARE = 0.9
 

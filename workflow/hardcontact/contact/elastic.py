@@ -144,7 +144,7 @@ def _refuse(failed: bool, reason: str) -> None:
 
 UNITS = {
     "contact_area": "nm2",
-    "hard_share": "1",
+    "share_above_hardness": "1",
     "peak_pressure": "Pa",
     "mean_pressure": "Pa",
     "rigid_pull_off_force": "N",
@@ -197,7 +197,7 @@ def elastic_contacts_of_pair(
         name: ("contact", list(values), {"units": unit})
         for (name, unit), values in zip(UNITS.items(), zip(*numbers, strict=True), strict=True)
     }
-    example = {"units": "Pa", "long_name": "pressure, one contact"}
+    example = {"units": "Pa", "long_name": "pressure in one contact"}
     position = (np.arange(len(peaks[0])) - len(peaks[0]) // 2) * pixel_size
     from_peak = {"units": "nm", "long_name": "position from the peak"}
     return xr.Dataset(

@@ -19,7 +19,9 @@ from hardcontact.surfaces.spectrum import Spectrum
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 
 
-def slope_index(spectra: Mapping[str, Spectrum], modulus: float, hardness: float) -> xr.DataArray:
+def pressure_over_hardness(
+    spectra: Mapping[str, Spectrum], modulus: float, hardness: float
+) -> xr.DataArray:
     """Return E* h'/(k H), h' the rms slope of all waves down to the shortest, from spectra.
 
     Over surface and shortest_wavelength (nm), rising; modulus and hardness are in Pa. h'² = 1/(2

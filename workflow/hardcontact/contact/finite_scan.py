@@ -43,7 +43,10 @@ def with_sizes(
     sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
     ratios = [finite_scan_ratio(size, draw_size) for size, draw_size in sizes]
     share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
-    in_window = {"units": "1", "long_name": "share of the force in the window"}
+    in_window = {
+        "units": "1",
+        "long_name": "share of the attraction of a smooth sphere within the window",
+    }
     return force.assign(
         draw_size=("surface", lengths, {"units": "nm"}),
         finite_scan_ratio=(("surface", "bound"), ratios, {"units": "1"}),

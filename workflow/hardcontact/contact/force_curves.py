@@ -97,15 +97,15 @@ def _weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
 
 #: What is computed of the forces, with its unit.
 STATISTICS = {
-    "force_mean": "N",
-    "force_median": "N",
+    "mean_force_at_pair": "N",
+    "median_force_at_pair": "N",
     "lognormal_shape": "1",
     "lognormal_median": "N",
     "censored_fraction": "1",
 }
 
 #: Those of the forces of all scans together.
-POOLED = ["force_median", "lognormal_shape", "lognormal_median"]
+POOLED = ["median_force_at_pair", "lognormal_shape", "lognormal_median"]
 
 
 def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr.Dataset:
@@ -126,7 +126,10 @@ def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr
     censored = (scan_forces < floor).mean("contact")
     pooled, confidence = _pooled(finite_forces, floor), sampling.confidence
     values = dict(zip(POOLED, pooled, strict=True))
-    values |= {"force_mean": float(mean.mean()), "censored_fraction": float(censored.mean())}
+    values |= {
+        "mean_force_at_pair": float(mean.mean()),
+        "censored_fraction": float(censored.mean()),
+    }
     ends = dict.fromkeys(STATISTICS, np.full(2, np.nan))
     if sampling.samples:
         left_out = [
@@ -134,7 +137,7 @@ def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr
             for scan in range(len(finite_forces))
         ]
         ends = dict(zip(POOLED, jackknife_interval(pooled, left_out, confidence), strict=True))
-        ends["force_mean"] = student_log_interval(mean, confidence, "scan").values
+        ends["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
         ends["censored_fraction"] = student_interval(censored, confidence, "scan").clip(0, 1).values
     variables: dict[str, Any] = {}
     for name, unit in STATISTICS.items():

@@ -21,7 +21,7 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Pixels on either side of the deepest in the height map of one contact.
 REACH = 32
 
-UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indents": "1"}
+UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indent_count": "1"}
 
 
 def indents(contact: LowestGaps, pixel_size: float) -> tuple[float, float, float, int]:

@@ -101,7 +101,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
 
     The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
-    ``closest_approach`` (contact_model, contact_y, contact_x), ``contact_pixels`` (contact_model)
+    ``apex_depth`` (contact_model, contact_y, contact_x), ``contact_pixels`` (contact_model)
     and the number of `touched_places`.
     """
     pixel_size = bodies.geometry.pixel_size
@@ -110,12 +110,12 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     gaps = _gaps(contacts)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
-    beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
+    beyond_planes = {"units": "nm", "long_name": "depth of the apex below the mean plane"}
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
-            "closest_approach": (model_axes, approaches, beyond_planes),
+            "apex_depth": (model_axes, approaches, beyond_planes),
             "contact_pixels": ("contact_model", counts, {"units": "1"}),
             "touched_places": ((), touched_places(bodies, contacts), {"units": "1"}),
         },
@@ -164,7 +164,7 @@ def mean_pull_off_of_pair(
     )
 
 
-def finer_pixel_change(bodies: Bodies, contact: Contact) -> xr.Dataset:
+def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
     """Return the mean plastic force on pixels of half the size over that on those of a pair.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same.
@@ -184,12 +184,15 @@ def finer_pixel_change(bodies: Bodies, contact: Contact) -> xr.Dataset:
     coarse, fine = (
         plastic_forces(pair, [contact], [contact.range]).mean() for pair in (bodies, finer)
     )
-    attributes = {"units": "1", "long_name": "force on half as large pixels over that on the own"}
+    attributes = {
+        "units": "1",
+        "long_name": "force on pixels of half the size, relative to the scan's pixels",
+    }
     change = ((), fine / coarse, attributes | {"rho": contact.range})
-    return xr.Dataset({"finer_pixel_change": change})
+    return xr.Dataset({"finer_pixel_ratio": change})
 
 
-def window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
+def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
     """Return the largest change of the plastic force in a window larger by a period on each side.
 
     The pairs are one substrate with several rough spheres.
@@ -206,5 +209,10 @@ def window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
             for windowed in (geometry, wider)
         )
         changes.append(float(np.abs(wide / narrow - 1).max()))
-    attributes = {"units": "1", "long_name": "change of the force by a further period a side"}
-    return xr.Dataset({"window_change": ((), max(changes), attributes)}, {}, {"rho": contact.range})
+    attributes = {
+        "units": "1",
+        "long_name": "change of the force in a window wider by a period on each side",
+    }
+    return xr.Dataset(
+        {"wider_window_change": ((), max(changes), attributes)}, {}, {"rho": contact.range}
+    )

@@ -17,12 +17,21 @@ from hardcontact.own.scan_parts import logarithmic_interval
 
 #: The variables that describe an edge: their additional dimensions and their attributes.
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
-    "edge": ((), {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"}),
-    "edge_bound": ((), {"units": "nm", "long_name": "limit of an open edge"}),
-    "edge_at_least": ((), {"units": "1", "long_name": "1 where an open edge is above its limit"}),
+    "edge": (
+        (),
+        {
+            "units": "nm",
+            "long_name": "cutoff at which the change of the force exceeds the tolerance",
+        },
+    ),
+    "edge_bound": ((), {"units": "nm", "long_name": "cutoff beyond which an open edge lies"}),
+    "edge_bound_is_lower": (
+        (),
+        {"units": "1", "long_name": "1 if the edge is longer than its bound, else 0"},
+    ),
     "edge_status": ((), {}),
     "edge_interval": (("bound",), {"units": "nm", "long_name": "interval of the edge"}),
-    "interval_status": (("bound",), {}),
+    "edge_interval_status": (("bound",), {}),
 }
 
 
@@ -63,7 +72,7 @@ def band_edges(
 def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     """Return the ratios of one surface and side, their intervals, and the source of these."""
     half = half_width_over_masters(
-        masters, lambda filtered, unfiltered: filtered / unfiltered, "ratio_shift", confidence
+        masters, lambda filtered, unfiltered: filtered / unfiltered, "log_ratio_shift", confidence
     )
     ratio = masters.forces.ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)

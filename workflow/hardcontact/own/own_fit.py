@@ -96,7 +96,7 @@ def fit_measured(
     Returns
     -------
     xarray.Dataset
-        ``measured_force`` (surface) in N with its interval, ``tests``, label and
+        ``measured_force`` (surface) in N with its interval, ``test_count``, label and
         ``interval_source``, for the surfaces with forces; ``work_of_adhesion`` (contact_model,
         surface, rho) in J/m² with its interval, on a fine grid of ranges; ``region``
         (contact_model, rho, bound), the lowest and highest work in J/m² that all surfaces allow, or
@@ -135,7 +135,7 @@ def fit_measured(
     variables = sampling.with_interval(
         "measured_force", "surface", target.tolist(), np.stack(means, axis=1), NEWTON
     ) | {
-        "tests": ("surface", [test.number for test in tests], ONE),
+        "test_count": ("surface", [test.number for test in tests], ONE),
         "interval_source": ("surface", sources),
         "label": adhesion.label.sel(surface=surfaces),
     }
@@ -226,7 +226,7 @@ def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:
     }
 
 
-def add_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
+def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
     The work is the measured force divided by the force computed at 1 J/m². Extrapolated roughness
@@ -243,17 +243,17 @@ def add_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        The fit with ``continued_work`` (surface, side) in J/m² and its interval, in which the
+        The fit with ``extrapolated_work`` (surface, side) in J/m² and its interval, in which the
         independent relative errors of measured and computed force are added as squares of their
-        logarithms; ``continued_differs`` and ``transition`` of the forces; the attribute
+        logarithms; ``extrapolation_matters`` and ``transition`` of the forces; the attribute
         ``range_of_adhesion``, at which ``work_of_adhesion`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)
-    measured_force, computed_force = fitted.measured_force, surface_force.continued_force
+    measured_force, computed_force = fitted.measured_force, surface_force.extrapolated_force
     log_lower, log_upper = (
         np.log(end / measured_force) for end in bounds(fitted, "measured_force")
     )
-    low, high = bounds(surface_force, "continued_force")
+    low, high = bounds(surface_force, "extrapolated_force")
     log_high = np.log(high / computed_force)
     log_low = np.log(low.where(low > 0) / computed_force).where(low != 0, -np.inf)
     work = (measured_force / (computed_force / force.attrs["work_of_adhesion"])).transpose(
@@ -262,17 +262,18 @@ def add_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     ends = [-np.hypot(log_lower, log_high), np.hypot(log_upper, log_low)]
     interval = xr.concat([work * np.exp(end) for end in ends], "bound")
     variables = with_interval(
-        "continued_work",
+        "extrapolated_work",
         work.dims,
         work.values,
         interval.transpose(*work.dims, "bound").values,
-        ENERGY | {"long_name": f"work with continued roughness, {PLASTIC} contact"},
+        ENERGY | {"long_name": f"work with extrapolated roughness, {PLASTIC} contact"},
         fitted.attrs["confidence"],
     )
     return (
         fitted.assign(variables)
         .assign(
-            continued_differs=surface_force.continued_differs, transition=surface_force.transition
+            extrapolation_matters=surface_force.extrapolation_matters,
+            transition=surface_force.transition,
         )
         .assign_attrs(range_of_adhesion=force.attrs["range_of_adhesion"])
     )

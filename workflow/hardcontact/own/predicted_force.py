@@ -73,7 +73,7 @@ def own_force(
     -------
     xarray.Dataset
         Over surface: the forces on the scans (`predicted_force`) and with extrapolated roughness
-        (`continued_force`), never above the force on a smooth sphere; whether scans, windows and
+        (`extrapolated_force`), never above the force on a smooth sphere; whether scans, windows and
         pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`); and the
         coordinates in the map of regimes (`regime_coordinates`). The attributes have the Tabor
         parameter and its verdict on the bodies, hard or not (`tabor`).
@@ -85,8 +85,8 @@ def own_force(
         sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
         confidence=confidence,
     )
-    continued_forces = continued_force(scales, masters, contact.work, confidence)
-    force = add_continued_force(force, continued_forces, tolerance)
+    extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
+    force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
         name: spectrum_from(spectra.sel(surface=name)) for name in force["surface"].values.tolist()
@@ -104,7 +104,7 @@ def own_force(
         tolerance=tolerance,
         confidence=confidence,
     ).squeeze("rho", drop=True)
-    force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
+    force = force.merge(scatter[["weibull_modulus", "log_force_std", "contacts_needed"]])
     stiffness = tabor(contact, assumed_modulus(contact.hardness))
     return force.merge(regime_coordinates(spectra_by_surface, contact)).assign_attrs(
         tabor_parameter=stiffness.value, bodies=stiffness.status
@@ -244,60 +244,67 @@ def _surface_force(
     )
 
 
-def continued_force(
+def extrapolated_force(
     scales: xr.Dataset, masters: Masters, work: float, confidence: float
 ) -> xr.Dataset:
     """Return the mean force on masters with all their roughness, in plastic contact.
 
     `scales` has the forces of the masters at 1 J/m², as in scales.nc; the work of adhesion is in
-    J/m². Returns ``continued_force`` (surface, side) in N with its interval, from the same parts
-    and realizations as the edges of the band; ``continued_source``, the source of the interval;
-    ``continued_end`` in nm, the shortest or the longest wavelength; and ``transition`` (side) in
-    nm, the wavelength beyond which the roughness follows the spectrum.
+    J/m². Returns ``extrapolated_force`` (surface, side) in N with its interval, from the same parts
+    and realizations as the edges of the band; ``extrapolation_source``, the source of the interval;
+    ``extrapolation_end`` in nm, the shortest or the longest wavelength; and ``transition`` (side)
+    in nm, the wavelength beyond which the roughness follows the spectrum.
     """
-    attributes = NEWTON | {"long_name": "mean pull-off force with roughness continued"}
+    attributes = NEWTON | {"long_name": "mean pull-off force with extrapolated roughness"}
 
     def summary(master_forces: MasterForces) -> xr.Dataset:
         force = work * master_forces.forces.unfiltered_pull_off_force.mean().values
         half = half_width_over_masters(
-            master_forces, lambda filtered, unfiltered: unfiltered, "unfiltered_shift", confidence
+            master_forces,
+            lambda filtered, unfiltered: unfiltered,
+            "log_unfiltered_force_shift",
+            confidence,
         )
         interval, end = (
             logarithmic_interval(force, half),
             float(master_forces.forces.unfiltered_wavelength),
         )
         return xr.Dataset(
-            with_interval("continued_force", (), force, interval, attributes, confidence)
+            with_interval("extrapolated_force", (), force, interval, attributes, confidence)
             | {
-                "continued_source": master_forces.scan_parts.source,
-                "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
+                "extrapolation_source": master_forces.scan_parts.source,
+                "extrapolation_end": (
+                    (),
+                    end,
+                    {"units": "nm", "long_name": "last wavelength of the extrapolated roughness"},
+                ),
             }
         )
 
     return summarize_masters(scales, masters, summary).assign(transition=scales.transition)
 
 
-def add_continued_force(
-    force: xr.Dataset, continued_forces: xr.Dataset, tolerance: float
+def add_extrapolated_force(
+    force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
     """Return predicted forces with the forces of extrapolated roughness and their difference.
 
-    Both have the same work and range of adhesion. ``continued_differs`` (surface, side) is 1 if the
-    force with extrapolated roughness differs by more than the relative tolerance and lies outside
-    the interval of the force on the scans, or if this has no interval. Otherwise it is 0: one
-    number can stand for both.
+    Both have the same work and range of adhesion. ``extrapolation_matters`` (surface, side) is 1 if
+    the force with extrapolated roughness differs by more than the relative tolerance and lies
+    outside the interval of the force on the scans, or if this has no interval. Otherwise it is 0:
+    one number can stand for both.
     """
     rho = force.attrs["range_of_adhesion"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
     low, high = bounds(scan_force, "force")
-    is_inside = (low <= continued_forces.continued_force) & (
-        continued_forces.continued_force <= high
+    is_inside = (low <= extrapolated_forces.extrapolated_force) & (
+        extrapolated_forces.extrapolated_force <= high
     )
-    is_changed = np.abs(continued_forces.continued_force / scan_force.force - 1) > tolerance
+    is_changed = np.abs(extrapolated_forces.extrapolated_force / scan_force.force - 1) > tolerance
     differs = (is_changed & ~is_inside).drop_vars("contact_model").astype(int)
     differs.attrs = {"units": "1", "long_name": "1 where that differs from the force on the scans"}
-    return force.merge(continued_forces).assign(
-        continued_differs=differs.transpose("surface", "side")
+    return force.merge(extrapolated_forces).assign(
+        extrapolation_matters=differs.transpose("surface", "side")
     )
 
 
@@ -314,7 +321,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     at most 2 pi R W. In plastic contact, the area F/H touches at zero gap and adds W/rho times this
     area. Single contacts (`force_quantile`) have no such bound.
 
-    The forces come from `add_continued_force`; the area F/H is in nm². ``smooth_bound``
+    The forces come from `add_extrapolated_force`; the area F/H is in nm². ``smooth_bound``
     (contact_model, rho) in N is added to them and replaces larger forces.
     """
     radius, work = force.attrs["sphere_radius"], force.attrs["work_of_adhesion"]
@@ -324,7 +331,10 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     rho = force.attrs["range_of_adhesion"]
     master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
     bounded = {"smooth_bound": bound.assign_attrs(units="N", long_name="force on a smooth sphere")}
-    for name, limit in {"force": bound, "continued_force": master_bound.drop_vars("rho")}.items():
+    for name, limit in {
+        "force": bound,
+        "extrapolated_force": master_bound.drop_vars("rho"),
+    }.items():
         for variable in (name, f"{name}_interval"):
             value = force[variable]
             # An interval without ends stays one.

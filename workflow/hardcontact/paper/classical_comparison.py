@@ -47,9 +47,10 @@ def apply_classical_models(
     xarray.Dataset
         By surface, NaN if the paper prints no force or no roughness: ``published_mean_force`` in N,
         whose interval contains all numbers rounded to it, and ``computed_mean_force`` in N. By
-        (against, surface): ``effective_work_of_adhesion`` in J/m² with the printed Tabor parameter.
-        By metrics: the variables of `compare_models` and `power_laws`. By model: its description.
-        ``tabor_parameter`` at the published work, and ``hertz_peak_pressure`` of the sphere in Pa.
+        (force_source, surface): ``effective_work_of_adhesion`` in J/m² with the printed Tabor
+        parameter. By metrics: the variables of `compare_models` and `power_laws`. By model: its
+        description. ``tabor_parameter`` at the published work, and ``hertz_peak_pressure`` of the
+        sphere in Pa.
     """
     value = constants["value"].to_dict()
     confidence = sampling.confidence
@@ -74,26 +75,28 @@ def apply_classical_models(
     interval = plastic["force_mean_interval"].transpose("surface", "bound")
     forces = {
         "published": rounding_intervals(printed.loc[surfaces, "mean_force"]),
-        "computed": (plastic["force_mean"].values, interval.values),
+        "computed": (plastic["mean_force_at_pair"].values, interval.values),
     }
     maugis = smooth_sphere.maugis_parameter(value["tabor_parameter"])
     coefficient = smooth_sphere.transition_coefficient(maugis)
     mean_forces: dict[str, Any] = {}
     works = {}
     effective = {}
-    for against, (force, force_interval) in forces.items():
-        name = f"{against}_mean_force"
+    for force_source, (force, force_interval) in forces.items():
+        name = f"{force_source}_mean_force"
         mean_forces |= with_interval(name, "surface", force, force_interval, NEWTON, confidence)
-        works[against] = smooth_sphere.effective_work_of_adhesion(force, sphere.radius, coefficient)
+        works[force_source] = smooth_sphere.effective_work_of_adhesion(
+            force, sphere.radius, coefficient
+        )
         work_interval = smooth_sphere.effective_work_of_adhesion(
             force_interval, sphere.radius, coefficient
         )
         name = "effective_work_of_adhesion"
         variables = with_interval(
-            name, "surface", works[against], work_interval, ENERGY, confidence
+            name, "surface", works[force_source], work_interval, ENERGY, confidence
         )
-        effective[(against,)] = xr.Dataset(variables)
-    targets = {against: force for against, (force, _) in forces.items()}
+        effective[(force_source,)] = xr.Dataset(variables)
+    targets = {force_source: force for force_source, (force, _) in forces.items()}
     models = {}
     for metrics, prefix in METRICS.items():
         mean = _roughness(rows, "value", prefix)
@@ -112,7 +115,7 @@ def apply_classical_models(
     }
     return (
         stack(models, ["metrics"])
-        .merge(stack(effective, ["against"]))
+        .merge(stack(effective, ["force_source"]))
         .assign(mean_forces)
         .assign_coords(surface=surfaces)
         .reindex(surface=inference["surface"].values)

@@ -155,7 +155,7 @@ def compare_models(
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` (model, surface) in N and ``mean_relative_error`` (model, against).
+        ``pull_off_force`` (model, surface) in N and ``mean_relative_error`` (model, force_source).
     """
     forces = {}
     fits = {}
@@ -166,12 +166,12 @@ def compare_models(
             "pull_off_force", "surface", force, force_samples, NEWTON
         )
         forces[(name,)] = xr.Dataset(variables)
-        for against, target in targets.items():
+        for force_source, target in targets.items():
             _, error = fit_work(model, mean, sphere, target)
             _, error_samples = fit_work(model, samples, sphere, target)
             variables = sampling.with_interval("mean_relative_error", (), error, error_samples, ONE)
-            fits[name, against] = xr.Dataset(variables)
-    return stack(forces, ["model"]).merge(stack(fits, ["model", "against"]))
+            fits[name, force_source] = xr.Dataset(variables)
+    return stack(forces, ["model"]).merge(stack(fits, ["model", "force_source"]))
 
 
 def power_laws(
@@ -191,13 +191,13 @@ def power_laws(
     Returns
     -------
     xarray.Dataset
-        ``power_law_error`` (rms_parameter, against).
+        ``power_law_error`` (rms_parameter, force_source).
     """
     fits = {}
     for parameter in Roughness._fields:
-        for against, work in works.items():
+        for force_source, work in works.items():
             error = power_law_error(getattr(mean, parameter), work)
             error_samples = power_law_error(getattr(samples, parameter), work)
             variables = sampling.with_interval("power_law_error", (), error, error_samples, ONE)
-            fits[parameter, against] = xr.Dataset(variables)
-    return stack(fits, ["rms_parameter", "against"])
+            fits[parameter, force_source] = xr.Dataset(variables)
+    return stack(fits, ["rms_parameter", "force_source"])

@@ -27,14 +27,14 @@ LARGE_RADIUS = 50e3
 
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
-    """Return the decades between effective works of adhesion of the surfaces (against)."""
+    """Return the decades between effective works of adhesion of the surfaces (force_source)."""
     return decades(variable_as_number(classical, "effective_work_of_adhesion"), "surface")
 
 
 def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
     """Return effective works of adhesion of printed forces, without their rounding (surface)."""
     return number_with_interval(
-        classical["effective_work_of_adhesion"].sel(against="published", drop=True)
+        classical["effective_work_of_adhesion"].sel(force_source="published", drop=True)
     )
 
 
@@ -50,7 +50,7 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
     """Return the smallest error of a classical model relative to the force sum.
 
-    Its dimensions are metrics, model, against and contact_model.
+    Its dimensions are metrics, model, force_source and contact_model.
     """
     return quotient(
         variable_as_number(classical, "mean_relative_error"),
@@ -64,7 +64,7 @@ def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
     It is in rms heights of the scan (surface, contact_model). All contact pixels under a smooth
     sphere are at least as high.
     """
-    approach = mean_over_contacts(adhesion["closest_approach"])
+    approach = mean_over_contacts(adhesion["apex_depth"])
     return mean_over_scans(-approach / topography["rms_height"], adhesion.attrs["confidence"])
 
 
@@ -74,9 +74,9 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     return number_with_interval(adhesion["contact_pixels"] * pixel_area)
 
 
-def finer_pixel_change(adhesion: xr.Dataset) -> xr.Dataset:
+def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the relative plastic force at the smallest range on finer pixels (surface)."""
-    return mean_over_scans(adhesion["finer_pixel_change"], adhesion.attrs["confidence"])
+    return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
@@ -87,12 +87,12 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
     return absolute_value(signed_mean_over_scans(change, elastic.attrs["confidence"]))
 
 
-def typical_hard_share(elastic: xr.Dataset) -> xr.Dataset:
+def typical_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
     """Return the share of the contact area that bears more than the hardness ().
 
     It is the median over the surfaces.
     """
-    return variable_as_number(elastic, "hard_share").median("surface", skipna=False)
+    return variable_as_number(elastic, "share_above_hardness").median("surface", skipna=False)
 
 
 def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:

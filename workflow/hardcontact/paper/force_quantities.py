@@ -47,7 +47,8 @@ def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
 def mean_over_median(inference: xr.Dataset) -> xr.Dataset:
     """Return the mean relative to the median pull-off force (contact_model, pair, surface)."""
     return quotient(
-        variable_as_number(inference, "force_mean"), variable_as_number(inference, "force_median")
+        variable_as_number(inference, "mean_force_at_pair"),
+        variable_as_number(inference, "median_force_at_pair"),
     )
 
 

@@ -231,9 +231,9 @@ def _error_variables(
     padding = (0, MINIMA - len(minima))
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, ONE),
-        "error_of_range": ("rho_fine", smallest_errors, ONE),
-        "region_range": ("bound", ranges, NM),
-        "region_work": ("bound", works, ENERGY),
+        "best_error_by_range": ("rho_fine", smallest_errors, ONE),
+        "low_error_range": ("bound", ranges, NM),
+        "low_error_work": ("bound", works, ENERGY),
     } | {
         f"minimum_{name}": (
             "minimum",

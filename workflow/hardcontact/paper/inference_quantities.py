@@ -32,7 +32,7 @@ def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 def short_range_error(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the smallest error at the ranges of atomic interactions (contact_model)."""
-    error = inference["error_of_range"]
+    error = inference["best_error_by_range"]
     return number_with_interval(
         error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
     )
@@ -87,12 +87,12 @@ def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:
 
 def half_width_of_range(inference: xr.Dataset) -> xr.Dataset:
     """Return half the extent in range of the region of small error (contact_model)."""
-    return _half_width(inference["region_range"])
+    return _half_width(inference["low_error_range"])
 
 
 def half_width_of_work(inference: xr.Dataset) -> xr.Dataset:
     """Return half the extent in work of adhesion of the region of small error (contact_model)."""
-    return _half_width(inference["region_work"])
+    return _half_width(inference["low_error_work"])
 
 
 def _half_width(region: xr.DataArray) -> xr.Dataset:
@@ -141,7 +141,7 @@ def band_edge(band: xr.Dataset) -> xr.Dataset:
 
     The last cutoff of the side is the bound if the force never leaves its tolerance.
     """
-    return number_with_interval(edges_or_last_cutoffs(band), *bounds(band, "critical_wavelength"))
+    return number_with_interval(edges_or_last_cutoffs(band), *bounds(band, "edge"))
 
 
 def first_edge(band: xr.Dataset) -> xr.Dataset:
@@ -158,7 +158,7 @@ def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.
     D is the diameter of the sphere of the study, rho the published range.
     """
     radius = (2 * band.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
-    ratio: xr.Dataset = variable_as_number(band, "critical_wavelength") / radius
+    ratio: xr.Dataset = variable_as_number(band, "edge") / radius
     return ratio
 
 

@@ -37,7 +37,7 @@ INFERENCE_VARIABLES = [
     "minimum_error", "mean_force", "ratio",
 ]  # fmt: skip
 #: Variables of the critical band of a set that sets.nc contains.
-BAND_VARIABLES = ["scale_ratio", "scale_change", "critical_wavelength"]
+BAND_VARIABLES = ["scale_ratio", "scale_change", "edge"]
 
 
 class Sources(NamedTuple):
@@ -213,7 +213,7 @@ def set_topography(study: xr.Dataset, drawn_scans: DrawnScans, confidence: float
     metrics = [scans[list(METRICS)] for scans in surface_scans]
     set_scans = xr.concat(metrics, study["surface"], join="outer")
     constant = [name for name in study if str(name).startswith("all_scales_")]
-    labels = study[[*constant, "label", "basis", "calibrated_to_table1"]]
+    labels = study[[*constant, "label", "basis", "table1_rows_met"]]
     return xr.merge(
         [labels, set_scans, scan_averages(set_scans, confidence)], combine_attrs="override"
     )
@@ -302,7 +302,7 @@ def judge_sets(
         sets.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
         sphere_factor=sources.sphere_factor.assign_attrs(
-            units="1", long_name="pull-off force on the rough sphere over that on a smooth one"
+            units="1", long_name="pull-off force of the rough sphere relative to a smooth sphere"
         )
     )
 

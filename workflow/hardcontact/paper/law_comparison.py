@@ -23,9 +23,9 @@ from hardcontact.theory.interaction_laws import (
     EXPONENTIAL,
     LAWS,
     Law,
-    implied_over_known,
     law_forces,
     range_grid,
+    strength_over_known,
 )
 
 #: Lengths and works of adhesion at which laws are compared.
@@ -93,9 +93,9 @@ def compare_laws(
     Returns
     -------
     xarray.Dataset
-        By law: ``error`` (target, length) at the best work of adhesion. By law and case, with
-        intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²), ``fit_error``, ``ratio``
-        (surface) and ``critical_wavelength`` (side, group; nm); ``implied_over_known`` from the
+        By law: ``best_error_by_range`` (target, rho) at the best work of adhesion. By law and range
+        choice, with intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²), ``fit_error``,
+        ``ratio`` (surface) and ``edge`` (side, group; nm); ``strength_over_known`` from the
         function of this name. By law: ``error_over_exponential``, the error of the best fit to the
         published forces relative to the best fit of Eq. 1, with an interval from common samples.
     """
@@ -182,21 +182,21 @@ def _fit_law(
             _fit_case(lengths, curves, measured, reference, sampling),
             _fit_case(atomic, atomic_forces, measured, reference, sampling),
         ],
-        pd.Index(CASES, name="case"),
+        pd.Index(CASES, name="range_choice"),
     )
     forces_by_target = {"Eq. 1": targets.exponential[0], "published": measured[0]}
     errors = [
         fit_work(curves[0] / forces, np.ones(len(forces)))[1]
         for forces in forces_by_target.values()
     ]
-    implied = implied_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
+    implied = strength_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
     return fits.assign(
         sampling.with_interval("error_over_exponential", (), error_ratios[0], error_ratios[1], ONE)
         | {
-            "error": (("target", "length"), errors, ONE),
-            "implied_over_known": ("case", implied, ONE),
+            "best_error_by_range": (("target", "rho"), errors, ONE),
+            "strength_over_known": ("range_choice", implied, ONE),
         }
-    ).assign_coords(length=("length", lengths, NM), target=list(forces_by_target))
+    ).assign_coords(rho=("rho", lengths, NM), target=list(forces_by_target))
 
 
 def _fit_case(
@@ -248,4 +248,4 @@ def _band(
     ratio = law_force("pull_off_force") / law_force("unfiltered_pull_off_force")
     scales = masters[["unfiltered_wavelength"]].assign(ratio=ratio)
     band = critical_band(scales, tolerance, sampling)
-    return band[["critical_wavelength", "critical_wavelength_interval"]]
+    return band[["edge", "edge_interval"]]

@@ -80,7 +80,7 @@ def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources
     return PoolSources(
         spectrum_from(spectrum),
         targets,
-        pool_heights(targets, parameters["scans"], parameters["amplitudes"]),
+        pool_heights(targets, parameters["scans"], parameters["rms_heights"]),
         PoolSettings(
             seed=parameters["seed"],
             surface=surface,
@@ -91,7 +91,7 @@ def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources
     )
 
 
-def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
+def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
     """Return the rms heights at which the forces of a pool are computed.
 
     No value of a sample of n is farther from its mean than (n - 1)/sqrt(n) of its standard
@@ -104,20 +104,20 @@ def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
         Mean and deviation of the rms heights of a set.
     scans : int
         Number of scans in a set.
-    amplitudes : int
+    count : int
         Number of heights.
 
     Returns
     -------
     numpy.ndarray
-        Ascending heights (amplitudes,) in nm.
+        Ascending heights (count,) in nm.
     """
     mean = targets.means["rms_height"]
     if scans == 1:
         return np.array([mean])
     reach = targets.deviation * (scans - 1) / np.sqrt(scans)
     lowest = max(mean - reach, MIN_HEIGHT_RATIO * mean)
-    return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
+    return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, count) ** 2)
 
 
 def height_weights(heights: Floats, targets: Floats) -> Floats:

@@ -91,16 +91,16 @@ def compute_protruded(
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` (variant, rho, contact) in N at 1 J/m², plastic, of a smooth sphere at
-        all contacts on all scans; ``mean_change`` (variant, rho), the mean force relative to the
+        ``pull_off_force`` (draw, rho, contact) in N at 1 J/m², plastic, of a smooth sphere at
+        all contacts on all scans; ``mean_force_ratio`` (draw, rho), the mean force relative to the
         mean force without protrusions; ``density`` (1/µm²), ``height`` (rms heights) and ``width``
-        (nm) by variant.
+        (nm) by draw.
     """
     variants = [
         _protruded_forces(number, scans, sources, roughness, bearer)
         for number in progress(numbers, len(numbers), "protruded surfaces")
     ]
-    axis = pd.Index(list(numbers), name="variant")
+    axis = pd.Index(list(numbers), name="draw")
     return xr.concat(variants, axis).assign_attrs(surface=sources.settings["surface"])
 
 
@@ -140,7 +140,7 @@ def _protruded_forces(
     return xr.Dataset(
         {
             "pull_off_force": (("rho", "contact"), np.concatenate(forces, axis=1), NEWTON),
-            "mean_change": ("rho", change, {"units": "1"}),
+            "mean_force_ratio": ("rho", change, {"units": "1"}),
             **values,
         },
         range_axis(settings["ranges"]),
@@ -183,33 +183,31 @@ def judge_protruded(
     Returns
     -------
     xarray.Dataset
-        The `fitted_pairs` by (variant, set). At the fitted pair ``mean_force`` and
-        ``median_force`` (variant, set) of the protruded surface in N; ``agrees`` (variant, set) is
+        The `fitted_pairs` by (draw, set). At the fitted pair ``mean_force`` and
+        ``median_force`` (draw, set) of the protruded surface in N; ``agrees`` (draw, set) is
         1 if both are within FACTOR of the published forces. At the published pair
-        ``mean_at_published`` and ``median_at_published`` (variant) in N and
-        ``spread_at_published`` (variant), the standard deviation of ln F. The fields of
-        `Protrusions` (variant).
+        ``mean_at_published`` and ``median_at_published`` (draw) in N and
+        ``log_force_std_at_published`` (draw), the standard deviation of ln F. The fields of
+        `Protrusions` (draw).
     """
     surface_chunks: dict[str, list[xr.Dataset]] = {}
     for chunk in chunks:
         surface_chunks.setdefault(chunk.attrs["surface"], []).append(chunk)
-    protruded = {
-        name: xr.concat(chunk_list, "variant") for name, chunk_list in surface_chunks.items()
-    }
+    protruded = {name: xr.concat(chunk_list, "draw") for name, chunk_list in surface_chunks.items()}
     factor = sets["sphere_factor"].sel(surface=surface, drop=True)
     forces = protruded[surface]["pull_off_force"] * factor
-    forces = forces.transpose("variant", "contact", "rho")
+    forces = forces.transpose("draw", "contact", "rho")
     ranges = forces["rho"].values
-    changes = [variants["mean_change"] for variants in protruded.values()]
+    changes = [variants["mean_force_ratio"] for variants in protruded.values()]
     change = xr.concat(changes, pd.Index(list(protruded), name="surface"))
     curves = sets["mean_force"] * change.reindex(surface=sets["surface"], fill_value=1.0)
     curves = curves.where(sets["surface"] != surface, forces.mean("contact"))
-    fits = fitted_pairs(curves.transpose("variant", "set", ...), published.forces["mean_force"])
+    fits = fitted_pairs(curves.transpose("draw", "set", ...), published.forces["mean_force"])
     shape = tuple(fits.sizes.values())
     means = np.empty(shape)
     medians = np.empty(shape)
     for row in range(len(forces)):
-        fit = fits.isel(variant=row)
+        fit = fits.isel(draw=row)
         fitted_forces = on_fine_grid(forces.values[row], ranges, fit["range_of_adhesion"].values)
         fitted_forces = fitted_forces * fit["work_of_adhesion"].values  # (contact, set)
         means[row] = fitted_forces.mean(axis=0)
@@ -220,12 +218,16 @@ def judge_protruded(
     rho, work = published.pair
     published_pair_forces = on_fine_grid(forces.values, ranges, np.array([rho]))[..., 0] * work
     return fits.assign(
-        mean_force=(("variant", "set"), means, NEWTON),
-        median_force=(("variant", "set"), medians, NEWTON),
-        agrees=(("variant", "set"), agrees.astype("int8")),
-        mean_at_published=("variant", published_pair_forces.mean(axis=1), NEWTON),
-        median_at_published=("variant", np.median(published_pair_forces, axis=1), NEWTON),
-        spread_at_published=("variant", np.log(published_pair_forces).std(axis=1), {"units": "1"}),
+        mean_force=(("draw", "set"), means, NEWTON),
+        median_force=(("draw", "set"), medians, NEWTON),
+        agrees=(("draw", "set"), agrees.astype("int8")),
+        mean_at_published=("draw", published_pair_forces.mean(axis=1), NEWTON),
+        median_at_published=("draw", np.median(published_pair_forces, axis=1), NEWTON),
+        log_force_std_at_published=(
+            "draw",
+            np.log(published_pair_forces).std(axis=1),
+            {"units": "1"},
+        ),
     ).assign(protruded[surface][list(PROTRUSION_UNITS)])
 
 
@@ -247,10 +249,10 @@ def empty_protruded(surface: str, ranges: np.ndarray) -> xr.Dataset:
     forces = np.empty((0, len(ranges), 1))
     return xr.Dataset(
         {
-            "pull_off_force": (("variant", "rho", "contact"), forces, NEWTON),
-            "mean_change": (("variant", "rho"), forces[..., 0], {"units": "1"}),
-            **{name: ("variant", [], {"units": unit}) for name, unit in PROTRUSION_UNITS.items()},
+            "pull_off_force": (("draw", "rho", "contact"), forces, NEWTON),
+            "mean_force_ratio": (("draw", "rho"), forces[..., 0], {"units": "1"}),
+            **{name: ("draw", [], {"units": unit}) for name, unit in PROTRUSION_UNITS.items()},
         },
-        {"variant": np.arange(0), "rho": ranges},
+        {"draw": np.arange(0), "rho": ranges},
         {"surface": surface},
     )

@@ -24,7 +24,7 @@ INFERENCE_VARIABLES = [
 ]  # fmt: skip
 
 #: Variables computed for every variant of the filtered masters.
-BAND_VARIABLES = ["critical_wavelength", "critical_wavelength_interval"]
+BAND_VARIABLES = ["edge", "edge_interval"]
 
 #: Files of masters, each with its surface, variant and probe.
 Masters = Sequence[tuple[Sequence[str], xr.Dataset]]
@@ -88,7 +88,7 @@ def robustness(
     merged = xr.concat(variant_datasets, names, coords="minimal", join="outer")
     return merged.assign_coords(
         variant_label=("variant", [variant["label"] for variant in variants]),
-        group=("variant", [variant["group"] for variant in variants]),
+        variant_kind=("variant", [variant["group"] for variant in variants]),
     ).assign_attrs(
         tolerance=choices.tolerance,
         confidence=choices.sampling.confidence,

@@ -174,7 +174,7 @@ def fixed_verdict(
     surfaces : list of str
         From `claim_surfaces`.
     topography : xarray.Dataset
-        topography.nc; ``calibrated_to_table1`` names the rows of Table 1 that the scans of a
+        topography.nc; ``table1_rows_met`` names the rows of Table 1 that the scans of a
         surface meet by construction.
     constants : pandas.DataFrame
         From `published.constants`.
@@ -191,7 +191,7 @@ def fixed_verdict(
     substitutes = _are_substitutes(surfaces, topography)
     if claim.needs == "measured" and any(substitutes):
         return UNTESTABLE, "The substitute scans decide this."
-    calibrated = topography["calibrated_to_table1"].sel(surface=surfaces).values
+    calibrated = topography["table1_rows_met"].sel(surface=surfaces).values
     meets_by_construction = [
         substitute and claim.quantity in rows_met(str(rows))
         for substitute, rows in zip(substitutes, calibrated, strict=True)

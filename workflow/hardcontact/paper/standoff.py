@@ -72,9 +72,9 @@ def standoff(
     Returns
     -------
     xarray.Dataset
-        ``computed_height`` (surface, statistic, rho) in nm follows from computed forces and does
-        not depend on W. ``required_height`` (surface, statistic, work_of_adhesion, rho) in nm
-        follows from published forces. ``rms_height`` (surface) is in nm.
+        ``height_from_computed`` (surface, statistic, rho) in nm follows from computed forces and
+        does not depend on W. ``height_from_published`` (surface, statistic, work_source, rho) in nm
+        follows from published forces. ``combined_rms_height`` (surface) is in nm.
     """
     forces = adhesion["pull_off_force"].stack(
         contact=["scan", "sphere_scan", "contact_y", "contact_x"]
@@ -90,19 +90,19 @@ def standoff(
     smooth = float(dmt_pull_off(1.0, adhesion.attrs["sphere_radius"]))
     works = np.stack([np.full(ranges.size, work), fitted_work])
     required = np.empty((surfaces.size, len(STATISTICS), len(WORKS), ranges.size))
-    computed_height = np.empty(computed_forces.shape)
+    height_from_computed = np.empty(computed_forces.shape)
     for row, surface in enumerate(surfaces):
         for column, rho in enumerate(ranges):
             rms_height = rms_heights[surface]
             measured_shares = published_forces[row, :, None] / (smooth * works[:, column])
             required[row, :, :, column] = apex_height(measured_shares, rms_height, rho)
             computed_shares = computed_forces.values[row, :, column] / smooth
-            computed_height[row, :, column] = apex_height(computed_shares, rms_height, rho)
+            height_from_computed[row, :, column] = apex_height(computed_shares, rms_height, rho)
     return xr.Dataset(
         {
-            "required_height": (("surface", "statistic", "work_of_adhesion", "rho"), required, NM),
-            "computed_height": (("surface", "statistic", "rho"), computed_height, NM),
-            "rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
+            "height_from_published": (("surface", "statistic", "work_source", "rho"), required, NM),
+            "height_from_computed": (("surface", "statistic", "rho"), height_from_computed, NM),
+            "combined_rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
         },
-        {"statistic": STATISTICS, "work_of_adhesion": WORKS, "rho": computed_forces["rho"]},
+        {"statistic": STATISTICS, "work_source": WORKS, "rho": computed_forces["rho"]},
     ).assign(adhesion[["label", "basis"]])

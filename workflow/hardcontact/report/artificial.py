@@ -65,7 +65,7 @@ def parts_of_change(
     cutoffs = computed_cutoffs(side_edges["scale_ratio"])
     logarithm = np.log(side_edges["scale_ratio"].sel(cutoff_wavelength=cutoffs).values)
     none_removed = 0 if side == "small" else len(cutoffs)
-    end = data.force["continued_end"].sel(side=side).item()
+    end = data.force["extrapolation_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, none_removed, end)
     logarithm = np.insert(logarithm, none_removed, 0.0)
     bands = artificial_bands(data.spectra)

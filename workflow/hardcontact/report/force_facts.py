@@ -44,7 +44,7 @@ def with_reason(fact: Number, source: xr.DataArray) -> Number:
 
 def differing_sides(data: xr.Dataset) -> list[str]:
     """Return the sides on which extrapolated roughness changes the force beyond its interval."""
-    return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
+    return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
 
 
 def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
@@ -52,16 +52,16 @@ def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
     side_force = force.sel(side=side)
     start, end = (
         number_of(side_force, variable, "nm", name=name, strict=False)
-        for name, variable in (("start", "transition"), ("end", "continued_end"))
+        for name, variable in (("start", "transition"), ("end", "extrapolation_end"))
     )
     return {"side": side, "start": start, "end": end}
 
 
-def continued_fact(
+def extrapolated_fact(
     data: xr.Dataset,
     side: str,
     spectra: xr.Dataset,
-    variable: str = "continued_force",
+    variable: str = "extrapolated_force",
     name: str = "force_continued",
 ) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
@@ -84,10 +84,10 @@ def force_rows(data: Datasets) -> list[Row]:
     )
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     smooth = 2 * np.pi * 1e-9 * radius * work
-    sources = force["continued_source"]
+    sources = force["extrapolation_source"]
     continued = []
     for side in differing_sides(force):
-        fact = with_reason(continued_fact(force, side, data.spectra), sources.sel(side=side))
+        fact = with_reason(extrapolated_fact(force, side, data.spectra), sources.sel(side=side))
         continued.append(Row(fact, continuation(force, side)))
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
     mean = number_of(forces, "force", name="force_mean", strict=False)
@@ -99,16 +99,16 @@ def force_rows(data: Datasets) -> list[Row]:
         Row(Number("force_median", median, "N"), {}),
         Row(bounds_only("force_middle", lowest, highest, "N"), {"share": share}),
         Row(Number("smooth_sphere", float(smooth), "N"), {}),
-        Row(number_of(force, "spread", "1", name="force_scatter"), _scatter(force)),
+        Row(number_of(force, "log_force_std", "1", name="force_scatter"), _scatter(force)),
         Row(Number("range_sensitivity", _sensitivity(force)), {}),
     ]
 
 
 def _scatter(force: xr.Dataset) -> dict[str, Any]:
     """Return the modulus k of a surface, and the number and distance of contacts for a mean."""
-    names = ("modulus", "contacts_needed")
+    names = ("weibull_modulus", "contacts_needed")
     numbers = {name: number_of(force, name, "1", strict=False) for name in names}
-    return numbers | {"distance": number_of(force, "draw_size", "nm", name="distance")}
+    return numbers | {"draw_size": number_of(force, "draw_size", "nm")}
 
 
 def _origin_of_force(data: Datasets) -> dict[str, Any]:
@@ -179,12 +179,12 @@ def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[Row]:
         fit_at_range, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
     )
     rows = [
-        Row(force, {"tests": int(fit["tests"].item()), "lopsided": bool(lopsided)}),
+        Row(force, {"tests": int(fit["test_count"].item()), "lopsided": bool(lopsided)}),
         Row(work, {"beyond_solids": work.value > STRONGEST_WORK}),
     ]
     for side in differing_sides(fit):
         start = number_of(fit.sel(side=side), "transition", name="start")
-        continued = continued_fact(fit, side, spectra, "continued_work", "continued_work")
+        continued = extrapolated_fact(fit, side, spectra, "extrapolated_work", "extrapolated_work")
         rows.append(Row(continued, {"side": side, "start": start}))
     return rows
 

@@ -89,7 +89,7 @@ def insight_page(
 
 def band_edge(band: xr.Dataset, side: str, group: str = POOLED) -> Number:
     """Return the edge of the band at one side, for one surface or the mean over all surfaces."""
-    return number_of(band.sel(side=side, group=group), "critical_wavelength", "nm", "no_edge")
+    return number_of(band.sel(side=side, group=group), "edge", "nm", "no_edge")
 
 
 def long_edge(size_data: xr.Dataset) -> Number:
@@ -97,13 +97,13 @@ def long_edge(size_data: xr.Dataset) -> Number:
     bound = size_data["long_edge_bound"].item()
     if np.isfinite(size_data["long_edge"]) or np.isnan(bound):
         return number_of(size_data, "long_edge", "nm", "no_edge")
-    status = "open_above" if size_data["long_edge_at_least"] else "open_below"
+    status = "open_above" if size_data["long_edge_bound_is_lower"] else "open_below"
     return Number("long_edge", bound, "nm", status=status)
 
 
 def half_factor(closed_form: xr.Dataset) -> float:
     """Return the median error, as a factor, of forces from the closed form."""
-    errors = closed_form["error"].isel(map_size=-1).sel(source="spectrum")
+    errors = closed_form["predicted_over_computed"].isel(map_size=-1).sel(source="spectrum")
     return float(np.exp(np.median(np.abs(np.log(errors.values)))))
 
 
@@ -113,12 +113,14 @@ def edge_errors(scaling: xr.Dataset) -> Iterator[dict[str, Any]]:
     An error is the computed edge relative to the predicted edge: the median, with the middle 90 %
     as its interval.
     """
-    held_out = scaling.sel(designed=scaling["held_back"] == 1)
-    has_many_points = held_out["designed_level"] > held_out["designed_over_range"]
+    held_out = scaling.sel(designed=scaling["held_out"] == 1)
+    has_many_points = held_out["designed_level"] > held_out["designed_rms_height_over_range"]
     for side in SIDES:
         for regime, in_regime in ((MANY_POINTS, has_many_points), (SINGLE_PEAKS, ~has_many_points)):
             is_edge = held_out["designed_bound"].sel(side=side) == 0
-            errors = held_out["designed_error"].sel(side=side, designed=in_regime & is_edge)
+            errors = held_out["designed_computed_over_predicted"].sel(
+                side=side, designed=in_regime & is_edge
+            )
             row: dict[str, Any] = {"side": side, "regime": regime}
             for prediction in (FORMULA, CLOSED_FORM):
                 prediction_errors = errors.sel(prediction=prediction).dropna("designed")
@@ -135,10 +137,10 @@ def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
     distances of DISTANCES.
     """
     cases = held_back(statistics)
-    is_below = cases["designed_modulus"] < 1
+    is_below = cases["designed_weibull_modulus"] < 1
     for modulus, in_group in (("below 1", is_below), ("above 1", ~is_below)):
         group = cases.isel(case=np.flatnonzero(in_group))
-        ratio = np.log(group["designed_spread"] / group["designed_predicted_spread"])
+        ratio = np.log(group["designed_log_force_std"] / group["designed_predicted_log_force_std"])
         row = {"modulus": modulus, "cases": group.sizes["case"]}
         row["error"] = Number("error", float(np.expm1(np.sqrt((ratio**2).mean()))))
         for name in DISTANCES:

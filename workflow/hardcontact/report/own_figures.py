@@ -147,14 +147,14 @@ def draw_spectra(datasets: Datasets) -> TableAndFigure:
             measurement_rows = measurement[["reliable"]].assign(value=measurement["psd"])
             columns = {"quantity": "psd", "measurement": measurement_name(measurement)}
             frames.append(tables.computed_rows(measurement_rows, unit="nm4", **columns))
-        joined_density = data.spectra["joined"].values
+        joined_density = data.spectra["joined_psd"].values
         axes.plot(wavelengths[has_data], used_density.values[has_data], color=colour, label="used")
         axes.plot(wavelengths[has_data], joined_density[has_data], **JOINED_LOOK, label="joined")
         _scale(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
         style.shade_artificial(axes, artificial_bands(data.spectra))
         axes.legend(loc="lower right")
-        densities = data.spectra[["joined"]].assign(used=used_density)
-        frames.append(_table_rows(densities, {"joined": "nm4", "used": "nm4"}))
+        densities = data.spectra[["joined_psd"]].assign(used=used_density)
+        frames.append(_table_rows(densities, {"joined_psd": "nm4", "used": "nm4"}))
     return pd.concat(frames), figure
 
 
@@ -255,7 +255,7 @@ def _used_spectrum(spectra: xr.Dataset) -> xr.DataArray:
         logarithm = np.log(spectra["spectrum"].values)
     bins = np.log(spectra["bin_wavevector"])
     density = np.exp(np.interp(bins, np.log(spectra["wavevector"]), logarithm))
-    return spectra["joined"].copy(data=np.where(density > 0, density, np.nan))
+    return spectra["joined_psd"].copy(data=np.where(density > 0, density, np.nan))
 
 
 def _draw_curve(

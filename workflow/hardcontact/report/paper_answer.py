@@ -147,7 +147,7 @@ def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
     status = f"interval_open_{row.open_end}" if row.open_end else ""
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
-        if np.isnan(band["critical_wavelength"].sel(side=side, group=POOLED).item()):
+        if np.isnan(band["edge"].sel(side=side, group=POOLED).item()):
             status = open_status
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status),
@@ -165,7 +165,7 @@ def _numbers_of_surface(
         labels = {"side": side, "group": name}
         value = edges_or_last_cutoffs(band).sel(labels).item()
         replicas = edges_or_last_cutoffs(sets).sel(labels).values
-        interval = bounds(band.sel(labels), "critical_wavelength")
+        interval = bounds(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
@@ -248,12 +248,12 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("confidence", float(band.attrs["confidence"]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
-    edge_sizes = {
-        "mirrored_scan_size": on_scans(datasets["scan_size"])["edge_size"],
-        "large_surface_size": datasets["scan_size"]["edge_size"][-1],
+    map_sizes = {
+        "mirrored_scan_size": on_scans(datasets["scan_size"])["map_size"],
+        "large_surface_size": datasets["scan_size"]["map_size"][-1],
     }
-    for name, edge_size in edge_sizes.items():
-        yield Number(name, float(edge_size), "nm", source="given")
+    for name, map_size in map_sizes.items():
+        yield Number(name, float(map_size), "nm", source="given")
 
 
 def paper_headline(answer: PaperAnswer) -> list[str]:

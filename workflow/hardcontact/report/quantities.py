@@ -155,8 +155,8 @@ def printed_label(label: str, basis: str) -> str:
 
 def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
     """Return edges and forces on mirrored windows of the size of the study's scans."""
-    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
-    return windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+    windows = scan_size.sel(map_size=scan_size["mirrored"] == 1)
+    return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
 
 
 def quantity(number: Number, surface: str = "", name: str = "") -> Quantity:

@@ -45,7 +45,7 @@ def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Nu
     edge, bound = side_edges["edge"].item(), side_edges["edge_bound"].item()
     low, high = ends(side_edges, "edge")
     if np.isnan(edge):
-        status = "open_above" if side_edges["edge_at_least"].item() else "open_below"
+        status = "open_above" if side_edges["edge_bound_is_lower"].item() else "open_below"
         return Number(name, bound, "nm", low, high, status, source)
     scatter = side_edges["scale_ratio_interval"]
     endless = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()

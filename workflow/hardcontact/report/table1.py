@@ -93,7 +93,7 @@ def _print_computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> 
     spread = (
         surface[f"{variable}_std"].item() / quantity.printed_unit if mean in surface else math.nan
     )
-    is_calibrated = quantity.name in rows_met(surface["calibrated_to_table1"].item())
+    is_calibrated = quantity.name in rows_met(surface["table1_rows_met"].item())
     table1_variable = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix(
         "_mean"
     )

@@ -85,7 +85,7 @@ def scan_targets(
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
         moments = np.where(is_same, moments, expected_moments(density, weights))
     height = table1.loc["afm_rms_height"]
-    calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
+    calibrated = rows_met(spectrum.attrs["table1_rows_met"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
         {
@@ -211,7 +211,7 @@ def conditioned_group(
     Returns
     -------
     xarray.Dataset
-        The attribute `calibrated_to_table1` lists the rows of Table 1 that the surface meets by
+        The attribute `table1_rows_met` lists the rows of Table 1 that the surface meets by
         construction.
 
     Raises
@@ -220,7 +220,7 @@ def conditioned_group(
         If an rms height would be negative.
     """
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
-    calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
+    calibrated = rows_met(spectrum.attrs["table1_rows_met"])
     if targets is not None:
         density = spectrum_from(spectrum)
         shares = band_shares(grid)
@@ -251,5 +251,5 @@ def conditioned_group(
             "wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"}),
             "scan": list(generators),
         },
-        {"basis": "substitute", "calibrated_to_table1": ",".join(calibrated)},
+        {"basis": "substitute", "table1_rows_met": ",".join(calibrated)},
     )

@@ -103,9 +103,9 @@ def joined_spectrum(
     Returns
     -------
     xarray.Dataset
-        `spectrum` (wavevector) is C_iso in nm⁴ over all scales. `joined` (bin_wavevector) is C_iso
-        in nm⁴, NaN in unreliable bins: the mean logarithm of the reliable densities, weighted by
-        independent waves, freed of the bias of the logarithm and smoothed where waves are few.
+        `spectrum` (wavevector) is C_iso in nm⁴ over all scales. `joined_psd` (bin_wavevector) is
+        C_iso in nm⁴, NaN in unreliable bins: the mean logarithm of the reliable densities, weighted
+        by independent waves, freed of the bias of the logarithm and smoothed where waves are few.
         `psd` and `reliable` (measurement, bin_wavevector), and the properties of each measurement.
 
     Raises
@@ -132,7 +132,7 @@ def joined_spectrum(
         measurement_descriptions(measurements, spectra.radii, spectra.bands),
     ).assign_attrs(
         basis="measured",
-        calibrated_to_table1="",
+        table1_rows_met="",
         shortest_measured=min(band.shortest for band in used_bands),
         longest_measured=max(band.longest for band in used_bands),
         rolloff=rolloff,

@@ -23,8 +23,12 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
                 name: ((), values[name], {"units": unit, "long_name": long_name})
                 for name, (unit, long_name) in METRICS.items()
             },
-            "psd_profile": ("wavevector", profile, {"units": "nm3", "long_name": "1D PSD"}),
-            "psd_isotropic": ("wavevector", isotropic, {"units": "nm4", "long_name": "2D PSD"}),
+            "psd_profile": (
+                "wavevector",
+                profile,
+                {"units": "nm3", "long_name": "C_1D of profiles along x"},
+            ),
+            "psd_isotropic": ("wavevector", isotropic, {"units": "nm4", "long_name": "C_iso"}),
         },
         {"wavevector": ("wavevector", wavevector, {"units": "rad nm-1"})},
     )
@@ -111,13 +115,11 @@ def roughness_table(
         ],
         combine_attrs="override",
     )
-    calibrated = [
-        conditionings.get(name, spectra[name]).attrs["calibrated_to_table1"] for name in names
-    ]
+    calibrated = [conditionings.get(name, spectra[name]).attrs["table1_rows_met"] for name in names]
     return table.assign(
         label=("surface", [labels[name] for name in names]),
         basis=("surface", [basis[name] for name in names]),
-        calibrated_to_table1=("surface", calibrated),
+        table1_rows_met=("surface", calibrated),
     ).assign_attrs(
         sphere_surface=sphere_surface,
         reference_surface=reference_surface,

@@ -101,7 +101,7 @@ def spectrum_from(spectrum_data: xr.Dataset) -> Spectrum:
 def spectrum_dataset(density: Floats) -> xr.Dataset:
     """Return C_iso (nm⁴) on WAVEVECTORS as a dataset."""
     return xr.Dataset(
-        {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
+        {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "C_iso"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
     )
 

@@ -22,9 +22,9 @@ from hardcontact.surfaces.spectrum import (
     spectrum_from,
 )
 
-#: Units of the attributes of a spectrum about its ends.
+#: Units of the attributes of a spectrum about its ends; none for a text.
 END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
-    zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "1", "1"), strict=True)
+    zip((*Tail._fields, "tail_known"), ("1", "1", "nm", "nm", "", "1"), strict=True)
 )
 
 
@@ -96,10 +96,18 @@ def add_measurements(
     }
     return spectrum.assign(
         {
-            "psd": (axes, psds, {"units": "nm4", "long_name": "isotropic PSD"}),
-            "reliable": (axes, reliable.astype("int8"), {"long_name": "1 where it is reliable"}),
+            "psd": (axes, psds, {"units": "nm4", "long_name": "C_iso of each measurement"}),
+            "reliable": (
+                axes,
+                reliable.astype("int8"),
+                {"long_name": "1 where the PSD is reliable"},
+            ),
             **columns,
-            "joined": (axis, joined_density, {"units": "nm4", "long_name": "joined PSD"}),
+            "joined_psd": (
+                axis,
+                joined_density,
+                {"units": "nm4", "long_name": "mean C_iso of the reliable measurements"},
+            ),
         }
     ).assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
 
@@ -150,7 +158,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         substitute[["spectrum"]], joined_density, psds, reliable, descriptions.to_dict("records")
     ).assign_attrs(
         basis="substitute",
-        calibrated_to_table1=substitute.attrs["calibrated_to_table1"],
+        table1_rows_met=substitute.attrs["table1_rows_met"],
         shortest_measured=descriptions.shortest_reliable.min(),
         longest_measured=descriptions.longest_reliable.max(),
         **Tail()._asdict(),
@@ -191,5 +199,5 @@ def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) 
     ).drop_vars("measurement")
     for name, unit in END_UNITS.items():
         ends = [spectrum.attrs[name] for spectrum in spectra.values()]
-        table[name] = ("surface", ends, {"units": unit})
+        table[name] = ("surface", ends, {"units": unit} if unit else {})
     return table.assign(label=("surface", [labels[name] for name in spectra]))

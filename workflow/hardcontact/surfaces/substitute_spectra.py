@@ -343,7 +343,7 @@ def substitute_spectrum(
     density, bands, calibrated = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
         basis="substitute",
-        calibrated_to_table1=",".join(calibrated),
+        table1_rows_met=",".join(calibrated),
         bands=bands.to_csv(index=False),
         expected_scan_moments=expected_moments(Spectrum(WAVEVECTORS, density), weights),
     )

@@ -83,9 +83,9 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
     xarray.Dataset
         By (surface, map_size, rho): ``computed_force`` in N, the mean plastic force over contacts
         and realizations, with its interval over realizations. By source (APPROACH_SOURCES), too:
-        ``predicted_force`` and ``first_term_force`` in N, and ``error``, the predicted force
-        relative to the computed force. For the unfiltered spectra: ``whole_freezing`` and
-        ``regime`` (surface, rho), and ``edge`` (surface, side) in nm.
+        ``predicted_force`` and ``first_term_force`` in N, and ``predicted_over_computed``, the
+        predicted force relative to the computed force. For the unfiltered spectra:
+        ``all_scales_freezing`` and ``regime`` (surface, rho), and ``edge`` (surface, side) in nm.
     """
     errors_by_size = [
         [_compare(name, spectrum, size, trial) for size in trial.sizes]
@@ -117,7 +117,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
         pair = bodies(surface, None, trial.contact)
         plastic = pull_off_of_pair(pair, trial.contact, trial.ranges).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
-        approaches.append(-plastic["closest_approach"].values)
+        approaches.append(-plastic["apex_depth"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
     area = trial.contact.pixels(pixel_size) * pixel_size**2
     contacts = [
@@ -141,7 +141,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
             "computed_force_interval": interval.assign_attrs(newton),
             "predicted_force": (dims, predicted, newton),
             "first_term_force": (dims, first_term, newton),
-            "error": (dims, predicted / computed.values, {"units": "1"}),
+            "predicted_over_computed": (dims, predicted / computed.values, {"units": "1"}),
         }
     )
 
@@ -152,7 +152,7 @@ def _describe_all_scales(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
     forms = [closed_form(spectrum, replace(contact, range=rho)) for rho in trial.ranges]
     return xr.Dataset(
         {
-            "whole_freezing": ("rho", [form.freezing for form in forms], {"units": "1"}),
+            "all_scales_freezing": ("rho", [form.freezing for form in forms], {"units": "1"}),
             "regime": ("rho", [form.regime for form in forms]),
             "edge": ("side", list(edges(spectrum, contact, trial.tolerance)), {"units": "nm"}),
         }

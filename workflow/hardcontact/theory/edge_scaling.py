@@ -90,17 +90,20 @@ def edge_scaling(
     -------
     xarray.Dataset
         By (side, surface, radius, area, rho): ``edge`` in nm, NaN if it is open, with its interval
-        over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface, length) by least
-        squares of ln(edge) against the logarithms of LENGTHS, without open edges, with intervals by
-        the jackknife over realizations. ``reach`` (radius, rho), sqrt(2 R rho) in nm. The variables
-        of `regime_coordinates`.
+        over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface, exponent_of) by
+        least squares of ln(edge) against the logarithms of LENGTHS, without open edges, with
+        intervals by the jackknife over realizations. ``attraction_width`` (radius, rho), sqrt(2 R
+        rho) in nm. The variables of `regime_coordinates`.
     """
     edges = _edges(scaling, tolerance, sampling)
     formula = _formula_edges(spectra, scaling, contact.work, tolerance)
-    reach = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
+    attraction_width = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
     return xr.merge(
         [
-            edges.assign(formula_edge=formula.assign_attrs(NM), reach=reach.assign_attrs(NM)),
+            edges.assign(
+                formula_edge=formula.assign_attrs(NM),
+                attraction_width=attraction_width.assign_attrs(NM),
+            ),
             _exponents(scaling, edges["edge"], tolerance, sampling),
             regime_coordinates(spectra, contact),
             scaling[["label", "basis"]],
@@ -150,8 +153,7 @@ def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Data
     names = [":".join(map(str, case)) for case in cases["case"].values]
     unlabelled = cases.drop_vars(["case", "surface", *COMBINATION]).rename(case="surface")
     band = critical_band(unlabelled.assign_coords(surface=names), tolerance, sampling)
-    renamed = {f"critical_wavelength{end}": f"edge{end}" for end in ("", "_interval")}
-    edges = band[list(renamed)].drop_sel(group=POOLED).rename(renamed | {"group": "case"})
+    edges = band[["edge", "edge_interval"]].drop_sel(group=POOLED).rename(group="case")
     unstacked = edges.assign_coords(cases["case"].coords).unstack("case")
     return unstacked.reindex(surface=scaling["surface"])
 
@@ -159,7 +161,7 @@ def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Data
 def _exponents(
     scaling: xr.Dataset, edge: xr.DataArray, tolerance: float, sampling: Sampling
 ) -> xr.Dataset:
-    """Return ``exponent`` (side, surface, length) with its interval."""
+    """Return ``exponent`` (side, surface, exponent_of) with its interval."""
     unsampled = replace(sampling, samples=0)
     count = scaling.sizes["realization"]
     exponent = _fit_all_exponents(scaling, edge)
@@ -174,24 +176,24 @@ def _exponents(
         jackknife_interval(np.exp(exponent), np.exp(jackknife_exponents), sampling.confidence)
     )
     attributes = ONE | {"long_name": "exponent of the edge of the band"}
-    dims = ("side", "surface", "length")
+    dims = ("side", "surface", "exponent_of")
     variables = with_interval("exponent", dims, exponent, interval, attributes, sampling.confidence)
     coordinates = {name: edge[name] for name in ("side", "surface")}
-    return xr.Dataset(variables, coordinates | {"length": list(LENGTHS)})
+    return xr.Dataset(variables, coordinates | {"exponent_of": list(LENGTHS)})
 
 
 def _fit_all_exponents(scaling: xr.Dataset, edge: xr.DataArray) -> Floats:
-    """Return the exponents (side, surface, length) of the edges on every side and surface."""
+    """Return the exponents (side, surface, exponent_of) of the edges on every side and surface."""
     logarithms = [np.log(scaling[name]) / 2 for name in ("radius", "rho", "contact_area")]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_exponents,
         np.log(edge),
         *logarithms,
         input_core_dims=[COMBINATION, ["radius"], ["rho"], ["area"]],
-        output_core_dims=[["length"]],
+        output_core_dims=[["exponent_of"]],
         vectorize=True,
     )
-    return np.asarray(exponents.transpose("side", "surface", "length"))
+    return np.asarray(exponents.transpose("side", "surface", "exponent_of"))
 
 
 def _fit_exponents(edge: Floats, radius: Floats, rho: Floats, contact_area: Floats) -> Floats:
@@ -243,9 +245,9 @@ def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.
     Returns
     -------
     xarray.Dataset
-        By surface: ``over_range``, sigma/rho; ``approach_level``, m/sigma of the closed form, NaN
-        if the sphere follows all waves; ``contact_over_rolloff``, the root of the contact area
-        relative to the roll-off.
+        By surface: ``rms_height_over_range``, sigma/rho; ``approach_level``, m/sigma of the closed
+        form, NaN if the sphere follows all waves; ``contact_over_rolloff``, the root of the contact
+        area relative to the roll-off.
     """
     forms = [closed_form(spectrum, contact) for spectrum in spectra.values()]
     height = np.array([form.rms_height for form in forms])
@@ -253,7 +255,7 @@ def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.
     roll_offs = np.array([roll_off(spectrum) for spectrum in spectra.values()])
     return xr.Dataset(
         {
-            "over_range": ("surface", height / contact.range, ONE),
+            "rms_height_over_range": ("surface", height / contact.range, ONE),
             "approach_level": ("surface", approach / np.where(height > 0, height, np.nan), ONE),
             "contact_over_rolloff": ("surface", contact.area**0.5 / roll_offs, ONE),
         },
@@ -272,11 +274,12 @@ def designed_edge_errors(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.D
     Returns
     -------
     xarray.Dataset
-        By designed surface: ``designed_over_range``, ``designed_level``,
-        ``designed_contact_over_rolloff``, and ``held_back``, 1 for held-out surfaces; published
-        spectra, which have no computed edge, have 0. ``designed_error`` (prediction, side,
-        designed), the computed edge relative to the edge by FORMULA and by CLOSED_FORM.
-        ``designed_bound`` (side, designed), 1 or -1 if the error is a lower or an upper bound.
+        By designed surface: ``designed_rms_height_over_range``, ``designed_level``,
+        ``designed_contact_over_rolloff``, and ``held_out``, 1 for held-out surfaces; published
+        spectra, which have no computed edge, have 0. ``designed_computed_over_predicted``
+        (prediction, side, designed), the computed edge relative to the edge by FORMULA and by
+        CLOSED_FORM. ``designed_bound`` (side, designed), 1 or -1 if the error is a lower or an
+        upper bound.
     """
     table = formulas.astype({"surface": str}).set_index("surface").rename_axis("designed")
     computed_rows = computed.astype({"surface": str}).set_index("surface").reindex(table.index)
@@ -286,13 +289,13 @@ def designed_edge_errors(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.D
         [computed_rows[name] / table[name] for name in names],
         [computed_rows[name] / computed_rows[f"predicted_{name}"] for name in names],
     ]
-    bounds = [computed_rows[f"{name}_is"].map(signs).fillna(0) for name in names]
+    bounds = [computed_rows[f"{name}_status"].map(signs).fillna(0) for name in names]
     coordinates = table.drop(columns=names).add_prefix("designed_").to_xarray()
     for name in coordinates.data_vars:
         coordinates[name].attrs = ONE
     return coordinates.assign(
-        held_back=("designed", computed_rows["held_back"].fillna(0).astype("int8")),
-        designed_error=(("prediction", "side", "designed"), errors, ONE),
+        held_out=("designed", computed_rows["held_out"].fillna(0).astype("int8")),
+        designed_computed_over_predicted=(("prediction", "side", "designed"), errors, ONE),
         designed_bound=(("side", "designed"), np.array(bounds, "int8")),
         prediction=[FORMULA, CLOSED_FORM],
         side=list(SIDES),

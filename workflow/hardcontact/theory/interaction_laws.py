@@ -114,7 +114,7 @@ def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
     return np.asarray(step * np.exp(law.exponent * np.log(t) - t - special.gammaln(law.exponent)))
 
 
-def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
+def strength_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
     """Return W g0^m relative to the largest known value of the mechanism.
 
     Above one the attraction is stronger than the mechanism allows.

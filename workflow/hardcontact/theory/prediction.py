@@ -87,9 +87,9 @@ def prediction(
     -------
     dict of str to Number
         By name. Intervals follow from `nearest_errors` if the table covers contact and spectrum.
-        Otherwise they are NaN, and the force has the status ``"outside"``. ``continued_force`` is
-        the force with the extrapolated spectrum. For scans with steep edges the force has no value
-        and the status ``"steep_edges"``, and numbers that follow from it are left out.
+        Otherwise they are NaN, and the force has the status ``"outside"``. ``extrapolated_force``
+        is the force with the extrapolated spectrum. For scans with steep edges the force has no
+        value and the status ``"steep_edges"``, and numbers that follow from it are left out.
 
     Raises
     ------
@@ -259,18 +259,18 @@ def _extrapolated_numbers(
         form = closed_form(extrapolated, contact)
         validated = is_known_inside and is_validated(extrapolated, contact, form)
         yield _force_number(
-            "continued_force", form, table_coordinates(extrapolated, contact, form), validated
+            "extrapolated_force", form, table_coordinates(extrapolated, contact, form), validated
         )
         for end, edge in zip(
             VALIDATED_QUANTITIES[1:], edges(extrapolated, contact, tolerance), strict=True
         ):
-            yield Number(f"continued_{end}", edge, "nm", status=FOUND if edge > 0 else NONE)
-        yield Number("continued_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
-        yield Number("continued_rolloff", rolloff, "nm")
-        yield Number("continued_hurst", hurst, status=ended_by)
+            yield Number(f"extrapolated_{end}", edge, "nm", status=FOUND if edge > 0 else NONE)
+        yield Number("extrapolated_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
+        yield Number("extrapolated_rolloff", rolloff, "nm")
+        yield Number("extrapolated_hurst", hurst, status=ended_by)
         change = abs(form.force / force - 1)
         status = MATTERS if change > MAX_NEGLIGIBLE_CHANGE else NEGLIGIBLE
-    yield Number("continued_change", change, status=status)
+    yield Number("extrapolated_change", change, status=status)
 
 
 def _longest_octave(waves: Spectrum, contact: Contact, form: ClosedForm) -> Number:

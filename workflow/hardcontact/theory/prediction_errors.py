@@ -38,10 +38,10 @@ VALIDATED_QUANTITIES = ("force", "short_edge", "long_edge")
 VALIDATED_PARAMETERS = {
     "rho": "nm",
     "radius": "nm",
-    "modulus": "1",
+    "weibull_modulus": "1",
     "contact_over_rolloff": "1",
     "mean_hurst": "1",
-    "bend": "1",
+    "mean_hurst_change": "1",
 }
 #: Points of a spectrum to which a Hurst exponent and its change are fitted.
 FITTED_POINTS = 40
@@ -67,11 +67,11 @@ def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
         computed value relative to the predicted value, NaN if an edge is open or not predicted.
     """
     table = pd.read_csv(path)
-    held_out = table[table["held_back"] == 1].copy()
+    held_out = table[table["held_out"] == 1].copy()
     for name in VALIDATED_QUANTITIES:
         error = held_out[name] / held_out[f"predicted_{name}"]
-        if f"{name}_is" in held_out:
-            error = error.where(held_out[f"{name}_is"] == FOUND)
+        if f"{name}_status" in held_out:
+            error = error.where(held_out[f"{name}_status"] == FOUND)
         held_out[f"{name}_error"] = error
     return held_out
 
@@ -114,15 +114,15 @@ def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> di
     Returns
     -------
     dict
-        ``modulus``, k = rho m/sigma², the inverse of the freezing, infinite without roughness;
-        ``contact_over_rolloff``, ``mean_hurst``, ``bend`` and ``regime``.
+        ``weibull_modulus``, k = rho m/sigma², the inverse of the freezing, infinite without
+        roughness; ``contact_over_rolloff``, ``mean_hurst``, ``mean_hurst_change`` and ``regime``.
     """
     mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
     return {
-        "modulus": 1 / form.freezing if form.freezing else math.inf,
+        "weibull_modulus": 1 / form.freezing if form.freezing else math.inf,
         "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
         "mean_hurst": mean_hurst,
-        "bend": bend,
+        "mean_hurst_change": bend,
         "regime": form.regime,
     }
 
@@ -163,7 +163,7 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
         Computed value relative to the predicted value, smallest and largest.
     """
     surfaces = validation().dropna(subset=f"{name}_error")
-    axes = ["modulus", "contact_over_rolloff"]
+    axes = ["weibull_modulus", "contact_over_rolloff"]
     rows = surfaces[axes].to_numpy()
     nearest_inside = np.clip([point[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
     log_distances = np.log(np.maximum(rows, MIN_MODULUS) / np.maximum(nearest_inside, MIN_MODULUS))
@@ -187,4 +187,4 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
     for name, unit in VALIDATED_PARAMETERS.items():
         lowest, highest = validation()[name].agg(["min", "max"])
         status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
-        yield Number(f"tried_{name}", values[name], unit, lowest, highest, status)
+        yield Number(f"validated_{name}", values[name], unit, lowest, highest, status)

@@ -289,11 +289,11 @@ def force_scatter(
     Returns
     -------
     xarray.Dataset
-        Over (surface, rho) ``modulus``; the standard deviation of ln F over places, ``spread``, and
-        over places and scans, ``total_spread``, and the latter from mean and median as of published
-        forces (`lognormal_shape`), ``total_shape``; ``contacts_needed`` for the mean of a surface,
-        and ``scans_needed``, of one contact each, for that of all. Over surface ``distance`` (nm)
-        between independent places.
+        Over (surface, rho) ``weibull_modulus``; the standard deviation of ln F over places,
+        ``log_force_std``, and over places and scans, ``total_log_force_std``, and the latter from
+        mean and median as of published forces (`lognormal_shape`), ``total_lognormal_shape``;
+        ``contacts_needed`` for the mean of a surface, and ``scans_needed``, of one contact each,
+        for that of all. Over surface ``draw_size`` (nm) between independent places.
     """
     quantile = special.ndtri((1 + confidence) / 2)
     rows = []
@@ -308,10 +308,10 @@ def force_scatter(
             total_shape = float(lognormal_shape(1, min(scans.median_over_mean, 1)))
             rows.append(
                 {
-                    "modulus": places.modulus,
-                    "spread": places.spread,
-                    "total_spread": scans.spread,
-                    "total_shape": total_shape,
+                    "weibull_modulus": places.modulus,
+                    "log_force_std": places.spread,
+                    "total_log_force_std": scans.spread,
+                    "total_lognormal_shape": total_shape,
                     "contacts_needed": (quantile * places.variation / tolerance) ** 2,
                     "scans_needed": (quantile * scans.variation / tolerance) ** 2,
                 }
@@ -323,7 +323,7 @@ def force_scatter(
             name: (("surface", "rho"), table[name].to_numpy().reshape(shape), {"units": "1"})
             for name in table
         }
-        | {"distance": ("surface", sizes, {"units": "nm"})},
+        | {"draw_size": ("surface", sizes, {"units": "nm"})},
         {
             "surface": list(spectra),
             "rho": ("rho", list(ranges), {"units": "nm", "long_name": "range of adhesion"}),
@@ -337,18 +337,19 @@ def with_comparison(
 ) -> xr.Dataset:
     """Return `force_scatter` beside published and computed spreads, and the errors of the law.
 
-    Inference and published statistics are those of the paper's study: ``published_spread`` and
-    ``computed_spread`` with its interval (surface), NaN where there is none. The table is that of
-    designed surfaces in `resources/validation`: ``designed_<column>`` (case) of what tells the
-    error of the law.
+    Inference and published statistics are those of the paper's study: ``published_log_force_std``
+    and ``computed_log_force_std`` with its interval (surface), NaN where there is none. The table
+    is that of designed surfaces in `resources/validation`: ``designed_<column>`` (case) of what
+    tells the error of the law.
     """
     plastic, name = {"contact_model": "plastic", "pair": "published"}, "lognormal_shape"
-    names = {name: "computed_spread", f"{name}_interval": "computed_spread_interval"}
+    names = {name: "computed_log_force_std", f"{name}_interval": "computed_log_force_std_interval"}
     computed = inference[list(names)].sel(plastic, drop=True).rename(names)
     published = pull_off.reindex(scatter["surface"].values)
     shapes = lognormal_shape(published["mean_force"], published["median_force"])
     columns = [
-        "surface", "held_back", "skewed", "level", "modulus", "spread", "predicted_spread",
+        "surface", "held_out", "skewed", "level", "weibull_modulus", "log_force_std",
+        "predicted_log_force_std",
         *table.columns[table.columns.str.startswith("distance_")],
     ]  # fmt: skip
     designed = table[columns].add_prefix("designed_").rename_axis("case").to_xarray()
@@ -358,7 +359,7 @@ def with_comparison(
     return (
         scatter.merge(computed.drop_vars(["label", "basis"], errors="ignore"), join="left")
         .merge(designed)
-        .assign(published_spread=("surface", shapes, {"units": "1"}))
+        .assign(published_log_force_std=("surface", shapes, {"units": "1"}))
     )
 
 
@@ -367,6 +368,6 @@ def held_back(statistics: xr.Dataset) -> xr.Dataset:
 
     They are Gaussian, were not looked at while it was made, and are touched above LEAST_LEVEL.
     """
-    fair = (statistics["designed_held_back"] == 1) & (statistics["designed_skewed"] == 0)
+    fair = (statistics["designed_held_out"] == 1) & (statistics["designed_skewed"] == 0)
     high = statistics["designed_level"] >= LEAST_LEVEL
     return statistics.isel(case=np.flatnonzero(fair & high))

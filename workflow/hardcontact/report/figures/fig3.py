@@ -45,8 +45,8 @@ COMPUTED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
 QUANTITIES = {  # computed variable, unit
     "lognormal_shape": ("lognormal_shape", "1"),
     "lognormal_median": ("lognormal_median", "N"),
-    "mean_force": ("force_mean", "N"),
-    "median_force": ("force_median", "N"),
+    "mean_force": ("mean_force_at_pair", "N"),
+    "median_force": ("median_force_at_pair", "N"),
 }
 COLUMNS = [
     "surface", "label", "basis", "origin", "pair", "quantity", "panel", "force_low", "force_high",

@@ -155,7 +155,7 @@ def _draw_forces(
     scans = tables.value_and_interval(fit, "mean_force") * work
     set_spread = tables.summarize_sets(set_fits["mean_force"]) * work
     rows = _draw_curves(axes, scans, set_spread, published, style.MICRONEWTON)
-    fitted = tables.value_and_interval(fit.sel(pair="fitted"), "force_mean")
+    fitted = tables.value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair")
     for look, force in style.iterate_surfaces(fitted / style.MICRONEWTON):
         look = look | AT_FIT
         style.draw_bars(axes, fit["range_of_adhesion"], force, elinewidth=1.2, zorder=4, **look)

@@ -62,7 +62,7 @@ def draw(
             for name in ("ratio", "change")
         }
         end_cutoff = last_cutoff(side_band["scale_ratio"], side)
-        critical = tables.number_rows(tables.value_and_interval(side_band, "critical_wavelength"))
+        critical = tables.number_rows(tables.value_and_interval(side_band, "edge"))
         critical["value"] = critical["value"].fillna(end_cutoff)
         _draw_ratios(column[0], curves["ratio"], band.attrs["scale_tolerance"])
         _draw_changes(column[1], curves["change"], band)
@@ -79,7 +79,7 @@ def draw(
             frames.append(rows.rename(columns={"surface": "group"}))
         published = pd.DataFrame([{"group": POOLED, "origin": "published", "value": edge}])
         rows = pd.concat([_edge_rows(critical, end_cutoff), published])
-        frames.append(rows.assign(quantity="critical_wavelength", unit="nm", side=side))
+        frames.append(rows.assign(quantity="edge", unit="nm", side=side))
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
         for axes in row:

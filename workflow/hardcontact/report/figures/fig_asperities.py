@@ -34,7 +34,7 @@ QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 QUANTITIES = {  # title, axis, unit, printed unit
     "largest_share": ("largest patch", "share of the force", "1", 1),
     "two_largest_share": ("two largest patches", "share of the force", "1", 1),
-    "patches": ("patches with {share:g} % of the force", "number of patches", "1", 1),
+    "patch_count": ("patches with {share:g} % of the force", "number of patches", "1", 1),
     "extent": ("diameter that holds {share:g} % of the force", "length (µm)", "nm", MICROMETRE),
 }
 
@@ -98,7 +98,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Draw the long critical wavelength (µm) of the mean force, computed and published."""
     pooled_band = band.sel(side="large", group=POOLED)
-    edge = tables.value_and_bounds(pooled_band, "critical_wavelength")
+    edge = tables.value_and_bounds(pooled_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     published = tables.published_edge(published_constants, "large")
     confidence = print_share(band.attrs["confidence"])
@@ -107,6 +107,6 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
         axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")
     look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
     axes.axhline(published / MICROMETRE, **look)
-    name = "critical_wavelength"
+    name = "edge"
     published_row = tables.quantity_rows("d", name, "nm", "published", value=published)
     return pd.concat([tables.quantity_rows("d", name, "nm", **edge), published_row])

@@ -38,7 +38,7 @@ QUANTITIES = {  # panel, origin
     "pull_off_force": ("a", "computed"),
     "mean_relative_error": ("b", "computed"),
 }
-FURTHER_COLUMNS = ("model", "metrics", "against")  # columns of the table
+FURTHER_COLUMNS = ("model", "metrics", "force_source")  # columns of the table
 
 
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
@@ -120,14 +120,14 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     errors = tables.value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
-    for against, side in (("published", -1), ("computed", 1)):
-        colour = ERROR_COLOURS[against]
+    for force_source, side in (("published", -1), ("computed", 1)):
+        colour = ERROR_COLOURS[force_source]
         for metrics, shift in zip(METRIC_LABELS, (-0.07, 0.07), strict=True):
             look = {"color": colour, "marker": "o", "mfc": colour if metrics == "afm" else "white"}
             for x, model in enumerate(classical["model"].values):
-                point = errors.sel(model=model, metrics=metrics, against=against)
+                point = errors.sel(model=model, metrics=metrics, force_source=force_source)
                 _draw_point(axes, x + 0.17 * side + shift, point, **look)
-        axes.plot([], [], "o", color=colour, label=f"to {against} forces")
+        axes.plot([], [], "o", color=colour, label=f"to {force_source} forces")
     axes.text(-0.4, threshold / 2, f"below {threshold:g}", fontsize=7, va="center")
     labels = classical["model_label"].values
     axes.set_xticks(range(len(labels)), labels, **style.TILTED)

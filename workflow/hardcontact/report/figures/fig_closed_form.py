@@ -47,8 +47,10 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             predicted = surface_data[name].sel(source="spectrum") / style.MICRONEWTON
             forces.plot(rho, predicted, color=look["color"], lw=0.9, ls=dashes)
         for source, (dashes, _) in SOURCES.items():
-            errors.plot(rho, surface_data["error"].sel(source=source), ls=dashes, **look)
-        regimes.plot(rho, surface_data["whole_freezing"], **look)
+            errors.plot(
+                rho, surface_data["predicted_over_computed"].sel(source=source), ls=dashes, **look
+            )
+        regimes.plot(rho, surface_data["all_scales_freezing"], **look)
     forces.set(ylabel="pull-off force (µN)", yscale="log", ylim=(1e-3, None))
     errors.set(ylabel="closed form / computed", yscale="log", ylim=(0.3, 3))
     regimes.set(ylabel="(σ/ρ) / (m/σ)", yscale="log")
@@ -71,7 +73,11 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     ]
     style.legend_above(figure, handles)
     forces_drawn = (("a", f"{name}_force", "N") for name in ("computed", "predicted", "first_term"))
-    columns = [*forces_drawn, ("b", "error", "1"), ("c", "whole_freezing", "1")]
+    columns = [
+        *forces_drawn,
+        ("b", "predicted_over_computed", "1"),
+        ("c", "all_scales_freezing", "1"),
+    ]
     edges = tables.computed_rows(closed_form["edge"], panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
     frames = [tables.variable_rows(closed_form, *columns), edges]

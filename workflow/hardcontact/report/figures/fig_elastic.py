@@ -50,7 +50,7 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
     _draw_pressures(maps, elastic)
 
-    _draw_contacts(shares, elastic["hard_share"])
+    _draw_contacts(shares, elastic["share_above_hardness"])
     shares.axhspan(MOST_SHARE, 1, color="0.88", zorder=0)
     middle = shares.get_xlim()[1] / 2
     shares.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
@@ -76,7 +76,7 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED)
     frames = []
     for panel, name, unit, values in (
-        ("b", "hard_share", "1", elastic["hard_share"]),
+        ("b", "share_above_hardness", "1", elastic["share_above_hardness"]),
         ("c", "peak_pressure", "Pa", elastic["peak_pressure"]),
         ("d", "elastic_over_rigid", "1", ratio),
     ):
@@ -86,7 +86,9 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             tables.computed_rows(medians, panel=panel, quantity=f"{name}_median", unit=unit),
         ]
     frames.append(
-        tables.quantity_rows("b", "hard_share", "1", "published", low=MOST_SHARE, high=1.0)
+        tables.quantity_rows(
+            "b", "share_above_hardness", "1", "published", low=MOST_SHARE, high=1.0
+        )
     )
     for name, (origin, _, _) in LEVELS.items():
         frames.append(tables.quantity_rows("c", name, "Pa", origin, value=elastic.attrs[name]))

@@ -25,10 +25,10 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw one curve for each surface; from 1 (line) on contacts yield."""
     figure = drawing.create(3.0, elastic_limit)
     axes = figure.subplots()
-    index = elastic_limit["slope_index"]
-    visible = elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
+    index = elastic_limit["pressure_over_hardness"]
+    visible = elastic_limit.assign(pressure_over_hardness=index.where(index > MIN_INDEX))
     for look, surface in style.iterate_surfaces(visible):
-        label, index = str(surface["label"].item()), surface["slope_index"]
+        label, index = str(surface["label"].item()), surface["pressure_over_hardness"]
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
     axes.set(xscale="log", yscale="log", xlabel="shortest wavelength of the roughness (nm)")
@@ -36,5 +36,5 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     axes.text(0.99, 1.1, "contacts yield", transform=axes.get_yaxis_transform(), ha="right")
     axes.legend(loc="lower left")
     style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1,))
-    rows = tables.variable_rows(visible, ("", "slope_index", "1"))
+    rows = tables.variable_rows(visible, ("", "pressure_over_hardness", "1"))
     return tables.tidy_table([rows], elastic_limit, "shortest_wavelength"), figure

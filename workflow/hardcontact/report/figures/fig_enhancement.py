@@ -50,7 +50,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
         ratio = tables.value_and_interval(band, "scale_ratio").dropna(
             "cutoff_wavelength", how="all"
         )
-        edges = tables.value_and_interval(band, "critical_wavelength")
+        edges = tables.value_and_interval(band, "edge")
         _draw_ratios(ratio_panel, ratio, enhancement.attrs["tolerance"])
         _draw_edges(edge_panel, edges, ratio["cutoff_wavelength"].values, bands)
         for axes in (ratio_panel, edge_panel):
@@ -60,9 +60,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
         columns = {"panel": letter, "contact_model": model, "rho": rho}
         rows = tables.computed_rows(ratio, quantity="ratio", unit="1", **columns)
         frames.append(rows.rename(columns={"surface": "group"}))
-        frames.append(
-            tables.computed_rows(edges, quantity="critical_wavelength", unit="nm", **columns)
-        )
+        frames.append(tables.computed_rows(edges, quantity="edge", unit="nm", **columns))
     grid[0, 0].set_ylabel("pull-off force / unfiltered")
     handles = [
         *style.surface_handles(enhancement),

@@ -72,7 +72,7 @@ def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -
     axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **set_look)
     frames = [tables.quantity_rows("a", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
     for model in [name for name in MODELS if name in inference["contact_model"]]:
-        curve = inference["error_of_range"].sel(contact_model=model)
+        curve = inference["best_error_by_range"].sel(contact_model=model)
         ranges = curve["rho_fine"].values
         axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODELS[model])
         name = f"least_error_{model}"

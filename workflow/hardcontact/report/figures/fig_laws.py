@@ -48,7 +48,7 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
-        column = (panel, "critical_wavelength", "nm")
+        column = (panel, "edge", "nm")
         frames.append(tables.variable_rows(laws.sel(side=[side]), column))
     handles = [
         Line2D([], [], ls=dashes, label=law.label, **LOOKS[law.name])
@@ -60,12 +60,12 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         Line2D([], [], label="range of an atomic spacing", mfc="white", **mark),
     ]
     style.legend_above(figure, handles, 6)
-    return tables.tidy_table(frames, laws, "law", "case", "side", surfaces="group"), figure
+    return tables.tidy_table(frames, laws, "law", "range_choice", "side", surfaces="group"), figure
 
 
 def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
     """Draw the pressure of every law at the length and work equivalent to Eq. 1."""
-    case = laws.sel(case="equivalent")
+    case = laws.sel(range_choice="equivalent")
     for law, colour, dashes in zip(LAWS, cycle(COLOURS), cycle(DASHES), strict=False):
         law_data = case.sel(law=law.name)
         rho, work = law_data["range_of_law"].item(), law_data["work_of_adhesion"].item()
@@ -82,13 +82,13 @@ def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
 
     Filled marks have ranges equivalent to Eq. 1, open marks a range of an atomic spacing.
     """
-    edges = tables.value_and_interval(laws, "critical_wavelength").sel(side=side)
+    edges = tables.value_and_interval(laws, "edge").sel(side=side)
     positions = np.arange(edges.sizes["group"])
     offsets = np.linspace(-0.3, 0.3, len(LOOKS))
     fills: dict[str, style.Look] = {"equivalent": {}, "atomic": {"mfc": "white"}}
     for (case, fill), shift in zip(fills.items(), (0, 0.07), strict=True):
         for (law, look), offset in zip(LOOKS.items(), offsets, strict=True):
-            law_data = edges.sel(case=case, law=law)
+            law_data = edges.sel(range_choice=case, law=law)
             marks = look | fill | {"ls": "none", "ms": 3.5, "lw": 0.8}
             style.draw_bars(axes, positions + offset + shift, law_data, **marks)
     labels = laws["label"].to_series()

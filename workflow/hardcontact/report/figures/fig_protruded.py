@@ -36,7 +36,7 @@ HEIGHT_COLOURS = "viridis"
 PANELS = {"coating": "b", "sphere": "c"}
 SYMBOLS = {"coating": "o", "sphere": "^"}
 COLUMNS = [
-    "panel", "bearer", "variant", "set", "origin", "quantity", "density", "height", "width",
+    "panel", "bearer", "draw", "set", "origin", "quantity", "density", "height", "width",
     "agrees", *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 

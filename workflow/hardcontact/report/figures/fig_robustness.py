@@ -43,7 +43,7 @@ STUDY_LOOK: style.Look = {"color": style.FIT, "marker": "D", "markerfacecolor": 
 MINIMUM_LOOK: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
 WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
 MISSING_NOTE: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
-COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
+COLUMNS = ["panel", "variant", "label", "variant_kind", "origin", "quantity", *tables.VALUE_COLUMNS]
 #: Published constant: unit, printed unit in it, title, axis.
 QUANTITIES = {
     "range_of_adhesion": ("nm", 1, "range of adhesion", "ρ (nm)"),
@@ -68,7 +68,7 @@ def draw(
     """
     # Results of the study itself, with plastic contact and the mean over all substrates.
     study = inference.sel(contact_model="plastic").merge(band.sel(group=POOLED), compat="override")
-    group = robustness["group"].values
+    group = robustness["variant_kind"].values
     row_positions = np.concatenate([[0], np.cumsum(1 + GROUP_GAP * (group[1:] != group[:-1]))])
     figure = drawing.create(0.24 * row_positions[-1] + 1.8, inference)
     panels = figure.subplots(1, len(QUANTITIES), sharey=True)
@@ -90,7 +90,7 @@ def draw(
         columns = ["value", "low", "high"]
         _draw_results(axes, variants[columns] / printed_unit, row_positions, note, VARIANT_LOOK)
         _draw_results(axes, study_results[columns] / printed_unit, [-STUDY_GAP], note, STUDY_LOOK)
-        baseline = variants["value"][variants["group"] == BASELINE].item()
+        baseline = variants["value"][variants["variant_kind"] == BASELINE].item()
         axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
         axes.set(xscale="log", xlabel=axis)
         axes.tick_params(axis="y", length=0)
@@ -112,13 +112,13 @@ def _results(data: xr.Dataset, name: str) -> pd.DataFrame:
     values = tables.value_and_interval(data, name)
     if "variant" not in data.dims:
         return pd.DataFrame([{str(end): number.item() for end, number in values.items()}])
-    labels = data[["variant_label", "group"]].rename(variant_label="label")
+    labels = data[["variant_label", "variant_kind"]].rename(variant_label="label")
     return tables.number_rows(values.merge(labels, compat="override"))
 
 
 def _other_minima(robustness: xr.Dataset, name: str) -> pd.DataFrame:
     """Return a quantity at the local minima of the error of each variant, except the lowest."""
-    minima = robustness[["variant_label", "group", name]].isel(minimum=slice(1, None))
+    minima = robustness[["variant_label", "variant_kind", name]].isel(minimum=slice(1, None))
     return tables.number_rows(minima.rename({"variant_label": "label", name: "value"})).dropna(
         subset=["value"]
     )
@@ -146,7 +146,7 @@ def _draw_results(
 
 def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
     """Return one entry for each kind of mark; the dotted line has the name of the top row."""
-    baseline = robustness["variant_label"].values[robustness["group"].values == BASELINE][0]
+    baseline = robustness["variant_label"].values[robustness["variant_kind"].values == BASELINE][0]
     size = robustness.attrs
     plural = "" if size["realizations"] == 1 else "s"
     variants = (

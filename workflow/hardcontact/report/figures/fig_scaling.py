@@ -40,9 +40,21 @@ SIDE_LOOKS = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "lon
 #: Names of published spectra on the map.
 NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
 #: Coordinates on the map, and area of the mark, for surfaces of the study and designed surfaces.
-STUDY_VARIABLES = ("over_range", "approach_level", "contact_over_rolloff")
-DESIGNED_VARIABLES = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
-FURTHER_COLUMNS = ("side", "radius", "area", "rho", "reach", "designed", "prediction")  # columns
+STUDY_VARIABLES = ("rms_height_over_range", "approach_level", "contact_over_rolloff")
+DESIGNED_VARIABLES = (
+    "designed_rms_height_over_range",
+    "designed_level",
+    "designed_contact_over_rolloff",
+)
+FURTHER_COLUMNS = (
+    "side",
+    "radius",
+    "area",
+    "rho",
+    "attraction_width",
+    "designed",
+    "prediction",
+)  # columns
 
 
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
@@ -52,12 +64,12 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     """
     figure = drawing.create(5.6, scaling)
     (short, long), (errors, regimes) = figure.subplots(2, 2)
-    scaling = scaling.set_coords("reach")
+    scaling = scaling.set_coords("attraction_width")
     section = scaling.sel(area=scaling.attrs["area"], method="nearest")
     frames = []
     for axes, side, abscissa, letter in (
         (short, "small", "rho", "a"),
-        (long, "large", "reach", "b"),
+        (long, "large", "attraction_width", "b"),
     ):
         _draw_edges(axes, section.sel(side=side), abscissa)
         published = tables.published_edge(published_constants, side)
@@ -73,12 +85,12 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     short.set_xticks(scaling["rho"], [f"{rho:g}" for rho in scaling["rho"].values])
     short.xaxis.set_minor_locator(NullLocator())
     long.set(xlabel=f"reach of the attraction {REACH} (nm)")
-    held_out = scaling.sel(designed=scaling["held_back"] == 1, prediction=FORMULA)
+    held_out = scaling.sel(designed=scaling["held_out"] == 1, prediction=FORMULA)
     _draw_errors(errors, held_out)
     _draw_regimes(regimes, scaling)
     map_variables = (("d", name, "1") for name in (*STUDY_VARIABLES, *DESIGNED_VARIABLES))
     frames += [
-        tables.variable_rows(held_out, ("c", "designed_error", "1")),
+        tables.variable_rows(held_out, ("c", "designed_computed_over_predicted", "1")),
         tables.variable_rows(scaling, *map_variables),
     ]
     line = Line2D([], [], label="published edge", **PUBLISHED)
@@ -106,10 +118,13 @@ def _draw_edges(axes: Axes, cases: xr.Dataset, abscissa: str) -> None:
 
 def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
     """Draw the ratio of computed edges to the formula against t rho/sigma for designed surfaces."""
-    modulus = held_out["designed_level"] / held_out["designed_over_range"]
+    modulus = held_out["designed_level"] / held_out["designed_rms_height_over_range"]
     for side, (colour, marker, label) in SIDE_LOOKS.items():
         side_data = held_out.sel(side=side)
-        errors, bound = side_data["designed_error"], side_data["designed_bound"] != 0
+        errors, bound = (
+            side_data["designed_computed_over_predicted"],
+            side_data["designed_bound"] != 0,
+        )
         look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
         axes.plot(modulus[~bound], errors[~bound], **look, label=label)
         axes.plot(modulus[bound], errors[bound], **look, mfc="white")
@@ -132,7 +147,7 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     )
 
     is_nitride = scaling["designed"].isin(list(NITRIDES))
-    modulus = scaling["designed_level"] / scaling["designed_over_range"]
+    modulus = scaling["designed_level"] / scaling["designed_rms_height_over_range"]
     for many_points, colour in ((True, "0.75"), (False, "#DDCC77")):
         designed = scaling.sel(designed=~is_nitride & ((modulus > 1) == many_points))
         x, y, contact = [designed[name] for name in DESIGNED_VARIABLES]
@@ -142,7 +157,7 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
         axes.scatter(x, y, s=8 + 600 * contact, **look, edgecolors="black", lw=0.5, zorder=3)
     for name, label in NITRIDES.items():
         coating = scaling.sel(designed=name)
-        x, y = coating["designed_over_range"].item(), coating["designed_level"].item()
+        x, y = coating["designed_rms_height_over_range"].item(), coating["designed_level"].item()
         axes.plot(x, y, "x", color=style.PUBLISHED, ms=5)
         axes.annotate(label, (x, y), (-3, 4), textcoords="offset points", ha="right", fontsize=7)
     axes.set(xscale="log", xlim=(0.2, 300), ylim=(-0.5, 5))

@@ -38,7 +38,7 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the excess against the size of a scan, (b) sizes needed, (c) long edges."""
     figure = drawing.create(3.2, scan_size)
     sizes, needed, edges = figure.subplots(1, 3)
-    rho, allowed = scan_size.attrs["rho"], scan_size.attrs["allowed_excess"]
+    rho, allowed = scan_size.attrs["rho"], scan_size.attrs["allowed_ratio"]
     frames = [
         _draw_sizes(sizes, scan_size.sel(rho=rho, method="nearest")),
         tables.variable_rows(scan_size, ("b", "size_needed", "nm")),
@@ -64,8 +64,8 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
 
 def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
     """Draw the excess of all surfaces with intervals, and the rule as lines."""
-    excess = tables.value_and_interval(section, "excess").assign(
-        predicted=section["predicted_excess"]
+    excess = tables.value_and_interval(section, "finite_scan_ratio").assign(
+        predicted=section["predicted_finite_scan_ratio"]
     )
     sizes = section["scan_size"] / MICROMETRE
     for look, surface_data, factor in _side_by_side(excess):
@@ -73,7 +73,7 @@ def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
         axes.plot(sizes, surface_data["predicted"], color=look["color"], lw=0.7)
     axes.set_ylabel("force relative to a large surface")
     style.label_panel(axes, "a", f"force on windows, ρ = {section['rho']:g} nm")
-    return tables.computed_rows(excess, panel="a", quantity="excess", unit="1")
+    return tables.computed_rows(excess, panel="a", quantity="finite_scan_ratio", unit="1")
 
 
 def _side_by_side(data: xr.Dataset) -> Iterator[tuple[style.Look, xr.Dataset, float]]:
@@ -94,13 +94,13 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
     ends = ends.assign(ends[["value", "low", "high"]] / MICROMETRE)
     for look, surface_data, factor in _side_by_side(ends):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
-            group = surface_data.sel(edge_size=ends["mirrored"] == mirrored)
-            positions = factor * group["edge_size"] / MICROMETRE
+            group = surface_data.sel(map_size=ends["mirrored"] == mirrored)
+            positions = factor * group["map_size"] / MICROMETRE
             marks = look | {"mfc": fill, "ls": "none", "ms": 3.5, "elinewidth": 0.7}
             style.draw_bars(axes, positions, group, **marks)
-    windows = period.sel(edge_size=scan_size["mirrored"] == 1) / MICROMETRE
-    axes.plot(windows["edge_size"] / MICROMETRE, windows, color="0.7", lw=0.8, zorder=0)
+    windows = period.sel(map_size=scan_size["mirrored"] == 1) / MICROMETRE
+    axes.plot(windows["map_size"] / MICROMETRE, windows, color="0.7", lw=0.8, zorder=0)
     axes.set_ylabel("long edge of the band (µm)")
     style.label_panel(axes, "c", f"long edge, ρ = {scan_size.attrs['rho']:g} nm")
     rows = tables.computed_rows(edges, panel="c", quantity="long_edge", unit="nm")
-    return rows.rename(columns={"edge_size": "scan_size"}).assign(rho=scan_size.attrs["rho"])
+    return rows.rename(columns={"map_size": "scan_size"}).assign(rho=scan_size.attrs["rho"])

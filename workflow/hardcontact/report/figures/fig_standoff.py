@@ -30,7 +30,7 @@ LINES = {"mean": "-", "median": "--"}
 RANGE_LIMITS = (0.5, 15)  # nm, around both ranges that fit
 HEIGHT_LIMITS = (-2.5, 8)  # rms heights
 COLUMNS = [
-    "panel", "surface", "label", "basis", "origin", "quantity", "statistic", "work_of_adhesion",
+    "panel", "surface", "label", "basis", "origin", "quantity", "statistic", "work_source",
     "rho", *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
@@ -40,22 +40,24 @@ def draw(standoff: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Da
 
     The table has the missing height relative to the rms height (1), and both heights (nm).
     """
-    difference = standoff["required_height"] - standoff["computed_height"]
-    missing_height = (difference / standoff["rms_height"]).rename("missing_height")
+    difference = standoff["height_from_published"] - standoff["height_from_computed"]
+    missing_height = (difference / standoff["combined_rms_height"]).rename("missing_height")
     figure = drawing.create(3.2, standoff)
     panels = figure.subplots(1, len(TITLES), sharey=True)
     frames = []
     for letter, axes, (work, title) in zip("ab", panels, TITLES.items(), strict=True):
-        _draw_curves(axes, missing_height.sel(work_of_adhesion=work), standoff)
+        _draw_curves(axes, missing_height.sel(work_source=work), standoff)
         style.draw_published_range(axes, published_constants)
         style.label_panel(axes, letter, title)
-        for name, unit in (("missing_height", "1"), ("required_height", "nm")):
+        for name, unit in (("missing_height", "1"), ("height_from_published", "nm")):
             values = missing_height if name == "missing_height" else standoff[name]
-            rows = values.sel(work_of_adhesion=work)
+            rows = values.sel(work_source=work)
             frames.append(tables.computed_rows(rows, panel=letter, quantity=name, unit=unit))
-    computed_height = standoff["computed_height"]
+    height_from_computed = standoff["height_from_computed"]
     frames.append(
-        tables.computed_rows(computed_height, panel="", quantity="computed_height", unit="nm")
+        tables.computed_rows(
+            height_from_computed, panel="", quantity="height_from_computed", unit="nm"
+        )
     )
     panels[0].set_ylabel("missing height / rms height")
     handles = [

@@ -39,10 +39,10 @@ DISTANCES: dict[str, tuple[style.Look, str]] = {
 }
 #: Look and label of each spread of a coating.
 SPREADS: dict[str, tuple[style.Look, str]] = {
-    "spread": ({"mfc": "none"}, "predicted: places"),
-    "total_spread": ({}, "predicted: places and scans"),
-    "total_shape": ({"marker": "x"}, "predicted: √(2 ln(mean/median))"),
-    "computed_spread": ({"alpha": 0.5, "ms": 2.5}, "computed"),
+    "log_force_std": ({"mfc": "none"}, "predicted: places"),
+    "total_log_force_std": ({}, "predicted: places and scans"),
+    "total_lognormal_shape": ({"marker": "x"}, "predicted: √(2 ln(mean/median))"),
+    "computed_log_force_std": ({"alpha": 0.5, "ms": 2.5}, "computed"),
 }
 #: Ratio of the top of the panel to the highest published or predicted spread.
 MAX_RELATIVE_SPREAD = 1.6
@@ -58,14 +58,16 @@ def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     _draw_spreads(spreads, statistics)
     _draw_distances(distances, held_out_surfaces)
     _draw_coatings(coatings, section)
-    spread_names = ("designed_spread", "designed_predicted_spread")
+    spread_names = ("designed_log_force_std", "designed_predicted_log_force_std")
     frames = [
         tables.variable_rows(statistics, *(("a", name, "1") for name in spread_names)),
         tables.variable_rows(
             held_out_surfaces, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)
         ),
         tables.variable_rows(section, *(("c", name, "1") for name in SPREADS)),
-        tables.variable_rows(section, ("c", "published_spread", "1")).assign(origin="published"),
+        tables.variable_rows(section, ("c", "published_log_force_std", "1")).assign(
+            origin="published"
+        ),
     ]
     return tables.tidy_table(frames, statistics, "case"), figure
 
@@ -74,7 +76,7 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     """Draw computed against predicted spreads of ln F, by kind of surface."""
     is_skewed = statistics["designed_skewed"] != 0
     is_low = (statistics["designed_level"] < LEAST_LEVEL) & ~is_skewed
-    is_fair, is_held_out = ~is_skewed & ~is_low, statistics["designed_held_back"] == 1
+    is_fair, is_held_out = ~is_skewed & ~is_low, statistics["designed_held_out"] == 1
     black = {"marker": "o", "color": "black", "ms": 3}
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (is_skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
@@ -84,7 +86,7 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     ]
     for group, label, look in groups:
         cases = statistics.isel(case=np.flatnonzero(group))
-        x, y = cases["designed_predicted_spread"], cases["designed_spread"]
+        x, y = cases["designed_predicted_log_force_std"], cases["designed_log_force_std"]
         axes.plot(x, y, ls="none", mew=0.7, label=label, **look)
     ends = [0.05, 1.5]
     axes.plot(ends, ends, color="0.4", lw=0.8, ls=":")
@@ -103,7 +105,12 @@ def _draw_distances(axes: Axes, held_out_surfaces: xr.Dataset) -> None:
     for name, (look, label) in reversed(DISTANCES.items()):
         distance = held_out_surfaces[f"designed_distance_{name}"]
         axes.plot(
-            held_out_surfaces["designed_modulus"], distance, ls="none", ms=3, label=label, **look
+            held_out_surfaces["designed_weibull_modulus"],
+            distance,
+            ls="none",
+            ms=3,
+            label=label,
+            **look,
         )
     axes.axhline(CHANCE, color="0.4", lw=0.8, ls=":")
     axes.set(xscale="log", yscale="log", ylim=(0.004, 1.2))
@@ -116,7 +123,9 @@ def _draw_distances(axes: Axes, held_out_surfaces: xr.Dataset) -> None:
 def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
     """Draw the spreads of the coatings: predicted, computed and published."""
     # Intervals of two scans may reach far beyond all values: an arrow marks a longer interval.
-    highest = MAX_RELATIVE_SPREAD * section[["published_spread", *SPREADS]].to_array().max().item()
+    highest = (
+        MAX_RELATIVE_SPREAD * section[["published_log_force_std", *SPREADS]].to_array().max().item()
+    )
     for position, (look, surface_data) in enumerate(style.iterate_surfaces(section)):
         for step, (name, (marker, _)) in enumerate(SPREADS.items()):
             curve = tables.value_and_interval(surface_data, name).expand_dims("position")
@@ -127,7 +136,7 @@ def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
             style.draw_bars(axes, [x], curve, ls="none", **look | marker)
             if curve["high"].item() > highest:
                 axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)
-        published = surface_data["published_spread"].item()
+        published = surface_data["published_log_force_std"].item()
         axes.plot([position - 0.3, position + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
     axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
     axes.set_xticks(range(section.sizes["surface"]), section["label"].values)
