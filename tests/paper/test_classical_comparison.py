@@ -18,7 +18,7 @@ def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
     return xr.Dataset(
         {
             "mean_force_at_pair": (dims, [[forces]]),
-            "force_mean_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
+            "mean_force_at_pair_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
             "label": ("surface", surfaces),
             "basis": ("surface", ["measured"] * len(surfaces)),
         },

@@ -89,10 +89,10 @@ PUBLISHED = {
     "ruby_rms_height": "sphere_rms_height_upper_bound",
     "plastic_fits": "error_threshold",
     "no_effect_small": "scale_tolerance",
-    "edge_small_first": "critical_wavelength_small",
-    "edge_small_pooled": "critical_wavelength_small",
-    "edge_large_first": "critical_wavelength_large",
-    "edge_large_pooled": "critical_wavelength_large",
+    "edge_small_first": "edge_small",
+    "edge_small_pooled": "edge_small",
+    "edge_large_first": "edge_large",
+    "edge_large_pooled": "edge_large",
 }
 #: Claims whose limits are printed as a range.
 RANGES = {

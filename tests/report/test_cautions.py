@@ -142,5 +142,5 @@ def test_no_answer_rests_on_roughness_that_the_scans_do_not_tell():
     data = spectra().assign(tail_known=("surface", [0]))
     of = of_first(spectra=data, force=continued(force(), small=0.5))
     assert [one["known"] for one in cautions(of) if one["code"] == "tail"] == [False]
-    (answer,) = [row.fact for row in answer_rows(of) if row.fact.name == "force_continued"]
+    (answer,) = [row.fact for row in answer_rows(of) if row.fact.name == "force_extrapolated"]
     assert np.isnan(answer.value) and answer.status == "no_exponent"

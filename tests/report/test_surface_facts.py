@@ -179,7 +179,7 @@ def test_scans_that_lack_roughness_answer_in_part_at_most():
 
 def test_continued_roughness_has_its_own_force_and_the_verdict_both():
     found = rows(force=continued(force(), small=0.25))
-    row = found["force_continued"]
+    row = found["force_extrapolated"]
     assert row.fact.value == pytest.approx(0.16e-6) and row.fact.source == "extrapolated"
     assert row.about["side"] == "small" and row.about["start"].value == 20.0
     assert row.about["end"].value == 5.0

@@ -18,7 +18,7 @@ FITS = xr.Dataset(
 )
 CONSTANTS = pd.DataFrame(
     {"value": [0.05, 43.0], "uncertainty": [0.01, np.nan]},
-    index=["work_of_adhesion", "critical_wavelength_small"],
+    index=["work_of_adhesion", "edge_small"],
 )
 
 

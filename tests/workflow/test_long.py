@@ -49,4 +49,4 @@ def test_real_scans(folder):
     assert 20 < surface["short_edge"]["value"] < 100
     cautions = {row["status"] for name, row in surface.items() if name.startswith("caution")}
     assert "conditional" in cautions
-    assert surface["force_continued_small"]["value"] < 0.7 * mean["value"]
+    assert surface["force_extrapolated_small"]["value"] < 0.7 * mean["value"]

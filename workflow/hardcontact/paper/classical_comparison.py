@@ -72,7 +72,7 @@ def apply_classical_models(
     surfaces = [name for name in inference["surface"].values.tolist() if name in published]
     rows = rows.loc[surfaces]
     plastic = inference.sel(contact_model="plastic", pair="published", surface=surfaces)
-    interval = plastic["force_mean_interval"].transpose("surface", "bound")
+    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "bound")
     forces = {
         "published": rounding_intervals(printed.loc[surfaces, "mean_force"]),
         "computed": (plastic["mean_force_at_pair"].values, interval.values),

@@ -184,8 +184,8 @@ def small_scale_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
     """Return whether each cutoff (side, cutoff_wavelength) is outside the published band."""
     cutoff = band["cutoff_wavelength"]
-    is_short = cutoff <= paper["critical_wavelength_small"]
-    is_long = cutoff >= paper["critical_wavelength_large"]
+    is_short = cutoff <= paper["edge_small"]
+    is_long = cutoff >= paper["edge_large"]
     return is_short.where(band["side"] == "small", is_long)
 
 

@@ -62,7 +62,7 @@ def extrapolated_fact(
     side: str,
     spectra: xr.Dataset,
     variable: str = "extrapolated_force",
-    name: str = "force_continued",
+    name: str = "force_extrapolated",
 ) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 

@@ -146,7 +146,7 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
         for fact in (row.fact for row in rows)
     ]
     on_scans = [fact for fact in facts if fact.name == "force_mean"]
-    extrapolated = [fact for fact in facts if fact.name == "force_continued"]
+    extrapolated = [fact for fact in facts if fact.name == "force_extrapolated"]
     edges = [fact for fact in facts if fact.name in EDGES.values()]
     short, long = edges
     origins = {row.about["origin"] for row in rows if "origin" in row.about}

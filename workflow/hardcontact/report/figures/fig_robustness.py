@@ -48,8 +48,8 @@ COLUMNS = ["panel", "variant", "label", "variant_kind", "origin", "quantity", *t
 QUANTITIES = {
     "range_of_adhesion": ("nm", 1, "range of adhesion", "ρ (nm)"),
     "work_of_adhesion": ("J/m2", 1e-3, "work of adhesion", "$W$ (mJ/m²)"),
-    "critical_wavelength_small": ("nm", 1, "short edge", "$λ_S$ (nm)"),
-    "critical_wavelength_large": ("nm", 1000, "long edge", "$λ_L$ (µm)"),
+    "edge_small": ("nm", 1, "short edge", "$λ_S$ (nm)"),
+    "edge_large": ("nm", 1000, "long edge", "$λ_L$ (µm)"),
 }
 #: Values of a quantity at all local minima of the error of the fit.
 MINIMA = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}
