@@ -218,7 +218,7 @@ NUMBERS = [
     ("fig_sets", {"quantity": "range_of_adhesion", "origin": "computed"},
      "sets", lambda data: data.range_of_adhesion.sel(PLASTIC)),
     ("fig_statistics", {"quantity": "designed_log_force_std"},
-     "statistics", lambda data: data.designed_spread),
+     "statistics", lambda data: data.designed_log_force_std),
 ]  # fmt: skip
 
 
