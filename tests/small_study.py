@@ -15,7 +15,9 @@ from hardcontact.config.store_keys import STORE_KEYS, store_digests
 DIGESTS = {kind: "digest" for kind in STORE_KEYS}
 PATTERNS = Patterns("results/paper", "results/store", "ruby", DIGESTS)
 #: The paths of the quick study.
-QUICK_NUMBERS = model.configuration(merged(PAPER, yaml.safe_load((ROOT / QUICK).read_text())))
+QUICK_NUMBERS = model.numeric_configuration(
+    merged(PAPER, yaml.safe_load((ROOT / QUICK).read_text()))
+)
 QUICK_PATTERNS = Patterns(
     "results/quick", "results/store-quick", "ruby", store_digests(QUICK_NUMBERS)
 )
@@ -41,7 +43,7 @@ def configuration(**changes):
         for step in above:
             part = part[step]
         part[key] = value
-    return model.configuration(changed)
+    return model.numeric_configuration(changed)
 
 
 def files(scans=(1, 2), measured=(), **changes):

@@ -7,7 +7,7 @@ from repository import PAPER, ROWS
 
 from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
-from hardcontact.config.model import configuration
+from hardcontact.config.model import numeric_configuration
 
 
 def changed(config, path, value):
@@ -24,7 +24,7 @@ def numbers(*values):
     """Return the paper's configuration in numbers with other values: key, value, key, value."""
     pairs = zip(values[::2], values[1::2], strict=True)
     config = reduce(lambda config, pair: changed(config, pair[0].split("."), pair[1]), pairs, PAPER)
-    return configuration(config)
+    return numeric_configuration(config)
 
 
 def surfaces(text, folder):

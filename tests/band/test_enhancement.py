@@ -3,7 +3,7 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.band.enhancement import CONTACTS, bands_by_contact
+from hardcontact.band.enhancement import CONTACT_MODELS, bands_by_contact
 from hardcontact.base.statistics import Sampling
 
 CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
@@ -26,7 +26,7 @@ def test_every_contact_has_the_edge_of_its_own_forces():
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
     bands = bands_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
     critical = bands["edge"].sel(group="a", side="small")
-    assert bands["contact_model"].values.tolist() == CONTACTS
+    assert bands["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
         np.testing.assert_allclose(critical.sel(contact_model=model), edge, rtol=1e-9)
     ratio = bands["edge_ratio"].sel(group="a", side="small")

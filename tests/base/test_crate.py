@@ -26,8 +26,8 @@ def folder(tmp_path):
     for name in ("claims.csv", "figures/fig1.csv", "logs/a.log", ".lock"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(name)
-    text = crate.describe(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
-    (folder / crate.NAME).write_text(text)
+    text = crate.crate_text(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
+    (folder / crate.CRATE_FILE).write_text(text)
     return folder
 
 
@@ -38,9 +38,11 @@ def test_outputs_are_described_and_logs_are_not(folder):
 
 @pytest.mark.parametrize("content", ["", "[]", '{"@graph": [{"@type": "File"}]}'])
 def test_a_damaged_crate_is_refused(folder, content):
-    (folder / crate.NAME).write_text(content)
+    (folder / crate.CRATE_FILE).write_text(content)
     assert_says(
-        refusal(crate.described_files, folder), crate.NAME, "expected a whole RO-Crate, found: "
+        refusal(crate.described_files, folder),
+        crate.CRATE_FILE,
+        "expected a whole RO-Crate, found: ",
     )
 
 
@@ -49,10 +51,10 @@ def test_a_damaged_crate_is_refused(folder, content):
 
 @pytest.mark.study
 def test_a_damaged_crate_is_named(finished_copy):
-    cut(finished_copy / "results/quick" / crate.NAME, 0.5)
+    cut(finished_copy / "results/quick" / crate.CRATE_FILE, 0.5)
     run = run_snakemake(finished_copy, "verify")
     assert run.returncode == 1
-    expected = f"error: results/quick/{crate.NAME}: expected a whole RO-Crate, found: "
+    expected = f"error: results/quick/{crate.CRATE_FILE}: expected a whole RO-Crate, found: "
     assert expected in run.stdout and "Traceback" not in run.stdout
 
 

@@ -132,7 +132,7 @@ def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch)
     records = provenance.traced_records("results/quick")
     described = crate.described_files("results/quick")
     of_study = {path for path in records if path.startswith("results/quick/")}
-    assert described.keys() == of_study - {f"results/quick/{crate.NAME}"}
+    assert described.keys() == of_study - {f"results/quick/{crate.CRATE_FILE}"}
     for path, record in records.items():
         inputs = record["input_digests"]
         assert inputs and all(digest(name) == value for name, value in inputs.items())

@@ -15,7 +15,7 @@ from hardcontact.contact.geometry import bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.spectrum import Density, Floats
+from hardcontact.surfaces.spectrum import Floats, SpectrumFunction
 from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -90,7 +90,9 @@ class WindowFilters:
     windows: Windows
 
 
-def filtered_window_forces(name: str, density: Density, filters: WindowFilters) -> xr.Dataset:
+def filtered_window_forces(
+    name: str, density: SpectrumFunction, filters: WindowFilters
+) -> xr.Dataset:
     """Return the forces on windows and whole surfaces of a spectrum, and what long waves change.
 
     Parameters
@@ -136,7 +138,7 @@ def filtered_window_forces(name: str, density: Density, filters: WindowFilters) 
 
 
 def _realization_forces(
-    name: str, density: Density, filters: WindowFilters, realization: int
+    name: str, density: SpectrumFunction, filters: WindowFilters, realization: int
 ) -> list[Floats]:
     """Return the mean `filtered_forces` of windows of every size, then those of whole surfaces."""
     windows, cutoffs, pixel_size = filters.windows, filters.cutoffs, filters.pixel_size

@@ -41,10 +41,10 @@ from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Floats,
     Spectrum,
-    all_scales_moments,
+    all_scales_rms,
     roll_off,
     self_affine,
-    spectrum_from,
+    spectrum_of_dataset,
 )
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 from hardcontact.surfaces.synthesis import random_surface
@@ -167,7 +167,7 @@ def random_spectra(rng: np.random.Generator, count: int) -> list[Spectrum]:
         height = np.exp(rng.uniform(*np.log(RMS_HEIGHTS)))
         wavelength = np.exp(rng.uniform(*np.log(ROLL_OFFS)))
         shape = self_affine(WAVEVECTORS, 1.0, wavelength, rng.uniform(*HURST))
-        shape_height = all_scales_moments(Spectrum(WAVEVECTORS, shape))[0]
+        shape_height = all_scales_rms(Spectrum(WAVEVECTORS, shape))[0]
         spectra.append(Spectrum(WAVEVECTORS, shape * (height / shape_height) ** 2))
     return spectra
 
@@ -218,7 +218,7 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
         {
             "finite_scan_ratio": excess,
             "finite_scan_ratio_interval": interval.assign_attrs(units="1"),
-            "rms_height": ((), all_scales_moments(spectrum)[0], nm),
+            "rms_height": ((), all_scales_rms(spectrum)[0], nm),
             "rolloff": ((), roll_off(spectrum), nm),
             "radius": ((), radius, nm),
         }
@@ -316,7 +316,7 @@ def study_spectrum(surface: str) -> Spectrum:
     rows = rows_of_surface(table1, surface, slope="gradient", curvature="half_laplacian")
     constants = published.constants(RESOURCES / "paper/parameters.csv")
     stored = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
-    return spectrum_from(stored)
+    return spectrum_of_dataset(stored)
 
 
 def main() -> None:

@@ -29,7 +29,7 @@ from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form_errors import spectrum_of_grid
-from hardcontact.theory.pull_off_statistics import force_statistics
+from hardcontact.theory.pull_off_statistics import predict_statistics
 
 #: Shares of places at which quantiles are compared.
 SHARES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
@@ -144,7 +144,7 @@ def compared(one: xr.Dataset) -> Iterator[dict[str, Any]]:
     row = {name: value.item() for name, value in one.variables.items() if not value.ndim}
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     for model, area in (("rigid", 0.0), ("plastic", row["area"])):
-        found = force_statistics(waves, contact_of_area(row["radius"], row["rho"], 1.0, area))
+        found = predict_statistics(waves, contact_of_area(row["radius"], row["rho"], 1.0, area))
         logs = one["log_force"].sel(contact_model=model).values
         forces = np.exp(logs) / np.exp(logs).mean()
         k = found.modulus or np.nan  # no law of Weibull below the mean plane

@@ -15,12 +15,12 @@ from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.grids import realization_pixels
-from hardcontact.config.model import configuration
+from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, sampled_contacts
-from hardcontact.contact.indents import indents
+from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flat_map, level, mirror_stitch
@@ -109,7 +109,7 @@ def tiny(draw):
 def accepted(overlay):
     """Return the configuration in numbers, or None if the study is refused."""
     try:
-        config = configuration(merged(PAPER, overlay))
+        config = numeric_configuration(merged(PAPER, overlay))
         table = surface_table.surface_table("config/surfaces.tsv")
         checks.check_study(config, table, SUBSTRATES)
     except ValueError:
@@ -150,7 +150,7 @@ def check_pair(config, rng, substrate, sphere):
         contact_pixels = replace(contact, preload=preload).pixels(pixel_size)
         for lowest in all_lowest_gaps(pair, contact_pixels).values():
             assert len(lowest.gaps) == contact_pixels
-            depth, *_ = indents(lowest, pixel_size)
+            depth, *_ = indent_sizes(lowest, pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]
     places = sampled_contacts(rng, contact.count, carried["contacts"])

@@ -13,7 +13,7 @@ from repository import PAPER, QUICK, ROOT, leaves, merged
 from studies import changed
 
 from hardcontact.config import checks
-from hardcontact.config.model import configuration
+from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import selected_scans, surface_table
 
 pytestmark = pytest.mark.usefixtures("project_folder")
@@ -83,7 +83,7 @@ def outcome(config):
     """None for a valid study, else the lines that refuse it; within seconds of computing."""
     start = time.process_time()
     try:
-        numbers = configuration(config)
+        numbers = numeric_configuration(config)
         rows = surface_table(numbers["surfaces"])
         checks.check_study(numbers, selected_scans(rows, numbers["scans"]), SUBSTRATES)
         message = None
@@ -115,7 +115,7 @@ def test_any_value_at_any_key(examples):
 def test_keys_that_are_left_out_have_their_defaults():
     for branch in filter(None, BRANCHES):
         config = changed(PAPER, branch.split("."), {})
-        assert configuration(config) == configuration(PAPER), branch
+        assert numeric_configuration(config) == numeric_configuration(PAPER), branch
 
 
 @pytest.mark.parametrize("key", ["scans", "scales.small.cutoffs", "deep"])
@@ -142,7 +142,7 @@ def test_values_near_valid_ones(examples):
             path = path.split(".")
             config = changed(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
         if outcome(config) is None:
-            numbers = configuration(config)
+            numbers = numeric_configuration(config)
             for path in LEAVES:
                 value = reduce(dict.get, path.split("."), numbers)
                 for item in value if isinstance(value, list) else [value]:

@@ -132,7 +132,7 @@ def test_every_target_is_made_or_left_out_with_a_reason(forces):
 
 
 def test_contacts_in_words_and_what_of_them_is_the_paper_s():
-    own_configuration = model.configuration(
+    own_configuration = model.numeric_configuration(
         {
             "sphere": {"surface": "smooth", "radius": "0.25mm"},
             "contact": {"hardness": "5GPa", "preload": "10 uN"},

@@ -82,7 +82,7 @@ def test_a_full_study_cannot_take_the_name_of_a_quick_one():
         line = refusal_line(
             start.checked_configuration, planned_workflow(), PAPER | quick | {key: name}
         )
-        assert_says(line, f"config key {key}", "another end than -quick", name)
+        assert_says(line, f"config key {key}", "a name without the end -quick", name)
 
 
 @pytest.mark.study
@@ -116,7 +116,7 @@ def test_a_run_that_is_stopped_says_that_the_next_goes_on(tmp_path):
 def test_the_names_of_a_quick_study_cannot_be_given():
     overlay = {"quick": {"study": "mine"}}
     line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
-    assert_says(line, "quick", "no study or store there", "found study")
+    assert_says(line, "quick", "neither study nor store", "found study")
 
 
 def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):

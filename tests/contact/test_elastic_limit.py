@@ -5,7 +5,7 @@ import pytest
 from published_contact import MODULUS
 
 from hardcontact.contact.elastic_limit import SLOPE_OVER_PRESSURE, pressure_over_hardness
-from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
+from hardcontact.surfaces.spectrum import Spectrum, all_scales_rms
 
 
 def test_slope_over_pressure_is_that_of_a_parabola():
@@ -21,7 +21,7 @@ def test_every_octave_of_a_fourth_power_adds_the_same_to_the_squared_slope():
     expected = np.sqrt(5 * np.log(q / q[0]) / (2 * np.pi))
     np.testing.assert_allclose(slope.sel(surface="flat")[::-1], expected, rtol=1e-6, atol=1e-9)
     for name, spectrum in spectra.items():
-        at_all_scales = all_scales_moments(spectrum)[1]
+        at_all_scales = all_scales_rms(spectrum)[1]
         assert slope.sel(surface=name)[0] == pytest.approx(at_all_scales)
     cut = slope.sel(surface="cut")
     assert cut.sel(shortest_wavelength=60, method="nearest") == pytest.approx(cut[0])

@@ -41,16 +41,18 @@ def test_contact_models_share_the_random_numbers_and_surfaces_do_not():
 
 def test_power_laws_are_followed_between_the_ranges_computed():
     forces = power_forces(rho=4.0, work=0.05)
-    at_four = force_curves.at_range(forces, 4.0)
+    at_four = force_curves.interpolate_to_range(forces, 4.0)
     np.testing.assert_allclose(
         at_four.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0) * 0.05,
         power_curves(4.0, 1.0)[:, 4] * (4 / 5) ** np.array([2, 1.3, 0.7, 0.4]),
     )
-    assert force_curves.at_range(forces, 0.49).isnull().all()
+    assert force_curves.interpolate_to_range(forces, 0.49).isnull().all()
     fine = np.geomspace(0.5, 10, 33)
     expected = power_curves()[:, :1] * (fine / 0.5) ** np.array([2, 1.3, 0.7, 0.4])[:, None]
-    np.testing.assert_allclose(force_curves.on_fine_grid(power_curves(), RHOS, fine), expected)
-    two = force_curves.on_fine_grid(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
+    np.testing.assert_allclose(
+        force_curves.interpolate_to_ranges(power_curves(), RHOS, fine), expected
+    )
+    two = force_curves.interpolate_to_ranges(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
     np.testing.assert_allclose(
         two[:, 0], power_curves()[:, 0] * 1.4 ** np.array([2, 1.3, 0.7, 0.4])
     )
@@ -68,10 +70,12 @@ def test_the_study_s_ranges_are_close_enough_to_interpolate_between():
     ranges = np.array([float(rho.removesuffix(" nm")) for rho in PAPER["adhesion"]["ranges"]])
     assert (ranges[0], ranges[-1]) == (0.05, 40.0) and 5.6 in ranges
     fine = np.geomspace(ranges[0], ranges[-1], 801)
-    computed = force_curves.on_fine_grid(sphere_on_steps(ranges), ranges, fine)
+    computed = force_curves.interpolate_to_ranges(sphere_on_steps(ranges), ranges, fine)
     np.testing.assert_allclose(computed, sphere_on_steps(fine), rtol=0.02)
     assert computed[[0, -1]] == pytest.approx(sphere_on_steps(ranges)[[0, -1]])
     forces = xr.DataArray(sphere_on_steps(ranges), {"rho": ranges}, "rho")
     for rho in (0.05, 0.07, 5.6, 13.3, 39.0, 40.0):
         expected = sphere_on_steps(np.array([rho]))[0]
-        assert float(force_curves.at_range(forces, rho)) == pytest.approx(expected, rel=0.02)
+        assert float(force_curves.interpolate_to_range(forces, rho)) == pytest.approx(
+            expected, rel=0.02
+        )

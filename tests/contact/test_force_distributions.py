@@ -6,7 +6,7 @@ import xarray as xr
 from scipy.stats import lognorm
 
 from hardcontact.base.statistics import Sampling, bounds, student_log_interval
-from hardcontact.contact.force_curves import STATISTICS, force_statistics
+from hardcontact.contact.force_curves import FORCE_STATISTICS, force_statistics
 
 KNOWN = lognorm(0.9, scale=6e-8)
 FORCES = KNOWN.rvs(size=(5, 4, 200), random_state=np.random.default_rng(0))
@@ -15,7 +15,7 @@ FORCES = KNOWN.rvs(size=(5, 4, 200), random_state=np.random.default_rng(0))
 def test_statistics_of_a_known_distribution():
     computed = force_statistics(FORCES, 3e-8, Sampling(0, 200, 0.95))
     expected = (KNOWN.mean(), KNOWN.median(), 0.9, 6e-8, KNOWN.cdf(3e-8))
-    for (name, unit), value in zip(STATISTICS.items(), expected, strict=True):
+    for (name, unit), value in zip(FORCE_STATISTICS.items(), expected, strict=True):
         assert float(computed[name]) == pytest.approx(value, rel=0.1), name
         assert computed[name].attrs["units"] == unit
         low, high = bounds(computed, name)

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from hardcontact.contact.bearing_area import LowestGaps
-from hardcontact.contact.indents import flattening, indents
+from hardcontact.contact.indents import flattening, indent_sizes
 
 
 def test_indents_made_by_hand():
     # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
     offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
     contact = LowestGaps(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)
-    depth, edge_length, lateral_size, count = indents(contact, 5.0)
+    depth, edge_length, lateral_size, count = indent_sizes(contact, 5.0)
     assert (depth, count) == (2.0, 2)
     assert edge_length == pytest.approx(2 * 5.0)  # four pixels
     assert lateral_size == 4 * 5.0

@@ -9,9 +9,9 @@ from published_contact import MODULUS
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.elastic import UNITS, elastic_contacts_of_pair
+from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
 from hardcontact.contact.geometry import bodies, sampled_contacts
-from hardcontact.contact.indents import REACH, indents_of_scans
+from hardcontact.contact.indents import MAP_HALF_WIDTH, indents_of_scans
 from hardcontact.contact.smooth_sphere import hertz_contact
 
 CONTACT = Contact(
@@ -33,15 +33,15 @@ def test_indents_of_scans_are_those_of_each_pair():
     # The indents drawn are of a contact whose depth is the median of all.
     drawn = indents.indentation.sel(preload=40e-6)
     assert drawn.max() == np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]
-    assert drawn[REACH, REACH] == drawn.max()
-    assert indents.sphere_height.shape == (2 * REACH + 1,) * 2
+    assert drawn[MAP_HALF_WIDTH, MAP_HALF_WIDTH] == drawn.max()
+    assert indents.sphere_height.shape == (2 * MAP_HALF_WIDTH + 1,) * 2
 
 
 def test_elastic_contacts_carry_the_preload():
     pair = over(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     places = sampled_contacts(np.random.default_rng(1), 3, 2)
     solved = elastic_contacts_of_pair(pair, CONTACT, places, MODULUS, 600.0)
-    assert {name: solved[name].units for name in UNITS} == UNITS
+    assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
     assert solved.sizes["contact"] == 2
     load = solved.contact_area * 1e-18 * solved.mean_pressure
     np.testing.assert_allclose(load, 10e-6, rtol=1e-5)

@@ -14,7 +14,7 @@ from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
 from hardcontact.config.configuration import refuse_unreadable
-from hardcontact.config.model import configuration
+from hardcontact.config.model import numeric_configuration
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.selection import surface_table
 from hardcontact.config.tables import measured_forces, refuse_description
@@ -109,7 +109,7 @@ def read_overlay(path):
     overlay = yaml.safe_load(path.read_bytes().decode("utf-8"))
     config = deepcopy(PAPER)
     update_config(config, overlay)  # as Snakemake does
-    configuration(config)
+    numeric_configuration(config)
 
 
 #: Kinds of input: whole files by name, of a folder, and what reads one.

@@ -15,7 +15,7 @@ from hardcontact.own.open_edges import band_edges
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
 from hardcontact.surfaces.scans import Measurement
-from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_from
+from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
 
@@ -116,7 +116,7 @@ def interval_of_one_scan(density, number):
     measurements = [
         Measurement("a", "", "", "nm", "map", scan.heights, PIXEL_SIZE, 1.0, notes=(), undefined=0)
     ]
-    spectrum = spectrum_from(joined_spectrum(measurements, [None]))
+    spectrum = spectrum_of_dataset(joined_spectrum(measurements, [None]))
     rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
 
     def scales(spectra):

@@ -12,7 +12,7 @@ from scan_files import container, nanoscope, scan
 
 from hardcontact.config import checks
 from hardcontact.config.configuration import set_keys
-from hardcontact.config.model import configuration
+from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
 from hardcontact.config.start import apply_effort
 from hardcontact.own import new, request
@@ -72,7 +72,7 @@ def accepted(folder, done, effort="full"):
     config = merged(PAPER, overlay)
     if effort == "quick":
         config = apply_effort(config | {"effort": "quick", "quick": quick})
-    config = configuration(config)
+    config = numeric_configuration(config)
     table = surface_table(folder / f"config/{NAME}.tsv")
     checks.check_study(config, table, [])
     return config, table
@@ -218,13 +218,13 @@ def test_all_problems_are_told_at_once_and_nothing_is_left(folder, run):
 REFUSED = [
     ([NAME], ["expected files"]),
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
-    ([f"{NAME}-quick", "one.nc"], ["NAME: expected another end than -quick"]),
-    (["config", "one.nc", "--overwrite"], ["found config, which is the project's"]),
+    ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
+    (["config", "one.nc", "--overwrite"], ["found config"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),
     ([NAME, "one.nc", "./one.nc"], ["one.nc", "once", "2 times"]),
     ([NAME, "--surface", "A"], ["--surface A", "expected files"]),
-    ([NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"], ["of its own", "also a"]),
-    ([NAME, "--surface", "sphere", "one.nc", "--sphere", "two.nc"], ["label of its own"]),
+    ([NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"], ["that differ", "also a"]),
+    ([NAME, "--surface", "sphere", "one.nc", "--sphere", "two.nc"], ["labels that differ"]),
     ([NAME, "--surface", "$x$", "one.nc", "two.nc"], ["--surface", "label", "without $"]),
     ([NAME, "a\n\033[31m.nc"], ["'a\\n\\x1b[31m.nc'", "printable"]),
     ([NAME, "a\udcff.nc"], ["'a\\udcff.nc'", "printable"]),

@@ -26,7 +26,7 @@ from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
     smooth_rolloff,
-    spectrum_from,
+    spectrum_of_dataset,
 )
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.prediction import trim_spectrum
@@ -247,7 +247,7 @@ def test_quantities_that_no_test_has_are_questioned(name, usual, questioned):
             quantities, faults = request.parse_quantities(
                 predict_arguments(["a.csv", f"--{name}", text])
             )
-            lines = list(request.questioned_quantities(quantities))
+            lines = list(request.implausible_quantities(quantities))
             assert not faults and len(lines) == count, lines
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
 
@@ -303,7 +303,7 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
     force = closed_form(spectrum, CONTACT).force
     assert numbers["pull_off_force"]["value"] == pytest.approx(force)
     # It is continued as the masters of the study are, up to a roll-off beyond the scan.
-    force = closed_form(spectrum_from(joined_scans), CONTACT).force
+    force = closed_form(spectrum_of_dataset(joined_scans), CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
     rolloff = joined_scans.attrs["rolloff"]
     assert numbers["extrapolated_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)

@@ -13,7 +13,7 @@ from repository import PAPER
 
 from hardcontact.config.configuration import set_keys
 from hardcontact.config.limits import check_grids
-from hardcontact.config.model import configuration
+from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import Contact
 from hardcontact.own.contact_scans import contact_scans, draw_sizes
 from hardcontact.own.inventory import Entry
@@ -111,12 +111,12 @@ def both_efforts(settings, proposal):
     }
     full = named_keys | values_by_key(proposal.choices)
     quick = full | values_by_key(proposal.quick)
-    return [configuration(set_keys(PAPER, keys)) for keys in (full, quick)]
+    return [numeric_configuration(set_keys(PAPER, keys)) for keys in (full, quick)]
 
 
 def check_study(settings, proposal):
     """Let the checks of the study look at a proposal for a smooth sphere, at both efforts."""
-    grids = {scan.source.surface: scan.grid for scan in proposal.contact}
+    grids = {scan.source.surface: scan.grid for scan in proposal.contact_entries}
     for config in both_efforts(settings, proposal):
         check_grids(config, grids)
 

@@ -15,8 +15,8 @@ from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
-    all_scales_moments,
-    spectrum_from,
+    all_scales_rms,
+    spectrum_of_dataset,
     varying_hurst,
 )
 from hardcontact.theory import closed_form as closed
@@ -38,9 +38,9 @@ def truth(rng):
         rolloff, height = np.exp(rng.uniform(np.log([300, 2]), np.log([5000, 15])))
         values = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst, change)
         values[2 * np.pi / WAVEVECTORS < 0.3] = 0
-        values *= (height / all_scales_moments(Spectrum(WAVEVECTORS, values))[0]) ** 2
+        values *= (height / all_scales_rms(Spectrum(WAVEVECTORS, values))[0]) ** 2
         spectrum = Spectrum(WAVEVECTORS, values)
-        _, gradient, half_laplacian = all_scales_moments(spectrum)
+        _, gradient, half_laplacian = all_scales_rms(spectrum)
         if gradient < MAX_GRADIENT and half_laplacian < MAX_HALF_LAPLACIAN:
             return spectrum
 
@@ -78,7 +78,7 @@ def test_intervals_hold_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
         scans = measure_scans(rng, spectrum, has_line)
         radii = KNOWN_TIPS[: len(scans)]
         edges = closed.edges(spectrum, CONTACT, 0.1)
-        measured_forces = logarithms(spectrum_from(joined_spectrum(scans, radii)), edges)
+        measured_forces = logarithms(spectrum_of_dataset(joined_spectrum(scans, radii)), edges)
         rngs = (generator(32, number, has_line, draw) for draw in range(DRAWS))
         shifts = [
             logarithms(spectrum_drawn, edges) - measured_forces

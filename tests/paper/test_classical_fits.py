@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 
 from hardcontact.base.statistics import Sampling, bounds
 from hardcontact.paper.classical_fits import (
-    fit_work,
+    fit_classical_work,
     power_law_error,
     power_laws,
     sample_roughness,
@@ -21,20 +21,20 @@ def test_fit_finds_the_work_that_made_the_forces(name):
     gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
     target = MODELS[name].force(0.08, gentle, SPHERE)
     amplitudes = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
-    work, error = fit_work(MODELS[name], amplitudes, SPHERE, target)
+    work, error = fit_classical_work(MODELS[name], amplitudes, SPHERE, target)
     assert work[0] == pytest.approx(0.08, rel=1e-4) and error[0] < 1e-3
     assert error[1] > error[0]
 
 
 def test_fit_of_forces_that_vanish_has_no_work():
     rough = Roughness(AFM.height, AFM.slope, 1e3 * AFM.curvature)
-    work, error = fit_work(MODELS["maugis"], rough, SPHERE, MEAN_FORCE)
+    work, error = fit_classical_work(MODELS["maugis"], rough, SPHERE, MEAN_FORCE)
     assert np.isnan(work) and error == pytest.approx(1)
 
 
 def test_no_model_fits_the_published_forces():
     for model in MODELS.values():
-        assert fit_work(model, AFM, SPHERE, MEAN_FORCE)[1] > 0.4
+        assert fit_classical_work(model, AFM, SPHERE, MEAN_FORCE)[1] > 0.4
 
 
 def test_drawn_roughness_is_positive_and_spreads_as_printed():

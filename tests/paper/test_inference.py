@@ -7,7 +7,7 @@ from known_forces import RHOS, TABLE, power_forces
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.paper import error_map, inference
 
 SAMPLING = Sampling(1, 50, 0.95)
@@ -63,8 +63,8 @@ def test_fit_is_the_least_of_a_fine_search():
     forces = power_forces(spread=0.5, seed=3)
     forces = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
     fine = np.geomspace(RHOS[0], RHOS[-1], 60)
-    curve = on_fine_grid(forces, RHOS, fine)
-    best, _, error = error_map.fit(curve, MEAN_FORCE)
+    curve = interpolate_to_ranges(forces, RHOS, fine)
+    best, _, error = error_map.fit_range_and_work(curve, MEAN_FORCE)
     search = error_map.mean_relative_error(curve, MEAN_FORCE, np.geomspace(1e-3, 2, 20001))
     assert error <= search.min() + 1e-12
     assert error == pytest.approx(search.min(), rel=1e-3)

@@ -18,13 +18,13 @@ from hardcontact.paper.protruded_sets import (
     judge_protruded,
 )
 from hardcontact.surfaces.height_map import mirror_stitch
-from hardcontact.surfaces.protrusions import Protrusions, Roughness, add_protrusions
+from hardcontact.surfaces.protrusions import Protrusions, PublishedRoughness, add_protrusions
 
 RANGES = np.geomspace(0.5, 20, 9)
 PAIR = Pair(5.0, 0.05)
 
 
-ROUGHNESS = Roughness(10.0, 0.5, 0.7, 3.0)
+ROUGHNESS = PublishedRoughness(10.0, 0.5, 0.7, 3.0)
 
 
 @pytest.mark.parametrize("bearer", ["uncd", "ruby"])

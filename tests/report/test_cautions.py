@@ -11,7 +11,7 @@ from answer_inputs import (
     spectra,
 )  # fmt: skip
 
-from hardcontact.contact.finite_scan import LEAST_TRIED
+from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.report.artificial import measurement_name
 from hardcontact.report.cautions import cautions
 from hardcontact.report.surface_facts import answer_rows
@@ -38,7 +38,7 @@ def test_finite_scans_have_their_numbers():
     assert found["share"].value == 0.25 and np.isnan(found["tried"].value)
     assert (found["ratio"].low, found["ratio"].high) == (2.0, 4.0)
     tiny = small.assign(draw_size=("surface", [64e3]))
-    assert named("small_scan", force=tiny)[0]["tried"].value == LEAST_TRIED
+    assert named("small_scan", force=tiny)[0]["tried"].value == SMALLEST_TESTED
     assert not named("small_scan")
 
 

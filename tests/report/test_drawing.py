@@ -24,7 +24,7 @@ def figure(points: int = 10):
 
 def outputs(folder: Path) -> dict[str, str]:
     folder.mkdir(exist_ok=True)
-    return {kind: str(folder / f"figure.{kind}") for kind in drawing.KINDS}
+    return {kind: str(folder / f"figure.{kind}") for kind in drawing.FILE_KINDS}
 
 
 def test_drawing_twice_gives_the_same_bytes(tmp_path):
@@ -32,7 +32,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path):
     for folder in (tmp_path / "first", tmp_path / "second"):
         drawing.save(figure(), TABLE, "a figure", outputs(folder))
         made.append({path.name: path.read_bytes() for path in folder.iterdir()})
-    assert made[0] == made[1] and len(made[0]) == len(drawing.KINDS)
+    assert made[0] == made[1] and len(made[0]) == len(drawing.FILE_KINDS)
     assert made[0]["figure.csv"] == b"value,unit\n1.5,nm\n"
     assert made[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in made[0]["figure.svg"]
     with Image.open(tmp_path / "first/figure.png") as image:

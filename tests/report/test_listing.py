@@ -11,7 +11,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.report.captions import caption
 from hardcontact.report.figures import listing
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe
+from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe_figure
 
 #: Modules that are no figure.
 SHARED = {"__init__", "drawing", "listing", "style", "tables"}
@@ -25,7 +25,7 @@ def test_each_module_is_a_figure_or_shared():
 def test_each_figure_of_the_paper_stands_in_a_chapter_of_its_page():
     page = (ROOT / "workflow/report/templates/paper.html").read_text("utf-8")
     chapters = set(re.findall(r'^  "(\d\. [^"]+)": "', page, re.M))
-    assert {describe(name).chapter for name in PAPER_FIGURES} <= chapters
+    assert {describe_figure(name).chapter for name in PAPER_FIGURES} <= chapters
 
 
 def test_a_caption_names_the_values_of_the_study():
@@ -44,8 +44,9 @@ def test_sentences_of_captions_are_short(name):
 
 def test_figures_are_described_without_heavy_packages():
     code = (
-        "import sys; from hardcontact.report.figures.listing import FIGURES, describe;"
-        "from hardcontact.report.captions import caption; [describe(name) for name in FIGURES];"
+        "import sys; from hardcontact.report.figures.listing import FIGURES, describe_figure;"
+        "from hardcontact.report.captions import caption;"
+        "[describe_figure(name) for name in FIGURES];"
         "print({'matplotlib', 'PIL', 'scipy'} & set(sys.modules))"
     )
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "workflow", capture_output=True)

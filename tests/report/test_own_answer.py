@@ -28,7 +28,7 @@ from snakemake.iocontainers import Namedlist
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import canonical
-from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 from hardcontact.report.own_answer import own_answer, own_head, own_headline, own_quantities
 from hardcontact.report.quantities import answer_json
 
@@ -116,7 +116,7 @@ def run_script(folder, given):
     named = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
     outputs = {"page": folder / "answer.html", "json": folder / "answer.json"}
     output = Namedlist(fromdict={name: str(path) for name, path in outputs.items()})
-    for kind in KINDS:
+    for kind in FILE_KINDS:
         start = len(output)
         output.extend(str(folder / f"{name}.{kind}") for name in OWN_FIGURES)
         output._set_name(kind, start, end=len(output))

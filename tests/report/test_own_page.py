@@ -28,7 +28,7 @@ from paper_study import svg
 
 from hardcontact.report import own_figures as figures
 from hardcontact.report.figures import style
-from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 from hardcontact.report.own_answer import own_answer, own_headline, own_page, own_warnings
 
 FORCES = "two substitutes, forces"
@@ -190,7 +190,7 @@ def test_forces_of_every_model_stand_over_the_range():
 @pytest.mark.parametrize("name", OWN_FIGURES)
 def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name):
     with style.print_style():
-        table, figure = figures.FIGURES[name](CASES[FORCES][0])
+        table, figure = figures.OWN_DRAWINGS[name](CASES[FORCES][0])
         figure.draw_without_rendering()
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
     points = PHONE / (72 * figure.get_figwidth())
@@ -207,10 +207,10 @@ def test_files_of_figures_are_the_same_each_time_and_small(tmp_path):
     for folder in (tmp_path / "first", tmp_path / "second"):
         folder.mkdir()
         paths = {kind: [str(folder / f"{name}.{kind}") for name in OWN_FIGURES]
-                 for kind in KINDS}  # fmt: skip
+                 for kind in FILE_KINDS}  # fmt: skip
         pictures = figures.write_figures(given, paths)
         made.append({path.name: path.read_bytes() for path in folder.iterdir()})
-    assert made[0] == made[1] and len(made[0]) == len(OWN_FIGURES) * len(KINDS)
+    assert made[0] == made[1] and len(made[0]) == len(OWN_FIGURES) * len(FILE_KINDS)
     for name, picture in pictures.items():
         assert picture == made[0][f"{name}.svg"] and b"<svg" in picture
         assert len(picture) < 150_000

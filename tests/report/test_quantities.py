@@ -10,7 +10,7 @@ from hardcontact.report.quantities import (
     bounds_only,
     in_words,
     number_of,
-    quantity,
+    quantity_mapping,
     span,
 )
 
@@ -60,6 +60,6 @@ def test_a_number_is_told_with_its_interval_and_its_status(number, words):
 
 
 def test_two_quantities_of_one_name_are_refused():
-    twice = [quantity(Number("force", 1.0)), quantity(Number("force", 2.0))]
+    twice = [quantity_mapping(Number("force", 1.0)), quantity_mapping(Number("force", 2.0))]
     with pytest.raises(ValueError, match="expected quantities with different names"):
         answer_json({}, twice)

@@ -11,7 +11,7 @@ from hardcontact.report.figures import drawing, style
 def test_colours_and_markers_follow_the_order_of_any_surfaces():
     assert style.colours(["x", "ball", "y"], "ball") == {
         **style.colours(["x", "y"]),
-        "ball": style.SPHERE,
+        "ball": style.SPHERE_COLOUR,
     }
     looks = style.looks([str(k) for k in range(8)])
     markers = {name: look["marker"] for name, look in looks.items()}

@@ -125,7 +125,7 @@ def test_what_has_no_interval_says_why():
 
 def test_contacts_that_touch_too_few_places_answer_nothing():
     few = without_interval(force()).assign(interval_source=("surface", ["few_places"]))
-    verdict = facts.verdict(list(rows(force=few).values()))
+    verdict = facts.surface_verdict(list(rows(force=few).values()))
     assert (verdict["answer"], verdict["band"]) == ("no", "few_places")
 
 
@@ -153,7 +153,7 @@ def answer_of(data, measured, of_force=None):
     found = rows(
         edges=data, spectra=spectra(measured={"scan.spm": scan}), force=of_force or force()
     )
-    told = facts.verdict(list(found.values()))
+    told = facts.surface_verdict(list(found.values()))
     return told["answer"], told["band"]
 
 
@@ -183,13 +183,15 @@ def test_continued_roughness_has_its_own_force_and_the_verdict_both():
     assert row.fact.value == pytest.approx(0.16e-6) and row.fact.source == "extrapolated"
     assert row.about["side"] == "small" and row.about["start"].value == 20.0
     assert row.about["end"].value == 5.0
-    on_scans, extrapolated = facts.verdict(list(found.values()))["forces"]
+    on_scans, extrapolated = facts.surface_verdict(list(found.values()))["forces"]
     assert (on_scans.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
     assert on_scans.low == pytest.approx(0.512e-6)
     unknown = spectra().assign(tail_known=("surface", [0]))
-    told = facts.verdict(list(rows(force=continued(force(), small=0.25), spectra=unknown).values()))
+    told = facts.surface_verdict(
+        list(rows(force=continued(force(), small=0.25), spectra=unknown).values())
+    )
     assert [one.name for one in told["forces"]] == ["force_mean"] and told["answer"] == "partly"
-    alike = facts.verdict(list(rows().values()))
+    alike = facts.surface_verdict(list(rows().values()))
     assert len(alike["forces"]) == 1 and alike["edges"][0].value == 37.0
 
 

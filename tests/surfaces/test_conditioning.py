@@ -16,7 +16,12 @@ from hardcontact.config.grids import realization_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap, level, metrics
-from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, spectrum_dataset, spectrum_from
+from hardcontact.surfaces.spectrum import (
+    AFM_ROWS,
+    WAVEVECTORS,
+    spectrum_dataset,
+    spectrum_of_dataset,
+)
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesize_scan
 from hardcontact.surfaces.substitute_spectra import (
     expected_moments,
@@ -57,7 +62,7 @@ def spectrum():
 
 def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
     """Metrics of every synthesized scan of a group: a column each metric."""
-    density = conditioning.multiply_amplitudes(spectrum_from(spectrum), group.gain.values)
+    density = conditioning.multiply_amplitudes(spectrum_of_dataset(spectrum), group.gain.values)
     values = []
     for number in group.scan.values:
         rng = generator(seed, surface, number, "scan")
@@ -80,7 +85,7 @@ def test_scans_have_the_statistics_that_they_are_given(spectrum, numbers, names)
     moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
     units = [conditioning.METRIC_PER_MOMENT[name] for name in names]
     targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
-    group = conditioning.conditioned_group(spectrum, targets, generators(*numbers), GRID)
+    group = conditioning.condition_group(spectrum, targets, generators(*numbers), GRID)
     assert_met(targets, synthesized_metrics(spectrum, group, GRID))
 
 
@@ -106,7 +111,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
     assert targets.deviation == pytest.approx(table1.uncertainty["afm_rms_height"])
-    group = conditioning.conditioned_group(
+    group = conditioning.condition_group(
         spectrum,
         targets,
         generators(*range(1, count + 1), seed=PAPER["seed"], surface=surface),
@@ -130,7 +135,7 @@ def test_on_coarser_pixels_the_rms_height_stays(spectrum):
     moments = expected_moments(uncd, transfer_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [height, *moments[1:]], rtol=1e-3)
     assert targets.rows == ("afm_rms_height",)
-    group = conditioning.conditioned_group(spectrum, targets, generators(1, 2), coarse)
+    group = conditioning.condition_group(spectrum, targets, generators(1, 2), coarse)
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
@@ -138,14 +143,14 @@ def test_a_surface_that_nothing_is_published_of_is_left_as_it_is(spectrum):
     assert (
         conditioning.scan_targets(spectrum, TABLE1.iloc[:0], CONSTANTS, DEFINITIONS, GRID) is None
     )
-    group = conditioning.conditioned_group(spectrum, None, generators(1, 2), GRID)
+    group = conditioning.condition_group(spectrum, None, generators(1, 2), GRID)
     assert (group.gain == 1).all() and (group.factor == 1).all()
     np.testing.assert_array_equal(group.scan, [1, 2])
 
 
 def test_metrics_of_a_sum_are_a_quadratic_form():
     bands = [levelled_scan(generator(9, k), 32) for k in range(3)]
-    matrices = conditioning.second_moments(bands, NAMES)
+    matrices = conditioning.metric_matrices(bands, NAMES)
     amplitudes = np.array([0.3, 1.7, 0.9])
     total = sum(a * band.heights for a, band in zip(amplitudes, bands, strict=True))
     total_metrics = metrics(HeightMap(total, PIXEL, periodic=False, basis="substitute"))
@@ -156,16 +161,16 @@ def test_metrics_of_a_sum_are_a_quadratic_form():
 def test_negative_heights_are_refused_in_one_line(spectrum):
     targets = Targets(dict(zip(NAMES, (20.0, 0.4, 0.05), strict=True)), 40.0, ())
     message = refusal(
-        conditioning.conditioned_group, spectrum, targets, generators(1, 2, 3, 4, 5), GRID
+        conditioning.condition_group, spectrum, targets, generators(1, 2, 3, 4, 5), GRID
     )
-    assert_says(message, "5 scans that are 20 +- 40", "expected", "found")
+    assert_says(message, "5 scans with the mean 20 nm and the deviation 40 nm", "expected", "found")
 
 
 def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_moments"]
     rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
-    group = conditioning.conditioned_group(spectrum, targets, generators(1, 2, 3), GRID)
+    group = conditioning.condition_group(spectrum, targets, generators(1, 2, 3), GRID)
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
     scan_metrics = synthesized_metrics(spectrum, group, GRID)
     assert scan_metrics.rms_height.mean() == pytest.approx(height, rel=1e-6)
@@ -181,7 +186,7 @@ def test_on_another_size_nothing_of_table_1_is_met(spectrum):
 
 
 def test_bands_add_up_to_one_and_go_over_smoothly():
-    shares = conditioning.band_shares(GRID)
+    shares = conditioning.component_shares(GRID)
     np.testing.assert_allclose(shares.sum(axis=0), 1, rtol=1e-12)
     assert (shares >= 0).all() and np.abs(np.diff(shares, axis=1)).max() < 0.1
     assert (shares[0, WAVEVECTORS < 2 * np.pi / GRID.size] == 1).all()

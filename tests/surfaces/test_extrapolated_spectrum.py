@@ -24,10 +24,10 @@ from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
-    all_scales_moments,
+    all_scales_rms,
     self_affine,
     smooth_rolloff,
-    spectrum_from,
+    spectrum_of_dataset,
 )
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import closed_form
@@ -48,7 +48,7 @@ def scan_of(rng, rolloff, hurst=0.8, level=1e4):
 
 
 def rms_height(spectrum):
-    return all_scales_moments(spectrum)[0]
+    return all_scales_rms(spectrum)[0]
 
 
 @pytest.mark.parametrize("kind", ["map", "profile"])
@@ -138,7 +138,7 @@ def coarse_surface(rng, model, size):
     density = model(WAVEVECTORS, 1.0, rolloff_ratio * size, hurst)
     density[2 * np.pi / WAVEVECTORS < ATOMIC_WAVELENGTH] = 0
     largest = np.array([60.0, 0.7 * MAX_GRADIENT, 0.7 * MAX_HALF_LAPLACIAN])
-    factor = (largest / all_scales_moments(Spectrum(WAVEVECTORS, density))).min()
+    factor = (largest / all_scales_rms(Spectrum(WAVEVECTORS, density))).min()
     return hurst, Spectrum(WAVEVECTORS, factor**2 * density)
 
 
@@ -159,7 +159,7 @@ def test_coarse_maps_tell_exponent_and_force_within_their_intervals():
         error = abs(joined_data.attrs["tail_hurst"] - hurst)
         errors.append(error)
         contained_exponents += error < 1.96 * joined_data.attrs["tail_hurst_error"]
-        force = log_force(spectrum_from(joined_data))
+        force = log_force(spectrum_of_dataset(joined_data))
         rngs = (generator(52, number, draw) for draw in range(draws))
         shifts = [
             log_force(drawn_spectrum) - force
@@ -197,7 +197,7 @@ def test_the_exponent_is_one_of_a_self_affine_surface(slope, hurst):
 @pytest.mark.parametrize("level", [1e2, 1e4])
 def test_no_tail_takes_slope_and_curvature_beyond_those_of_known_surfaces(slope, level):
     spectrum, tail = extrapolate(lambda q: level * (q / 0.02) ** slope)
-    _, gradient, half_laplacian = all_scales_moments(Spectrum(WAVEVECTORS, spectrum))
+    _, gradient, half_laplacian = all_scales_rms(Spectrum(WAVEVECTORS, spectrum))
     assert gradient < MAX_GRADIENT * 1.06 and half_laplacian < MAX_HALF_LAPLACIAN * 1.06
     assert (spectrum[2 * np.pi / WAVEVECTORS < ATOMIC_WAVELENGTH * 0.9] == 0).all()
     ends = {

@@ -16,7 +16,7 @@ from hardcontact.surfaces.measured_spectrum import (
     measured_size,
     variance_of_log,
 )
-from hardcontact.surfaces.spectrum import BIN_EDGES, profile_from_isotropic_power_law
+from hardcontact.surfaces.spectrum import BIN_EDGES, profile_over_isotropic
 
 
 def test_a_tilt_does_not_matter():
@@ -101,7 +101,7 @@ def two_rolloffs(q):
 @pytest.mark.parametrize("hurst", [0.1, 0.5, 0.8, 1.0, 1.4])
 def test_power_laws_are_converted_as_in_closed_form(hurst):
     profile = 3.0 * WAVEVECTORS ** (-1 - 2 * hurst)
-    density = profile / profile_from_isotropic_power_law(WAVEVECTORS, hurst)
+    density = profile / profile_over_isotropic(WAVEVECTORS, hurst)
     np.testing.assert_allclose(
         isotropic_from_profile(WAVEVECTORS, profile, MANY_WAVES), density, rtol=1e-3
     )

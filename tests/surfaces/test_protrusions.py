@@ -10,17 +10,17 @@ from periodic_maps import height_map
 
 from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.protrusions import (
-    DENSITIES,
-    GAUSSIAN_SHARE,
-    HEIGHTS,
-    WIDTHS,
+    DENSITY_BOUNDS,
+    HEIGHT_BOUNDS,
+    SHARE_WITHOUT_PROTRUSIONS,
+    WIDTH_BOUNDS,
     Protrusions,
-    Roughness,
+    PublishedRoughness,
     add_protrusions,
     draw_protrusions,
 )
 
-POLISHED = Roughness(3.2, 0.04, 0.05, 1.0)
+POLISHED = PublishedRoughness(3.2, 0.04, 0.05, 1.0)
 FLAT = replace(height_map(np.zeros((200, 200)), 10.0), periodic=False)  # 2 µm
 
 
@@ -50,15 +50,15 @@ def test_rms_height_and_slope_follow_campbells_theorem(density, width):
     assert slope == pytest.approx(3.2 * protrusions.rms_slope, rel=0.05)
 
 
-@pytest.mark.parametrize("is_sphere", [False, True])
-def test_what_is_drawn_is_as_smooth_as_published(is_sphere):
+@pytest.mark.parametrize("on_sphere", [False, True])
+def test_what_is_drawn_is_as_smooth_as_published(on_sphere):
     rng = np.random.default_rng(2)
-    surfaces = [draw_protrusions(rng, POLISHED, is_sphere) for _ in range(2000)]
+    surfaces = [draw_protrusions(rng, POLISHED, on_sphere) for _ in range(2000)]
     densities = np.array([protrusions.density for protrusions in surfaces])
-    assert (densities == 0).mean() == pytest.approx(GAUSSIAN_SHARE, abs=0.03)
+    assert (densities == 0).mean() == pytest.approx(SHARE_WITHOUT_PROTRUSIONS, abs=0.03)
     rms_heights = np.array([3.2 * protrusions.rms_height for protrusions in surfaces])
     slopes = np.array([3.2 * protrusions.rms_slope for protrusions in surfaces])
-    if is_sphere:
+    if on_sphere:
         assert 0.95 < rms_heights.max() <= 1
     else:
         scaled = np.sqrt((0.04**2 + slopes**2) / (3.2**2 + rms_heights**2)) * 3.2
@@ -68,7 +68,7 @@ def test_what_is_drawn_is_as_smooth_as_published(is_sphere):
 def test_the_curvature_of_polished_uncd_stays_within_table_1():
     table = pd.read_csv("resources/paper/table1.csv", index_col=["surface", "quantity"])
     published = table.loc[("polished_uncd", "afm_rms_curvature")]
-    for density, height, width in product(DENSITIES, HEIGHTS, WIDTHS):
+    for density, height, width in product(DENSITY_BOUNDS, HEIGHT_BOUNDS, WIDTH_BOUNDS):
         protrusions = Protrusions(density, height, width)
         # Half the Laplacian of a Gaussian, squared and integrated, is pi (height/width)^2/2.
         added = 3.2 * protrusions.rms_slope / width / np.sqrt(2)

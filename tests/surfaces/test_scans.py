@@ -109,7 +109,7 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     map_of(heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))
     lines = (tmp_path / "a.asc").read_text().splitlines()
     (tmp_path / "a.asc").write_text("\n".join(lines[: len(lines) // 2]))
-    assert_says(refusal(read_measurement, tmp_path / "a.asc"), "square pixels", "lost lines")
+    assert_says(refusal(read_measurement, tmp_path / "a.asc"), "square pixels", "lines are missing")
     flat = scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
     assert_says(refusal(read_measurement, flat), "16 to 8192 pixels", "found 3 x 32")
 

@@ -6,7 +6,7 @@ from random_scans import levelled_scan, uncd
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, measured_psds
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, measured_psds
 
 
 def test_profile_and_isotropic_spectra_are_twins():
@@ -28,7 +28,7 @@ def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
 def test_moments_of_a_band_are_its_integrals():
     # C_iso = 1 nm4 from q = 1 to 2: (1/2 pi) ∫ q^(1 + 2k) dq, the Laplacian's a quarter of it.
     q = np.geomspace(1, 2, 20_001)
-    moments = spectrum.all_scales_moments(Spectrum(q, np.ones_like(q)))
+    moments = spectrum.all_scales_rms(Spectrum(q, np.ones_like(q)))
     squares = np.array([3 / 2, 15 / 4, 63 / 6 / 4]) / (2 * np.pi)
     np.testing.assert_allclose(moments, np.sqrt(squares), rtol=1e-6)
 
@@ -45,7 +45,7 @@ def test_profile_of_a_power_law_is_its_integral():
     q, hurst = 0.3, 0.7
     q_y = np.linspace(0, 600, 4_000_001)
     integral = np.trapezoid((q**2 + q_y**2) ** (-1 - hurst), q_y) / np.pi
-    ratio = spectrum.profile_from_isotropic_power_law(q, hurst)
+    ratio = spectrum.profile_over_isotropic(q, hurst)
     assert ratio * q ** (-2 - 2 * hurst) == pytest.approx(integral, rel=1e-4)
 
 
@@ -53,15 +53,15 @@ def test_points_of_a_profile_give_the_power_law_they_lie_on():
     wavelengths, hurst = np.array([66.0, 7.0, 24.0, 15.0]), 0.7
     isotropic = Spectrum(WAVEVECTORS, WAVEVECTORS ** (-2 - 2 * hurst))
     q = 2 * np.pi / wavelengths
-    profile = isotropic(q) * spectrum.profile_from_isotropic_power_law(q, hurst)
-    density = spectrum.profile_points(WAVEVECTORS, wavelengths, profile)
+    profile = isotropic(q) * spectrum.profile_over_isotropic(q, hurst)
+    density = spectrum.isotropic_through_points(WAVEVECTORS, wavelengths, profile)
     np.testing.assert_allclose(density, isotropic.density, rtol=1e-6)
 
 
 def test_published_model_of_ncd_has_its_published_height():
     q = np.geomspace(1e-6, 2 * np.pi / 72, 200_001)
     table = Spectrum(q, spectrum.self_affine(q, 5e9, 2000.0, 0.8))
-    assert all_scales_moments(table)[0] == pytest.approx(94, abs=0.5)
+    assert all_scales_rms(table)[0] == pytest.approx(94, abs=0.5)
 
 
 def test_a_varying_hurst_exponent_is_that_of_the_power_law_at_each_wavelength():

@@ -13,7 +13,7 @@ from hardcontact.base import published
 from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 from hardcontact.surfaces.synthesis import random_surface
@@ -68,7 +68,7 @@ def test_a_tail_completes_slope_and_curvature(longer_waves, moments):
     tail = spectrum.power_law_tail(
         longer_waves, *substitute_spectra.calibrate_tail(longer_waves, *moments)
     )
-    completed_moments = all_scales_moments(Spectrum(WAVEVECTORS, longer_waves + tail))[1:]
+    completed_moments = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves + tail))[1:]
     np.testing.assert_allclose(completed_moments, moments, rtol=1e-9)
 
 
@@ -137,7 +137,7 @@ def test_bands_with_all_parameters_are_their_models(write_description, tmp_path)
     points = np.array([66.0, 24.0, 7.0]), np.array([234.0, 6.7, 0.095])
     is_profile = (WAVEVECTORS > 2 * np.pi / 50) & (WAVEVECTORS < 2 * np.pi / 7)
     np.testing.assert_allclose(
-        density[is_profile], spectrum.profile_points(WAVEVECTORS, *points)[is_profile]
+        density[is_profile], spectrum.isotropic_through_points(WAVEVECTORS, *points)[is_profile]
     )
     tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
     slopes = np.diff(np.log(density[tail])) / np.diff(np.log(WAVEVECTORS[tail]))
@@ -169,7 +169,7 @@ def test_default_spectra_meet_every_row_of_table_1_but_the_height_over_all_scale
     table1, default = default_spectrum(surface)
     calibrated = [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
     assert default.attrs["table1_rows_met"] == ",".join(calibrated)
-    moments = all_scales_moments(Spectrum(WAVEVECTORS, default.spectrum.values))
+    moments = all_scales_rms(Spectrum(WAVEVECTORS, default.spectrum.values))
     all_moments = [*default.attrs["expected_scan_moments"], *moments[1:]]
     np.testing.assert_allclose(all_moments, table1.value[calibrated], rtol=1e-9)
 

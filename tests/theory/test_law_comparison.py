@@ -9,7 +9,7 @@ import xarray as xr
 from scipy.special import gamma
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.error_map import fit
+from hardcontact.paper.error_map import fit_range_and_work
 from hardcontact.paper.inference import Pair
 from hardcontact.paper.law_comparison import compare_laws
 from hardcontact.theory.interaction_laws import LAWS, law_forces, range_grid
@@ -122,7 +122,7 @@ def test_equivalent_lengths_are_those_of_the_closed_form():
     target = 0.05 * 5.6**SLOPES
     for law in LAWS:
         curves = np.array([law_power(law, LENGTHS, slope) for slope in SLOPES])
-        best, work, error = fit(curves, target)
+        best, work, error = fit_range_and_work(curves, target)
         equivalent = laws.sel(law=law.name, range_choice="equivalent")
         assert equivalent.range_of_law.item() == pytest.approx(LENGTHS[best], rel=0.07)
         assert equivalent.fit_error.item() == pytest.approx(error, abs=2e-3)

@@ -22,9 +22,9 @@ from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,
     field_variation,
     force_scatter,
-    force_statistics,
     number_variance,
     over_scans,
+    predict_statistics,
     summit_variation,
 )
 from hardcontact.theory.summits import LEVELS, closest_approaches, clumps_above, spectrum_between
@@ -72,7 +72,7 @@ def test_the_mean_is_the_closed_form(rho, low, high):
     """Rough summits below the sphere lessen it where single peaks decide, not for many points."""
     contact, spectrum = replace(SPHERE, range=rho), rough(30, 1000, 0.8, 5.0)
     expected = closed_form(spectrum, contact).force
-    assert force_statistics(spectrum, contact).force == pytest.approx(expected)
+    assert predict_statistics(spectrum, contact).force == pytest.approx(expected)
     assert low < expected / closed_form(spectrum, contact, rough_below=False).force < high
 
 
@@ -85,7 +85,7 @@ def test_radii_of_summits_scatter_as_drawn_ones():
 
 @pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
 def test_many_points_make_weibull_s_law(modulus):
-    computed = force_statistics(SURFACE, flat_contact(modulus))
+    computed = predict_statistics(SURFACE, flat_contact(modulus))
     weibull = stats.weibull_min(computed.modulus, scale=1 / special.gamma(1 + 1 / computed.modulus))
     assert computed.modulus == pytest.approx(modulus, rel=1e-3)
     shares = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
@@ -96,7 +96,7 @@ def test_many_points_make_weibull_s_law(modulus):
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
 def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
-    computed = force_statistics(SURFACE, flat_contact(3.0, clumps))
+    computed = predict_statistics(SURFACE, flat_contact(3.0, clumps))
     # Exponential areas fill the contact with 1 + Poisson's number of clumps.
     number = 1 + np.arange(200)
     chance = stats.poisson.pmf(number - 1, computed.clumps - 1)
@@ -108,8 +108,8 @@ def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
 def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
     contact = flat_contact(3.0, clumps)
-    many = force_statistics(SURFACE, contact)
-    rigid = force_statistics(SURFACE, replace(contact, preload=0.0))
+    many = predict_statistics(SURFACE, contact)
+    rigid = predict_statistics(SURFACE, replace(contact, preload=0.0))
     # The force of the area in contact itself is no clump's.
     of_area = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
     power, number = 2 / (many.modulus + rigid.modulus), 1 + np.arange(200)
@@ -130,7 +130,7 @@ def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
-    computed, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
+    computed, sums = predict_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
     assert computed.spread == pytest.approx(np.log(sums).std(), rel=0.1)
     assert computed.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
 
@@ -168,16 +168,16 @@ def test_a_quantile_does_not_depend_on_levels_that_have_no_probability():
 
 
 def test_without_roughness_all_places_are_alike():
-    smooth = force_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
+    smooth = predict_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
     assert smooth.spread == 0
     assert smooth.quantile(0.3) == pytest.approx(smooth.force)
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9
 
 
 def test_scans_add_the_scatter_of_their_means():
-    places = force_statistics(rough(4.0), SPHERE)
+    places = predict_statistics(rough(4.0), SPHERE)
     assert over_scans(rough(4.0), SPHERE, 0.0).spread == pytest.approx(places.spread)
-    ends = [force_statistics(rough(4.0 + change), SPHERE).force for change in (-0.1, 0.1)]
+    ends = [predict_statistics(rough(4.0 + change), SPHERE).force for change in (-0.1, 0.1)]
     slope = np.log(ends[1] / ends[0]) / 0.2
     expected = np.hypot(places.spread, slope * 4.0 * 0.05)
     assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(expected, rel=0.02)
@@ -187,7 +187,7 @@ def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_toleranc
     scatter = force_scatter(
         {"a": rough(10.0)}, SPHERE, [5.6], {"a": 0.0}, tolerance=0.1, confidence=0.9
     )
-    law = force_statistics(rough(10.0), SPHERE)
+    law = predict_statistics(rough(10.0), SPHERE)
     shape = np.sqrt(-2 * np.log(law.quantile(0.5) / law.force))
     assert scatter["total_lognormal_shape"].item() == pytest.approx(shape, rel=0.01)
     needed = round(scatter["contacts_needed"].item())

@@ -15,7 +15,7 @@ from refusals import assert_says
 from repository import ROOT
 from scipy import stats
 
-from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 from hardcontact.theory.closed_form import gaussian_share
 
 pytestmark = pytest.mark.study
@@ -48,7 +48,7 @@ def assert_honest(results, fitted=False):
     figures = {figure["id"].removesuffix("-figure") for figure in page.attributes["figure"]}
     assert figures == set(OWN_FIGURES) - (set() if fitted else {"works"})
     figure_files = {path.name for path in (results / "figures").glob("*.*")}
-    assert figure_files >= {f"{name}.{kind}" for name in figures for kind in KINDS}
+    assert figure_files >= {f"{name}.{kind}" for name in figures for kind in FILE_KINDS}
     edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
     for name, surface in quantities(results).items():
         if name:

@@ -13,10 +13,10 @@ from paper_numbers import LABELS, SUBSTRATES
 from repository import PAPER, ROOT
 
 from hardcontact.base import dataset
-from hardcontact.config.patterns import PUBLISHED
+from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.report.captions import caption
 from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.listing import FIGURES, describe
+from hardcontact.report.figures.listing import FIGURES, describe_figure
 
 #: Figures with values of the paper, and the words by which their captions name these.
 PUBLISHED_IN = {
@@ -43,10 +43,10 @@ def draw_checked(results):
     def draw(name):
         module = importlib.import_module(f"hardcontact.report.figures.{name}")
         inputs = {
-            source: drawing.READERS[source](ROOT / PUBLISHED[source])
-            if source in PUBLISHED
+            source: drawing.READERS[source](ROOT / PUBLISHED_TABLES[source])
+            if source in PUBLISHED_TABLES
             else dataset.read(results / f"{source}.nc")
-            for source in describe(name).inputs
+            for source in describe_figure(name).inputs
         }
         inputs_before = {key: data.copy(deep=True) for key, data in inputs.items()}
         with style.print_style():

@@ -17,13 +17,13 @@ from hardcontact.band.critical_band import logarithmic_limits
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
+    check_contact,
+    check_cutoffs,
+    check_optional_lengths,
+    check_positive,
+    check_positive_numbers,
+    check_read_arguments,
     make_periodic,
-    refuse_cutoffs,
-    refuse_lengths,
-    refuse_non_numbers,
-    refuse_non_positive,
-    refuse_reading,
-    refuse_unfit,
 )
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE
@@ -45,7 +45,7 @@ from hardcontact.surfaces.scans import (
     height_map,
     read_measurement,
 )
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.theory.hard_contact import wide_contact_message
 from hardcontact.theory.prediction import prediction
@@ -91,8 +91,8 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
-    refuse_reading([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
-    refuse_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
+    check_read_arguments([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    check_optional_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
     measurement = read_measurement(path, dataset, undefined_pixels, unit, edge)
     return _prepare(measurement, sphere_radius, levelling)
 
@@ -131,7 +131,7 @@ def from_topography(
             "topography: expected a map of SurfaceTopography with a unit of length, found "
             f"{type(topography).__name__}"
         )
-    refuse_lengths(sphere_radius=sphere_radius)
+    check_optional_lengths(sphere_radius=sphere_radius)
     try:
         values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
@@ -159,7 +159,7 @@ def read_spectrum(
     edge: float | str = NONE,
     levelling: str = "plane",
     sphere_radius: float | None = None,
-    continued: bool = False,
+    extrapolated: bool = False,
 ) -> Spectrum:
     """Return C_iso of one surface from a table, or joined from the spectra of scans.
 
@@ -175,7 +175,7 @@ def read_spectrum(
         As for `read_scan`.
     edge, sphere_radius : float or str, float or None
         As for `read_scan`.
-    continued : bool
+    extrapolated : bool
         Whether the spectrum of scans is extrapolated beyond their reliable wavelengths, like the
         study's spectrum of masters: artificial, up to a roll-off and self-affine below.
 
@@ -189,8 +189,8 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
-    refuse_reading(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
-    refuse_lengths(
+    check_read_arguments(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    check_optional_lengths(
         edge=edge if edge != NONE else None, tip_radius=tip_radius, sphere_radius=sphere_radius
     )
     user_spectrum = own_spectrum(
@@ -204,8 +204,8 @@ def read_spectrum(
         sphere_radius=sphere_radius,
     )
     return (
-        spectrum_from(user_spectrum.joined)
-        if continued and user_spectrum.joined is not None
+        spectrum_of_dataset(user_spectrum.joined)
+        if extrapolated and user_spectrum.joined is not None
         else user_spectrum.spectrum
     )
 
@@ -256,11 +256,11 @@ def pull_off_forces(
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
     contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
-    refuse_non_positive(work=work)
-    refuse_non_numbers("ranges", ranges)
+    check_positive(work=work)
+    check_positive_numbers("ranges", ranges)
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
-    refuse_unfit(surface, contact, ranges)
+    check_contact(surface, contact, ranges)
     pair = bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
     forces = pull_off_of_pair(pair, contact, ranges).merge(wider_window_change([pair], longest))
@@ -326,11 +326,11 @@ def force_ratios(
     contact = Contact(
         radius=radius, preload=preload, hardness=hardness, window=window, count=count, range=rho
     )
-    refuse_non_positive(tolerance=tolerance)
+    check_positive(tolerance=tolerance)
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
-    refuse_unfit(surface, contact, [rho])
-    refuse_cutoffs(cutoffs, surface)
+    check_contact(surface, contact, [rho])
+    check_cutoffs(cutoffs, surface)
     forces = {}
     for side, side_cutoffs in cutoffs.items():
         wavelengths = sorted({float(wavelength) for wavelength in side_cutoffs})
@@ -392,7 +392,7 @@ def predict(
     ... )
     >>> force = numbers["pull_off_force"].value  # N
     """
-    refuse_non_positive(
+    check_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
     joined_scans, skewness = None, 0.0

@@ -1,9 +1,9 @@
 # The page on what decides the band: question, numbers and figure of each part.
 
-from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe
+from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe_figure
 
 #: The dataset of each figure, and the band.
-INSIGHT_SOURCES = ["band", *(describe(name).inputs[0] for name in INSIGHT_FIGURES)]
+INSIGHT_SOURCES = ["band", *(describe_figure(name).inputs[0] for name in INSIGHT_FIGURES)]
 
 
 rule answer_insight:
@@ -17,7 +17,7 @@ rule answer_insight:
         templates=template_inputs(
             "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in INSIGHT_FIGURES)
         ),
-        published_constants=PUBLISHED["published_constants"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         validation="resources/validation/prediction.csv",
         code=code_inputs("answer_insight.py"),
     output:

@@ -18,8 +18,8 @@ rule answer_paper:
             )
         },
         claims=PATTERNS.result("claims.csv"),
-        published_constants=PUBLISHED["published_constants"],
-        published_table1=PUBLISHED["published_table1"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
         captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in PAPER_FIGURES],
         citation="CITATION.cff",

@@ -7,7 +7,7 @@ from hardcontact.config.configuration import (
     read_yaml,
 )
 from hardcontact.config.model import NONE
-from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
 OWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"] != NONE]
 
@@ -24,7 +24,7 @@ rule answer_surfaces:
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:
-        **{kind: [PATTERNS.figure(name, kind) for name in OWN_FIGURES] for kind in KINDS},
+        **{kind: [PATTERNS.figure(name, kind) for name in OWN_FIGURES] for kind in FILE_KINDS},
         page=report(
             PATTERNS.result("answer.html"),
             caption="../report/answer.rst",

@@ -12,7 +12,7 @@ for verdicts, datasets in {"claims": DATASETS, "insight_claims": INSIGHT_DATASET
             **{dataset: PATTERNS.dataset(dataset) for dataset in datasets},
             sets=rules.judge_sets.output[0],
             claims=f"resources/paper/{verdicts}.csv",
-            published_constants=PUBLISHED["published_constants"],
+            published_constants=PUBLISHED_TABLES["published_constants"],
             code=code_inputs("evaluate_claims.py"),
         output:
             claims=PATTERNS.result(f"{verdicts}.csv"),

@@ -5,9 +5,9 @@ rule apply_classical_models:
     """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
         inference=rules.infer.output[0],
-        published_table1=PUBLISHED["published_table1"],
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("apply_classical_models.py"),
     output:
         PATTERNS.dataset("classical"),

@@ -3,7 +3,7 @@
 from hardcontact.base.code import PINS, code_inputs, template_inputs
 from hardcontact.base.origin import canonical
 from hardcontact.config import start
-from hardcontact.config.patterns import PUBLISHED, Patterns
+from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.model import PAPER
 from hardcontact.config.store_keys import store_digests
 

@@ -6,7 +6,7 @@ rule solve_elastic_contact:
     input:
         substrate=PATTERNS.stitched_substrate,
         sphere=PATTERNS.stitched_sphere,
-        published_constants=PUBLISHED["published_constants"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("solve_elastic_contact.py"),
     output:
         PATTERNS.elastic,

@@ -1,7 +1,7 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
 from hardcontact.report.captions import caption
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe
+from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe_figure
 
 for name in FIGURES:
 
@@ -11,8 +11,8 @@ for name in FIGURES:
             f"draw_{name}"
         input:
             **{
-                source: PUBLISHED.get(source, PATTERNS.dataset(source))
-                for source in describe(name).inputs
+                source: PUBLISHED_TABLES.get(source, PATTERNS.dataset(source))
+                for source in describe_figure(name).inputs
             },
             code=code_inputs("draw_figure.py", f"hardcontact.report.figures.{name}"),
         output:
@@ -20,8 +20,8 @@ for name in FIGURES:
             png=report(
                 PATTERNS.figure(name, "png"),
                 caption="../report/figure.rst",
-                category=describe(name).chapter,
-                labels={"figure": describe(name).title},
+                category=describe_figure(name).chapter,
+                labels={"figure": describe_figure(name).title},
             ),
             svg=PATTERNS.figure(name, "svg"),
             csv=PATTERNS.figure(name, "csv"),

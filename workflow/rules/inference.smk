@@ -5,8 +5,8 @@ rule infer:
     """Infer range and work of adhesion from computed and published forces: inference.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("infer.py"),
     output:
         PATTERNS.dataset("inference"),

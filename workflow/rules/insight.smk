@@ -8,7 +8,7 @@ rule compare_closed_form:
     """Compare the closed form of the pull-off force with random surfaces: closed_form.nc."""
     input:
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
-        published_constants=PUBLISHED["published_constants"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compare_closed_form.py"),
     output:
         PATTERNS.dataset("closed_form"),
@@ -43,7 +43,7 @@ rule compare_closed_form:
 rule compare_statistics:
     """Compare the law of the scatter of forces with computed and published scatter: statistics.nc."""
     input:
-        **PUBLISHED,
+        **PUBLISHED_TABLES,
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         inference=PATTERNS.dataset("inference"),
         validation="resources/validation/statistics.csv",

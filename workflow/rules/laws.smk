@@ -42,8 +42,8 @@ rule compare_laws:
         scans=FILES.paths(PATTERNS.law_scan, FILES.realized_scans),
         small=FILES.paths(PATTERNS.law_small, FILES.realized_scans),
         large=FILES.paths(PATTERNS.law_large, FILES.realized_scans),
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compare_laws.py"),
     output:
         PATTERNS.dataset("laws"),

@@ -50,7 +50,7 @@ rule draw_spectra:
             {
                 "surface": w.surface,
                 "seed": STUDY["seed"],
-                "contact_places": SELECTION.contact_places(w.surface),
+                "contact_indices": SELECTION.contact_indices(w.surface),
                 **FILES.measuring(w.surface),
             }
         ),

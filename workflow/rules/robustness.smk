@@ -42,8 +42,8 @@ rule aggregate_robustness:
     input:
         adhesion=FILES.paths(PATTERNS.mean_forces, FILES.varied_forces),
         scales=FILES.paths(PATTERNS.filtered, FILES.varied_masters("robustness")),
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("aggregate_robustness.py"),
     output:
         PATTERNS.dataset("robustness"),

@@ -13,8 +13,8 @@ rule calibrate_spectrum:
     input:
         description=lambda w: SELECTION.description(w.surface),
         tables=lambda w: SELECTION.tables(w.surface),  # named by the description
-        published_table1=PUBLISHED["published_table1"],
-        published_constants=PUBLISHED["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("calibrate_spectrum.py"),
     output:
         PATTERNS.calibrated_spectrum,
@@ -78,8 +78,8 @@ rule condition_scans:
     """Find the gain and the factors that give a group of substitute scans what Table 1 says."""
     input:
         spectrum=PATTERNS.calibrated_spectrum,
-        published_table1=PUBLISHED["published_table1"],
-        published_constants=PUBLISHED["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("condition_scans.py"),
     output:
         PATTERNS.conditioning,

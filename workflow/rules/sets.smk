@@ -7,8 +7,8 @@ rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        published_table1=PUBLISHED["published_table1"],
-        published_constants=PUBLISHED["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compute_pool.py"),
     output:
         PATTERNS.pool,
@@ -26,8 +26,8 @@ rule compute_protruded:
     """Compute the forces on some surfaces with rare protrusions on them or on the sphere."""
     input:
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        published_table1=PUBLISHED["published_table1"],
-        published_constants=PUBLISHED["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compute_protruded.py"),
     output:
         PATTERNS.protruded,
@@ -57,8 +57,8 @@ rule judge_sets:
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
         smooth_spheres=FILES.paths(PATTERNS.mean_forces, FILES.smooth_forces),
         masters=FILES.paths(PATTERNS.filtered, FILES.varied_masters("sets")),
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("judge_sets.py"),
     output:
         PATTERNS.dataset("sets"),
@@ -98,8 +98,8 @@ rule judge_fit:
         sets=rules.judge_sets.output[0],
         protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(FILES.protruded_coating)),
         protruded_sphere=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(SPHERE)),
-        published_pull_off=PUBLISHED["published_pull_off"],
-        published_constants=PUBLISHED["published_constants"],
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("judge_fit.py"),
     output:
         leave_one_out=PATTERNS.dataset("leave_one_out"),

@@ -1,7 +1,7 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
 from hardcontact.config.configuration import PAGES, available_targets, omitted_targets
-from hardcontact.report.figures.listing import FIGURES, INSIGHT_FIGURES, KINDS, PAPER_FIGURES
+from hardcontact.report.figures.listing import FIGURES, FILE_KINDS, INSIGHT_FIGURES, PAPER_FIGURES
 
 #: The datasets of each target that makes some.
 DATASETS_OF_TARGETS = {
@@ -18,7 +18,9 @@ DATASETS_OF_TARGETS = {
     "fit": ["fit"],
 }
 PAGES_OF_STUDY = [PATTERNS.page(page) for page in PAGES] if COMPARED else []
-FIGURE_FILES = {figure: [PATTERNS.figure(figure, kind) for kind in KINDS] for figure in FIGURES}
+FIGURE_FILES = {
+    figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS] for figure in FIGURES
+}
 FILES_OF_TARGETS = {
     **{
         target: [PATTERNS.dataset(name) for name in names]

@@ -14,7 +14,7 @@ rule trace_contact:
     input:
         substrate=FILES.stitched(TRACED["surface"], TRACED["scan"]),
         sphere=FILES.stitched(SPHERE, TRACED["sphere_scan"]),
-        published_constants=PUBLISHED["published_constants"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("trace_contact.py"),
     output:
         PATTERNS.dataset("contact"),

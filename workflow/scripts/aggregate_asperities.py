@@ -5,8 +5,9 @@ from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import with_names
 
 with job(snakemake) as job:
-    scans = read_all(job.parameters["scans"], job.input.scans)
+    params = job.parameters
+    scans = read_all(params["scans"], job.input.scans)
     job.write(
-        with_names(stack(scans, ["surface", "scan"]), job.parameters),
+        with_names(stack(scans, ["surface", "scan"]), params),
         title="asperities that carry the pull-off force of plastic contacts",
     )

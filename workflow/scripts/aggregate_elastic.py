@@ -5,9 +5,9 @@ from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import stacked_elastic_contacts
 
 with job(snakemake) as job:
+    params = job.parameters
+    scans = read_all(params["scans"], job.input.scans)
     job.write(
-        stacked_elastic_contacts(
-            read_all(job.parameters["scans"], job.input.scans), job.parameters
-        ),
+        stacked_elastic_contacts(scans, params),
         title="elastic contacts: pressure at the preload, and pull-off beside that of rigid bodies",
     )

@@ -12,17 +12,16 @@ from hardcontact.contact.all_surfaces import (
 
 with job(snakemake) as job:
     params = job.parameters
-
     master_forces = []
     for surfaces, paths in (
         (params["masters"], job.input.masters),
         (params["drawn"], job.input.drawn),
     ):
-        files = zip([[surface] for surface in surfaces], map(read, paths), strict=True)
+        files = [([surface], read(path)) for surface, path in zip(surfaces, paths, strict=True)]
         masters = single_masters(files, params["realizations"], params["load"])
         master_forces += [stacked_forces(masters)] if masters else []
     forces, *drawn_spectrum_forces = master_forces
-    if drawn_spectrum_forces:
+    if drawn_spectrum_forces:  # There are none if all surfaces are substitutes.
         forces = with_spectrum_shifts(forces, *drawn_spectrum_forces)
     job.write(
         with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(

@@ -5,11 +5,13 @@ from hardcontact.base.job import job
 from hardcontact.surfaces.spectrum_datasets import convert_described_spectrum, stack_spectra
 
 with job(snakemake) as job:
-    surfaces, labels = job.parameters["surfaces"], job.parameters["labels"]
-    spectra = dict(zip(surfaces, map(dataset.read, job.input.spectra), strict=True))
-    for surface, path in job.parameters["descriptions"].items():
+    params = job.parameters
+    paths = zip(params["surfaces"], job.input.spectra, strict=True)
+    spectra = {surface: dataset.read(path) for surface, path in paths}
+    # The spectra of descriptions get the form of measured spectra.
+    for surface, path in params["descriptions"].items():
         spectra[surface] = convert_described_spectrum(spectra[surface], path)
     job.write(
-        stack_spectra(spectra, labels),
+        stack_spectra(spectra, params["labels"]),
         title="power spectral densities of all surfaces, measured or described",
     )

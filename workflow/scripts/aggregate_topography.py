@@ -6,18 +6,20 @@ from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 
 with job(snakemake) as job:
-    keys = [tuple(key) for key in job.parameters.pop("scans")]
+    params = job.parameters
+    keys = [tuple(key) for key in params.pop("scans")]
     paths = dict(zip(keys, job.input.scans, strict=True))
     first_scans = {surface: path for (surface, _), path in reversed(paths.items())}
     surfaces = dict.fromkeys(surface for surface, _ in keys)
-    substitutes = job.parameters.pop("conditioned")
+    spectra = zip(surfaces, job.input.spectra, strict=True)
+    conditionings = zip(params.pop("conditioned"), job.input.conditionings, strict=True)
     job.write(
         roughness_table(
             {key: measured_roughness(read_height_map(path)) for key, path in paths.items()},
-            dict(zip(surfaces, map(dataset.read, job.input.spectra), strict=True)),
-            dict(zip(substitutes, map(dataset.read, job.input.conditionings), strict=True)),
+            {surface: dataset.read(path) for surface, path in spectra},
+            {surface: dataset.read(path) for surface, path in conditionings},
             {surface: dataset.read(path) for surface, path in first_scans.items()},
-            **job.parameters,
+            **params,
         ),
         title="topography of all surfaces: rms metrics and power spectral densities",
     )

@@ -8,7 +8,7 @@ from hardcontact.base.job import job
 from hardcontact.paper.evaluation import read_statements
 from hardcontact.paper.verdicts import read_verdicts
 from hardcontact.report.captions import caption
-from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe
+from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe_figure
 from hardcontact.report.insight import insight_page
 from hardcontact.theory.prediction_errors import validated_errors
 
@@ -16,7 +16,7 @@ with job(snakemake) as job:
     figures = {}
     for path in map(Path, job.input.figures):
         figures[path.stem] = path.read_bytes(), caption(path.stem, job.parameters)
-    names = ["band", *(describe(figure).inputs[0] for figure in INSIGHT_FIGURES)]
+    names = ["band", *(describe_figure(figure).inputs[0] for figure in INSIGHT_FIGURES)]
     claims = read_verdicts(job.input.claims)
     statements = read_statements(job.input.statements)[["id", "dataset", "quantity"]]
     page = insight_page(

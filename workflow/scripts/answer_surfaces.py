@@ -5,7 +5,7 @@ import pandas as pd
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.report.datasets import Datasets, Setting
-from hardcontact.report.figures.listing import KINDS
+from hardcontact.report.figures.listing import FILE_KINDS
 from hardcontact.report.own_answer import (
     own_answer,
     own_head,
@@ -26,7 +26,7 @@ with job(snakemake) as job:
     setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(datasets, setting)
     headline, warnings = own_headline(answer), own_warnings(answer)
-    pictures = write_figures(datasets, {kind: job.output[kind] for kind in KINDS})
+    pictures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
     job.write_text(own_page(answer, headline, warnings, pictures), "page")
     head = own_head(setting, [*headline, *warnings])
     job.write_text(answer_json(head, own_quantities(answer)), "json")

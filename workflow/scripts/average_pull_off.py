@@ -11,7 +11,8 @@ with job(snakemake) as job:
     contacts = [
         Contact(radius=params["radius"], **load, **params["array"]) for load in params["loads"]
     ]
-    paths, forces = zip(params["scans"], job.input.substrates, strict=True), {}
+    paths = zip(params["scans"], job.input.substrates, strict=True)
+    forces = {}
     for scan, path in progress(paths, len(params["scans"]), "scans"):
         pair = read_bodies(path, job.input.sphere or None, contacts[0])
         forces[scan, params["sphere_scan"]] = mean_pull_off_of_pair(

@@ -15,10 +15,11 @@ with job(snakemake) as job:
     surface, number = params["surface"], params["scan"]
     scan = read_height_map(job.input.scan)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
-    contact, reach = Contact(radius=params["radius"], **params["contact"]), params["window"]
+    contact = Contact(radius=params["radius"], **params["contact"])
+    law_window = params["window"]
     ranges = range_grid(params["anchor"], **MIXED_RANGES).tolist()
     job.write(
-        scan_range_forces(scan, sphere, contact, reach, ranges),
+        scan_range_forces(scan, sphere, contact, law_window, ranges),
         title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",
         output="scan",
     )
@@ -33,7 +34,11 @@ with job(snakemake) as job:
         )
         job.write(
             filtered_range_forces(
-                master, Filters(side, scales["pixels"], scales["cutoffs"]), contact, reach, ranges
+                master,
+                Filters(side, scales["pixels"], scales["cutoffs"]),
+                contact,
+                law_window,
+                ranges,
             ),
             title=f"pull-off forces of a filtered {side}-scale master of {surface} at these ranges",
             output=side,

@@ -4,7 +4,8 @@ from hardcontact.base.job import job
 from hardcontact.paper.pool import compute_pool, read_pool_sources
 
 with job(snakemake) as job:
-    params, surface = job.parameters, job.parameters["surface"]
+    params = job.parameters
+    surface = params["surface"]
     numbers = range(params["first"], params["last"] + 1)
     job.write(
         compute_pool(numbers, read_pool_sources(job.input, params)),

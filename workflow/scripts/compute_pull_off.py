@@ -21,10 +21,11 @@ with job(snakemake) as job:
             for number, pair in pairs.items()
         }
     )
-    first_pair, shortest = next(iter(pairs.values())), replace(contact, range=min(params["ranges"]))
+    first_pair = next(iter(pairs.values()))
+    at_shortest_range = replace(contact, range=min(params["ranges"]))
     job.write(
         forces.assign(wider_window_change(pairs.values(), contact)).assign(
-            finer_pixel_ratio(first_pair, shortest)
+            finer_pixel_ratio(first_pair, at_shortest_range)
         ),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

@@ -5,30 +5,27 @@ from functools import partial
 from hardcontact.base import dataset, published
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
-from hardcontact.surfaces.conditioning import conditioned_group, scan_targets
+from hardcontact.surfaces.conditioning import condition_group, scan_targets
 from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 with job(snakemake) as job:
-    surface, definitions = job.parameters["surface"], job.parameters["table1"]
-    spectrum, grid = dataset.read(job.input.spectrum), ScanGrid(**job.parameters["scan"])
+    params = job.parameters
+    surface = params["surface"]
+    spectrum_data = dataset.read(job.input.spectrum)
+    grid = ScanGrid(**params["scan"])
+    targets = scan_targets(
+        spectrum_data,
+        rows_of_surface(published.table1(job.input.published_table1), surface, **params["table1"]),
+        published.constants(job.input.published_constants),
+        params["table1"],
+        grid,
+    )
+    generator_makers = {
+        number: partial(generator, params["seed"], surface, number, "scan")
+        for number in params["scans"]
+    }
     job.write(
-        conditioned_group(
-            spectrum,
-            scan_targets(
-                spectrum,
-                rows_of_surface(
-                    published.table1(job.input.published_table1), surface, **definitions
-                ),
-                published.constants(job.input.published_constants),
-                definitions,
-                grid,
-            ),
-            {
-                number: partial(generator, job.parameters["seed"], surface, number, "scan")
-                for number in job.parameters["scans"]
-            },
-            grid,
-        ),
+        condition_group(spectrum_data, targets, generator_makers, grid),
         title=f"gain and factors of substitute scans of {surface}",
     )

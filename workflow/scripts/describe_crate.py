@@ -8,7 +8,7 @@ from hardcontact.base.origin import pinned_versions
 
 with job(snakemake) as job:
     job.write_text(
-        crate.describe(
+        crate.crate_text(
             Path(job.output[0]).parent,
             job.parameters["study"],
             job.input.citation,

@@ -1,4 +1,4 @@
-"""Pages of the report that are not figures."""
+"""The pages of the report: verdicts, chapters, parameters."""
 
 from pathlib import Path
 
@@ -9,12 +9,13 @@ from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.report_pages import pages
 
 with job(snakemake) as job:
+    params = job.parameters
     chapters = [Path(path) for path in job.input if path.endswith(".md")]
-    bands = [read(job.input.band), read(job.input.sets)]
+    datasets_with_edges = [read(job.input.band), read(job.input.sets)]
     page_texts = pages(
-        add_open_ends(read_verdicts(job.input.claims), bands),
+        add_open_ends(read_verdicts(job.input.claims), datasets_with_edges),
         {path.stem: path.read_text("utf-8") for path in chapters},
-        job.parameters,
+        params,
         pinned_versions(job.input.environment),
     )
     for name, page in page_texts.items():

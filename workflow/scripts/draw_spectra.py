@@ -1,4 +1,4 @@
-"""Spectra drawn within the uncertainty of the measurements of a surface, one a realization."""
+"""Spectra drawn within the uncertainty of the measurements of a surface, one per realization."""
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
@@ -8,7 +8,8 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as job:
     params = job.parameters
-    surface, contact_indices = params["surface"], params["contact_places"]
+    surface = params["surface"]
+    contact_indices = params["contact_indices"]
     spectra = draw_spectra(
         (
             generator(params["seed"], surface, realization, "drawn spectrum")

@@ -1,4 +1,4 @@
-"""Plastic pull-off on masters of one surface, whole and filtered at every cutoff of both sides."""
+"""Plastic pull-off on masters of one surface, unfiltered and filtered at every cutoff."""
 
 from itertools import product
 
@@ -10,7 +10,8 @@ from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.synthesis import SIDES
 
 with job(snakemake) as job:
-    params, sources = job.parameters, job.input
+    params = job.parameters
+    sources = job.input
     contacts = [
         Contact(radius=params["radii"][0], window=params["window"], count=params["count"], **load)
         for load in params["loads"]

@@ -7,7 +7,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 
 with job(snakemake) as job:
-    params, settings = job.parameters, job.parameters["asperities"]
+    params = job.parameters
+    settings = params["asperities"]
     surface, scan = params["surface"], params["scan"]
     contact = Contact(radius=params["radius"], **params["contact"])
     rng = generator(params["seed"], surface, scan, "contacts for asperities")

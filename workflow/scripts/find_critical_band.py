@@ -6,7 +6,8 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 
 with job(snakemake) as job:
-    params, scales = job.parameters, dataset.read(job.input.scales)
+    params = job.parameters
+    scales = dataset.read(job.input.scales)
     sampling = Sampling(params["seed"], params["samples"], params["confidence"])
     band = critical_band(scales, params["tolerance"], sampling)
     job.write(

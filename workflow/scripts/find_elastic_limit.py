@@ -1,4 +1,4 @@
-"""Mean pressure of elastic contact over the hardness, by the shortest wavelength of a surface."""
+"""Mean pressure of elastic contact relative to the hardness, by shortest wavelength."""
 
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import with_names
@@ -7,7 +7,8 @@ from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as job:
-    params, hardness = job.parameters, job.parameters["hardness"]
+    params = job.parameters
+    hardness = params["hardness"]
     paths = zip(params["surfaces"], job.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
     index = pressure_over_hardness(spectra, PAPER_MODULUS, hardness).to_dataset(

@@ -1,4 +1,4 @@
-"""How large a scan must be: the validation table, of the surfaces of the study."""
+"""How large a scan must be: the rows of the validation table for the surfaces of the study."""
 
 from hardcontact.base import dataset
 from hardcontact.base.job import job

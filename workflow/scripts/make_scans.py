@@ -9,7 +9,8 @@ from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.substitute_scans import ScanGrid, convert_to_measurement, synthesize_scan
 
 with job(snakemake) as job:
-    params, surface, scans = job.parameters, job.parameters["surface"], job.parameters["scans"]
+    params = job.parameters
+    surface, scans = params["surface"], params["scans"]
     conditioning = dataset.read(job.input.conditioning)
     density = multiply_amplitudes(read_spectrum(job.input.spectrum), conditioning["gain"].values)
     for index, number in enumerate(scans):

@@ -6,18 +6,22 @@ from hardcontact.contact.indents import indents_of_scans
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
 
-def read_scans(scans: tuple[int, ...], paths: list[str]) -> dict[int, HeightMap]:
-    """Return the height maps of files by the number of the scan; each file is read once."""
-    files = dict(zip(scans, paths, strict=True))
-    return {scan: read_height_map(path) for scan, path in files.items()}
+def read_scans(numbers: tuple[int, ...], paths: list[str]) -> dict[int, HeightMap]:
+    """Return height maps by the number of the scan.
+
+    There is one number and path for each pair of scans: a file that occurs several times is read
+    once.
+    """
+    path_by_number = dict(zip(numbers, paths, strict=True))
+    return {number: read_height_map(path) for number, path in path_by_number.items()}
 
 
 with job(snakemake) as job:
     params = job.parameters
-    scans, sphere_scans = zip(*params["pairs"], strict=True)
+    scan_numbers, sphere_numbers = zip(*params["pairs"], strict=True)
     indents = indents_of_scans(
-        read_scans(scans, job.input.substrates),
-        read_scans(sphere_scans, job.input.spheres),
+        read_scans(scan_numbers, job.input.substrates),
+        read_scans(sphere_numbers, job.input.spheres),
         Contact(radius=params["radius"], preload=max(params["preloads"]), **params["contact"]),
         params["preloads"],
     )

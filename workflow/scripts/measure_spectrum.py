@@ -1,4 +1,4 @@
-"""C_iso of a measured surface: all its measurements joined, continued beyond their band."""
+"""C_iso of a measured surface: all its measurements joined, extrapolated beyond their band."""
 
 from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum

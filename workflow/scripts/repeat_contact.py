@@ -14,14 +14,15 @@ from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as job:
     params = job.parameters
-    spectrum, ratios = read_spectrum(job.input.spectrum), []
+    spectrum = read_spectrum(job.input.spectrum)
+    ratios = []
     paths = zip(job.input.substrates, job.input.spheres, strict=True)
     for (scan, _), (substrate_path, sphere_path) in zip(params["pairs"], paths, strict=True):
         sphere = read_height_map(sphere_path)
         pixel_size = min(read_height_map(substrate_path).pixel_size, sphere.pixel_size)
         rng = generator(params["seed"], params["surface"], scan, "places")
         surface = large_surface(rng, spectrum, params["size"], pixel_size)
-        # All of the large surface lies in the window, each point once.
+        # The window holds the whole surface, each point once.
         contact = Contact(radius=params["radius"], window=surface.size, count=1, **params["load"])
         pair = bodies(surface, sphere, contact)
         contact_pixels = contact.pixels(pair.geometry.pixel_size)

@@ -11,7 +11,7 @@ from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 with job(snakemake) as job:
     params = job.parameters
     surface, scan = params["surface"], params["scan"]
-    constants = published.constants(job.input.published_constants).value
+    constants = published.constants(job.input.published_constants)["value"]
     contact = Contact(
         radius=params["radius"],
         range=constants["range_of_adhesion"],

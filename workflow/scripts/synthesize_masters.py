@@ -1,4 +1,4 @@
-"""Masters of Fig. 6: a scan with artificial roughness below its pixels, and beyond its size."""
+"""Masters of Fig. 6: a scan with artificial roughness below or above a transition wavelength."""
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
@@ -9,7 +9,8 @@ from hardcontact.surfaces.synthesis import synthesize_master
 with job(snakemake) as job:
     params = job.parameters
     surface, realization = params["surface"], params["realization"]
-    scan, spectrum = read_height_map(job.input.scan), read_spectrum(job.input.spectrum)
+    scan = read_height_map(job.input.scan)
+    spectrum = read_spectrum(job.input.spectrum)
     for side, scales in params["sides"].items():
         rng = generator(params["seed"], surface, realization, f"{side}-scale master")
         master = synthesize_master(side, rng, scan, scales, spectrum)

@@ -9,7 +9,8 @@ from hardcontact.contact.traced_contact import traced_contact
 ATTRIBUTES = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 
 with job(snakemake) as job:
-    params, constants = job.parameters, published.constants(job.input.published_constants).value
+    params = job.parameters
+    constants = published.constants(job.input.published_constants)["value"]
     contact = Contact(
         radius=params["radius"],
         range=constants["range_of_adhesion"],

@@ -12,8 +12,8 @@ import xarray as xr
 from hardcontact.band.critical_band import SampledVariable, add_intervals, sampled_band
 from hardcontact.base.statistics import Sampling
 
-#: Contacts in the order of their areas, the smallest first.
-CONTACTS = ["rigid", "plastic"]
+#: Contact models in the order of their areas, the smallest first.
+CONTACT_MODELS = ["rigid", "plastic"]
 
 
 def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
@@ -32,7 +32,7 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     Returns
     -------
     xarray.Dataset
-        `critical_band` by contact_model (CONTACTS) and rho, and ``edge_ratio`` (without, side,
+        `critical_band` by contact_model (CONTACT_MODELS) and rho. ``edge_ratio`` (without, side,
         group) with its interval: the edge in plastic contact at the longest range, relative to the
         edge in rigid contact at this range (``"plasticity"``) or to the edge in plastic contact at
         the shortest range (``"long_range"``).
@@ -40,7 +40,7 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
     models = []
     edges = {}
-    for load, model in enumerate(CONTACTS):
+    for load, model in enumerate(CONTACT_MODELS):
         bands_by_range = []
         for column, rho in enumerate(sorted_forces["rho"].values):
             contact = sorted_forces.isel(load=load, rho=column, drop=True)
@@ -48,7 +48,7 @@ def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
             bands_by_range.append(add_intervals(variables, contact, sampling))
             edges[model, rho] = variables["edge"]
         models.append(xr.concat(bands_by_range, sorted_forces["rho"]))
-    bands = xr.concat(models, pd.Index(CONTACTS, name="contact_model"))
+    bands = xr.concat(models, pd.Index(CONTACT_MODELS, name="contact_model"))
     return bands.merge(_edge_ratios(edges, sampling))
 
 

@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 from hardcontact.base import dataset
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import (
-    CONTACT_AXES,
     FORCE,
     WORK_OF_ADHESION,
     Axis,
@@ -27,7 +26,7 @@ from hardcontact.contact.pull_off import (
 )
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
-from hardcontact.surfaces.spectrum import spectrum_from
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.surfaces.synthesis import synthesize_master
 
 
@@ -161,4 +160,4 @@ def varied_master(
     if "height_factor" in density.attrs:
         heights = stitched.heights * density.attrs["height_factor"]
         stitched = replace(stitched, heights=heights)
-    return synthesize_master(side, generator(*key), stitched, scales, spectrum_from(density))
+    return synthesize_master(side, generator(*key), stitched, scales, spectrum_of_dataset(density))

@@ -16,36 +16,56 @@ from hardcontact.base import provenance
 from hardcontact.base.code import PINS
 from hardcontact.base.origin import digest
 
-NAME = "ro-crate-metadata.json"
+CRATE_FILE = "ro-crate-metadata.json"
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 
 
-def describe(
+def crate_text(
     folder: str | Path, study: str, citation: str | Path, versions: Mapping[str, str]
 ) -> str:
-    """Return the RO-Crate of ``results/<study>`` as JSON text, to be written to `NAME` in it.
+    """Return the RO-Crate of ``results/<study>`` as JSON text, for the file `CRATE_FILE` in it.
 
     Every file in the folder is an output with its SHA-256, except for logs and benchmarks. Inputs
-    are named by their paths in the repository, `versions` by package. Equal files give an equal
-    text. Raises ValueError with one line if a record is damaged.
+    are named by their paths in the repository. Equal files give an equal text.
+
+    Parameters
+    ----------
+    folder : str or Path
+        ``results/<study>``.
+    study : str
+        Name of the study.
+    citation : str or Path
+        The citation file of the repository.
+    versions : mapping of str to str
+        The version of each package.
+
+    Returns
+    -------
+    str
+        JSON.
+
+    Raises
+    ------
+    ValueError
+        If a record of a result is damaged.
     """
-    cited = yaml.safe_load(Path(citation).read_text("utf-8"))
+    citation_data = yaml.safe_load(Path(citation).read_text("utf-8"))
     crate = ROCrate(version="1.1")
-    paper = _paper(crate, cited["references"][0])
-    _describe_root(crate, cited, study, paper)
+    paper = _add_paper(crate, citation_data["references"][0])
+    _describe_root(crate, citation_data, study, paper)
     outputs = [
-        crate.add_file(dest_path=path.relative_to(folder).as_posix(), properties={"sha256": value})
-        for path, value in _files(folder).items()
+        crate.add_file(dest_path=path.relative_to(folder).as_posix(), properties={"sha256": sha256})
+        for path, sha256 in _files(folder).items()
     ]
     inputs, code = list[ContextEntity](), list[ContextEntity]()
-    for path, value in provenance.sources(provenance.traced_records(folder)).items():
-        into = code if path.endswith((".py", *PINS)) else inputs
-        into.append(_entity(crate, f"#{path}", "CreativeWork", name=path, sha256=value))
-    software = _entity(
-        crate, "#software", "SoftwareApplication", name=cited["title"], hasPart=code,
+    for path, sha256 in provenance.sources(provenance.traced_records(folder)).items():
+        entities = code if path.endswith((".py", *PINS)) else inputs
+        entities.append(_add_entity(crate, f"#{path}", "CreativeWork", name=path, sha256=sha256))
+    software = _add_entity(
+        crate, "#software", "SoftwareApplication", name=citation_data["title"], hasPart=code,
         license=crate.root_dataset["license"], author=crate.root_dataset["author"], citation=paper,
         softwareRequirements=[
-            _entity(crate, f"#{name}", "SoftwareApplication", name=name, version=version)
+            _add_entity(crate, f"#{name}", "SoftwareApplication", name=name, version=version)
             for name, version in versions.items()
         ],
     )  # fmt: skip
@@ -56,11 +76,24 @@ def describe(
 
 
 def described_files(folder: str | Path) -> dict[str, str]:
-    """Return path and SHA-256 of the files that the RO-Crate of ``results/<study>`` describes.
+    """Return the files that the RO-Crate of ``results/<study>`` describes.
 
-    Empty if there is no crate; raises ValueError if it is damaged.
+    Parameters
+    ----------
+    folder : str or Path
+        ``results/<study>``.
+
+    Returns
+    -------
+    dict of str to str
+        Path and SHA-256; empty if there is no crate.
+
+    Raises
+    ------
+    ValueError
+        If the crate is damaged.
     """
-    path = Path(folder, NAME)
+    path = Path(folder, CRATE_FILE)
     try:
         graph = json.loads(path.read_text("utf-8"))["@graph"] if path.is_file() else []
         return {
@@ -75,12 +108,12 @@ def described_files(folder: str | Path) -> dict[str, str]:
 
 
 def _files(folder: str | Path) -> dict[Path, str]:
-    """Return the outputs of a study and their digests, without files that differ between runs."""
+    """Return the outputs of a study and their digests, without logs and hidden files."""
     return {
         path: digest(path)
         for path in sorted(Path(folder).rglob("*"))
         if path.is_file()
-        and path.name not in (NAME, "report.html")
+        and path.name not in (CRATE_FILE, "report.html")
         and not any(part.startswith(".") for part in path.relative_to(folder).parts)
         and path.relative_to(folder).parts[0] not in ("logs", "benchmarks")
     }
@@ -97,30 +130,32 @@ def _describe_root(
         f"{citation['references'][0]['title']}. Surfaces that are substitutes are named as such."
     )
     root["datePublished"] = str(citation["date-released"])
-    root["license"] = _entity(
+    root["license"] = _add_entity(
         crate, f"https://spdx.org/licenses/{citation['license']}", "CreativeWork",
         name=citation["license"],
     )  # fmt: skip
-    root["author"] = [_author(crate, author) for author in citation["authors"]]
+    root["author"] = [_add_author(crate, author) for author in citation["authors"]]
     root["citation"] = paper
-    root["conformsTo"] = _entity(crate, PROFILE, "CreativeWork", name="Process Run Crate")
+    root["conformsTo"] = _add_entity(crate, PROFILE, "CreativeWork", name="Process Run Crate")
 
 
-def _entity(crate: ROCrate, identifier: str, kind: str, **properties: Any) -> ContextEntity:
+def _add_entity(crate: ROCrate, identifier: str, kind: str, **properties: Any) -> ContextEntity:
     return crate.add(ContextEntity(crate, identifier, properties={"@type": kind, **properties}))
 
 
-def _author(crate: ROCrate, author: dict[str, str]) -> ContextEntity:
+def _add_author(crate: ROCrate, author: dict[str, str]) -> ContextEntity:
     """Add a person, or the group that a citation file names as an entity."""
     name = author.get("name") or f"{author['given-names']} {author['family-names']}"
     identifier = author.get("orcid", f"#{name.replace(' ', '-')}")
-    return _entity(crate, identifier, "Organization" if "name" in author else "Person", name=name)
+    return _add_entity(
+        crate, identifier, "Organization" if "name" in author else "Person", name=name
+    )
 
 
-def _paper(crate: ROCrate, reference: dict[str, Any]) -> ContextEntity:
+def _add_paper(crate: ROCrate, reference: dict[str, Any]) -> ContextEntity:
     """Add the paper that the study is about."""
-    return _entity(
+    return _add_entity(
         crate, f"https://doi.org/{reference['doi']}", "ScholarlyArticle",
         name=reference["title"], datePublished=str(reference["year"]),
-        author=[_author(crate, author) for author in reference["authors"]],
+        author=[_add_author(crate, author) for author in reference["authors"]],
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Labelled datasets on disk: whole or absent, with their origin, checked when read."""
+"""Labelled datasets on disk: written whole or not at all, checked when read."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -16,20 +16,46 @@ FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETCDF4") -> None:
     """Write a dataset whole or not at all.
 
-    Raises ValueError if the file cannot be written.
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        What to write.
+    path : str or Path
+        File in an existing folder; it is replaced.
+    file_format : str
+        Format of netCDF.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be written.
     """
     with whole_file(path) as temporary:
         try:
             dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
         except RuntimeError as error:  # netCDF raises it for any error of the system
-            raise OSError(str(error)) from error
+            raise OSError(str(error)) from error  # `whole_file` makes it a ValueError.
 
 
 def read(path: str | Path) -> xr.Dataset:
     """Read a dataset into memory, without its encoding.
 
-    The encoding would cut longer texts, joined to those of the file, to the length of the latter.
-    Raises ValueError if the file is missing, damaged or truncated.
+    The encoding fixes the length of texts: longer texts that are joined to them would be cut.
+
+    Parameters
+    ----------
+    path : str or Path
+        A netCDF file.
+
+    Returns
+    -------
+    xarray.Dataset
+        All variables, in memory.
+
+    Raises
+    ------
+    ValueError
+        If the file is missing, damaged or truncated.
     """
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
@@ -44,21 +70,50 @@ def read(path: str | Path) -> xr.Dataset:
 def read_all(
     keys: Iterable[Sequence[Any]], paths: Iterable[str | Path]
 ) -> dict[tuple[Any, ...], xr.Dataset]:
-    """Read one dataset for each key (its labels), in the same order: the mapping for `stack`."""
+    """Read one dataset for each key, for `stack`.
+
+    Parameters
+    ----------
+    keys : iterable of sequences
+        Labels of each dataset, one for each dimension along which they are stacked.
+    paths : iterable of str or Path
+        Files in the order of the keys.
+
+    Returns
+    -------
+    dict
+        The dataset of each key, in the same order.
+
+    Raises
+    ------
+    ValueError
+        If there are not as many keys as paths, or `read` fails.
+    """
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
 
 def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
     """Join datasets along new dimensions, the outermost first.
 
-    A key holds a label for each dimension. Values are NaN where a combination of labels is missing.
     Labels keep the order of the keys; the labels of an inner dimension are sorted if they differ
     between outer labels.
+
+    Parameters
+    ----------
+    datasets : mapping
+        By key: a tuple with a label for each dimension.
+    dimensions : sequence of str
+        Names of the new dimensions.
+
+    Returns
+    -------
+    xarray.Dataset
+        Values are NaN where a combination of labels is missing.
     """
     if not dimensions:
         return datasets[()]
     groups: dict[Any, dict[tuple[Any, ...], xr.Dataset]] = {}
     for (outer, *inner), dataset in datasets.items():
         groups.setdefault(outer, {})[tuple(inner)] = dataset
-    joined = [stack(group, dimensions[1:]) for group in groups.values()]
-    return xr.concat(joined, pd.Index(list(groups), name=dimensions[0]), join="outer")
+    stacked_groups = [stack(group, dimensions[1:]) for group in groups.values()]
+    return xr.concat(stacked_groups, pd.Index(list(groups), name=dimensions[0]), join="outer")

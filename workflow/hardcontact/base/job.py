@@ -66,9 +66,22 @@ class Job(NamedTuple):
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[Job]:
-    """Keep the log of a script and yield its `Job`, made from Snakemake's object.
+    """Keep the log of a script and yield its `Job`.
 
-    Raises ValueError before anything is computed if an input is not as the study wrote it.
+    Parameters
+    ----------
+    snakemake : Snakemake
+        The object that Snakemake gives to a script.
+
+    Yields
+    ------
+    Job
+        Inputs, outputs and parameters.
+
+    Raises
+    ------
+    ValueError
+        Before anything is computed, if an input is not as the study wrote it.
     """
     with job_log(snakemake.log[0]):
         inputs, canonical_parameters = snakemake.input, snakemake.params.canonical
@@ -118,9 +131,21 @@ def job_log(path: str | Path) -> Iterator[None]:
 
 
 def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
-    """Pass on steps and log how many of `total` are done, about ten times in all.
+    """Pass on steps, and log how many are done, about ten times in all.
 
-    The `name` of the steps is a plural.
+    Parameters
+    ----------
+    steps : iterable
+        The steps.
+    total : int
+        Their number.
+    name : str
+        What the steps are, in the plural.
+
+    Yields
+    ------
+    object
+        Each step.
     """
     for done, step in enumerate(steps, start=1):
         yield step

@@ -16,14 +16,14 @@ class Number(NamedTuple):
     unit : str
         Of the datasets: "nm", "N", "J m-2", "1".
     status : str
-        A code for which a template has the words: "open_above" and
-        "open_below" where `value` is a bound, "not_bounded" where the interval says only that there
-        are too few scans, "interval_open_low" and "interval_open_high" where an end of the
-        interval is a bound on it, "no_interval" where it should have one, "between", "more_than"
-        and "at_most" where only ends are known, other codes where there is a reason for no value.
+        A code, whose words are in templates. "open_above", "open_below": `value` is a bound.
+        "not_bounded": there are too few scans for an interval. "interval_open_low",
+        "interval_open_high": an end of the interval is a bound. "no_interval": the number should
+        have an interval. "between", "more_than", "at_most": only ends are known. Other codes give
+        the reason for a missing value.
     source : str
-        Where it comes from, as a code: "computed", "measured", "extrapolated", "artificial",
-        "given", "file", "assumed".
+        A code for the origin: "computed", "measured", "extrapolated", "artificial", "given",
+        "file", "assumed".
     """
 
     name: str
@@ -49,7 +49,7 @@ def plain(value: Any) -> Any:
         known = "known" if math.isfinite(value.value) else "not_known"
         return plain(value._asdict() | {"status": value.status or known})
     if isinstance(value, dict):
-        return {key: plain(one) for key, one in value.items()}
+        return {key: plain(item) for key, item in value.items()}
     if isinstance(value, list):
-        return [plain(one) for one in value]
+        return [plain(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

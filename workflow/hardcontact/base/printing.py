@@ -4,12 +4,12 @@ import math
 from collections.abc import Mapping
 
 #: Printed units by the unit of a dataset, the largest first, each in that unit.
-UNITS = {
+PRINTED_UNITS = {
     "nm": {"mm": 1e6, "µm": 1e3, "nm": 1.0},
     "N": {"N": 1.0, "mN": 1e-3, "µN": 1e-6, "nN": 1e-9, "pN": 1e-12},
     "J m-2": {"J/m²": 1.0, "mJ/m²": 1e-3},
 }
-#: The same for the units that the paper prints, so that its numbers stand beside computed ones.
+#: Printed units of numbers that are compared with the paper: the units that the paper prints.
 UNITS_OF_PAPER = {
     "nm": {"µm": 1e3, "nm": 1.0},
     "nm2": {"nm²": 1.0},
@@ -20,7 +20,7 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
-#: An interval whose ends differ by more than this factor says only that there are too few scans.
+#: Largest ratio of the ends of a printed interval; a wider one only says that scans are too few.
 MAX_END_RATIO = 100
 
 
@@ -30,7 +30,7 @@ def print_number(value: float, digits: int = 3) -> str:
 
 
 def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:
-    """Return a number, its interval and its unit: the one style of all of them."""
+    """Return a number, its interval and its unit, in the one style of all intervals."""
     return f"{number} [{low}, {high}] {unit}".rstrip()
 
 
@@ -66,14 +66,14 @@ def print_quantity(
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    All are in `unit`, a key of UNITS: "nm", "N" or "J m-2". Ends of the interval are NaN where they
-    are not known, zero and infinity where they bound nothing; the open end, "low" or "high", is a
-    bound on it.
+    All are in `unit`, a key of PRINTED_UNITS: "nm", "N" or "J m-2". Ends of the interval are NaN if
+    they are not known, zero and infinity if they bound nothing. The open end, "low" or "high", is
+    printed as a bound.
     """
     finite = math.isfinite(low + high)
     boundless = finite and is_boundless(value, low, high, unit)
     interval = (low, high) if finite and not boundless else (math.nan, math.nan)
-    text = _print(value, UNITS[unit], interval, digits, open_end)
+    text = _print(value, PRINTED_UNITS[unit], interval, digits, open_end)
     return f"{text} [not bounded]" if boundless or (low, high) == (0, math.inf) else text
 
 
@@ -91,9 +91,9 @@ def print_as_paper(
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
 
-    All are in `unit`, one of the datasets; one that is not in `UNITS_OF_PAPER` is printed as it is.
-    The interval is NaN if there is none; NaN, no number, is printed as nothing. The open end of the
-    interval is a bound on it, "low" or "high": "250 [175, 250 or more] nm".
+    All are in `unit`, a unit of the datasets; a unit that is not in `UNITS_OF_PAPER` is printed as
+    it is. The interval is NaN if there is none. NaN is printed as an empty text. The open end,
+    "low" or "high", is printed as a bound: "250 [175, 250 or more] nm".
     """
     if math.isnan(value):
         return ""
@@ -101,11 +101,11 @@ def print_as_paper(
 
 
 def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; NaN does not.
+    """Return whether the ends of an interval differ by more than `MAX_END_RATIO`; False for NaN.
 
-    All are in `unit`. An interval that holds zero has no such ratio: its farther end is compared
-    with the value, or with one if this is larger and there is no unit, as of exponents and relative
-    changes, which may be near zero.
+    All are in `unit`. If the interval contains zero, its farther end is compared with the value
+    instead. Numbers without a unit, such as exponents and relative changes, may be near zero: their
+    farther end is compared with one if this is larger.
     """
     near, far = sorted((abs(low), abs(high)))
     if low <= 0 <= high:
@@ -114,15 +114,14 @@ def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
 
 
 def print_share(share: float, form: str = "g") -> str:
-    """Return a share of 1 in percent, as a confidence of 0.95 is printed: "95 %"."""
+    """Return a share in percent: 0.95 is "95 %"."""
     return f"{100 * share:{form}} %"
 
 
 def print_formatted(ends: Mapping[str, float], form: str) -> str:
-    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if it has no others.
+    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if ends are NaN.
 
-    The others are NaN where they are not known; a form such as ".2g" formats each. No unit is
-    given.
+    A form such as ".2g" formats each number. There is no unit.
     """
     number, low, high = (f"{ends[name]:{form}}" for name in ("value", "low", "high"))
     return _bracketed(number, low, high) if math.isfinite(ends["low"] + ends["high"]) else number

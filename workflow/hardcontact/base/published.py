@@ -6,32 +6,67 @@ import pandas as pd
 
 
 def constants(path: str | Path) -> pd.DataFrame:
-    """Return `parameters.csv`: single numbers of the paper, indexed by quantity.
+    """Read `parameters.csv`: single numbers of the paper.
 
-    Columns: value and uncertainty (NaN where none is printed), both in `unit`; basis; source.
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Returns
+    -------
+    pandas.DataFrame
+        By quantity: value and uncertainty (NaN if none is printed), both in `unit`; basis; source.
     """
     return pd.read_csv(path, index_col="quantity")
 
 
 def pull_off(path: str | Path) -> pd.DataFrame:
-    """Return `pull_off.csv`: statistics of the measured pull-off forces, indexed by surface.
+    """Read `pull_off.csv`: statistics of the measured pull-off forces.
 
-    Columns: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN where the
-    paper has none.
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Returns
+    -------
+    pandas.DataFrame
+        By surface: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN if the
+        paper has none.
     """
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
 
 def printed_pull_off(path: str | Path) -> pd.DataFrame:
-    """Return the same table as `pull_off`, as text with the digits that are printed."""
+    """Read the table of `pull_off` as text with the printed digits.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Returns
+    -------
+    pandas.DataFrame
+        As from `pull_off`, as text.
+    """
     rows = pd.read_csv(path, dtype=str)
     return rows.pivot(index="surface", columns="quantity", values="value")
 
 
 def table1(path: str | Path) -> pd.DataFrame:
-    """Return `table1.csv`: the roughness metrics of Table 1, one row a number.
+    """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
 
-    Columns: surface; quantity; value and uncertainty, both in `unit`; basis; source.
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns surface; quantity; value and uncertainty, both in `unit`; basis; source.
     """
     return pd.read_csv(path)
 

@@ -16,10 +16,10 @@ from numpy.typing import ArrayLike
 
 from hardcontact.base.random import generator
 
-#: Logarithms of samples are held within this of that of the mean. Student's t of one degree of
-#: freedom, from two scans, has no moments: its extremes would leave the range of floating-point
-#: numbers, up or down, and products of samples with them. No end of an interval comes near.
-ENDLESS = 150.0
+#: Largest deviation of the logarithm of a sample from that of the mean; larger ones are clipped.
+#: Student's t of one degree of freedom, from two scans, has no moments: its extremes, and products
+#: of them, would leave the range of floating-point numbers. No end of an interval comes near.
+MAX_LOG_DEVIATION = 150.0
 
 #: The ends of an interval, in their order along the dimension `bound`.
 BOUNDS = ["low", "high"]
@@ -35,8 +35,8 @@ def with_interval(
 ) -> dict[str, Any]:
     """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
 
-    The value (...) has the dimensions; the interval (..., 2) holds its low and its high end. Both
-    have the attributes, the interval the confidence too, and the coordinate `bound`.
+    The value (...) has the dimensions, the interval (..., 2) a low and a high end. Both have the
+    attributes; the interval also has the attribute ``confidence`` and the coordinate `bound`.
     """
     names = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
@@ -54,14 +54,14 @@ def bounds(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
-    """Return the central interval (..., 2) of samples (samples, ...), NaN where one is missing.
+    """Return the central interval (..., 2) of samples (samples, ...), which may be NaN.
 
-    The confidence is the share of the samples inside; ends are NaN where all samples are missing.
+    The confidence is the share of the samples inside. Ends are NaN if all samples are NaN.
     """
     samples, tail = np.asarray(samples), 50 * (1 - confidence)
     if not len(samples):
         return np.full((*samples.shape[1:], 2), np.nan)
-    # The function for missing samples takes the same numbers one by one, a hundred times slower.
+    # The function for missing samples gives the same numbers, a hundred times slower.
     percentile = np.nanpercentile if np.isnan(samples).any() else np.percentile
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
@@ -117,20 +117,22 @@ def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: i
     normal = rng.standard_normal((samples, count))
     share = np.sqrt(rng.chisquare(count - 1, samples) / (count - 1))
     deviation = np.tensordot(normal / share[:, None], deviations, axes=1)
-    return np.asarray(values.mean(axis=0) * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
+    return np.asarray(
+        values.mean(axis=0) * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
+    )
 
 
-def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float) -> np.ndarray:
+def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: float) -> np.ndarray:
     """Return the interval (..., 2) of a positive statistic of n scans by leaving out one at a time.
 
-    `value` (...) is the statistic of all scans, `left_out` (n, ...) that of all scans but one.
-    The interval is Student's t on the logarithm with the standard error of the delete-one
-    jackknife. The confidence is that of the statistic of infinitely many scans. NaN for fewer than
-    two scans, or where a statistic is zero.
+    `value` (...) is the statistic of all scans, `leave_one_out` (n, ...) those of all scans but
+    one. The interval is Student's t on the logarithm with the standard error of the delete-one
+    jackknife. With the confidence it contains the statistic of infinitely many scans. NaN for fewer
+    than two scans, or if a statistic is zero.
     """
     from scipy import special
 
-    statistics = np.asarray(left_out, float)
+    statistics = np.asarray(leave_one_out, float)
     logarithms = np.log(np.where(statistics > 0, statistics, np.nan))
     count = len(logarithms)
     if count < 2:

@@ -4,8 +4,8 @@ import math
 import re
 import reprlib
 
-#: The quantity of each unit of the study in words, and how users may write it.
-QUANTITIES = {
+#: By unit of the study: what the user must write, in the words of a message.
+EXPECTED_QUANTITY = {
     "nm": "a length with a unit, such as 5.6 nm or 250 um",
     "N": "a force with a unit, such as 10 uN",
     "Pa": "a pressure with a unit, such as 25 GPa",
@@ -17,7 +17,7 @@ PREFIXES = {
     "G": 9, "T": 12,
 }  # fmt: skip
 #: Powers of ten of every accepted unit, in the unit of the study of the same dimension.
-POWERS = {
+POWERS_OF_TEN = {
     "nm": {f"{prefix}m": power + 9 for prefix, power in PREFIXES.items()} | {"Å": -1},
     "N": {f"{prefix}N": power for prefix, power in PREFIXES.items()} | {"dyn": -5},
     "Pa": {f"{prefix}Pa": power for prefix, power in PREFIXES.items()} | {"bar": 5, "N/mm2": 6},
@@ -40,26 +40,31 @@ def magnitude(text: object, unit: str) -> float:
     number with a unit of this dimension.
     """
     match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
-    written = f"{match[2]}{'2' if match[3] else ''}" if match else ""
-    if match is not None and written in POWERS[unit]:
+    unit_symbol = f"{match[2]}{'2' if match[3] else ''}" if match else ""
+    if match is not None and unit_symbol in POWERS_OF_TEN[unit]:
         # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
-        value = float(f"{float(match[1]) * 10.0 ** POWERS[unit][written]:.12g}")
+        value = float(f"{float(match[1]) * 10.0 ** POWERS_OF_TEN[unit][unit_symbol]:.12g}")
         if math.isfinite(value):
             return value
-    raise ValueError(f"expected {QUANTITIES[unit]}, found {reprlib.repr(text)}")
+    raise ValueError(f"expected {EXPECTED_QUANTITY[unit]}, found {reprlib.repr(text)}")
 
 
-def printed(value: float, unit: str) -> str:
-    """Return a quantity in a unit of the study as it is printed: ``(1e-5, "N")`` is ``"10 µN"``."""
+def print_exact(value: float, unit: str) -> str:
+    """Return a quantity in a unit of the study with all its digits: ``(1e-5, "N")`` is ``"10 µN"``.
+
+    `printing.print_quantity` rounds instead.
+    """
     name = "m" if unit == "nm" else unit
     for prefix in _PRINTED:
-        number = float(f"{value / 10.0 ** POWERS[unit][prefix + name]:.12g}")
+        number = float(f"{value / 10.0 ** POWERS_OF_TEN[unit][prefix + name]:.12g}")
         if abs(number) >= 1:
             break
     return f"{number:.12g} {prefix}{name.replace('2', '²')}"
 
 
-def token(value: float, unit: str) -> str:
+def path_token(value: float, prefixed_unit: str) -> str:
     """Return a quantity of the study for a path: ``(1e-5, "uN")`` is ``"10uN"``."""
-    power = next(powers[unit] for powers in POWERS.values() if unit in powers)
-    return f"{value / 10.0**power:.12g}{unit}"
+    power = next(
+        powers[prefixed_unit] for powers in POWERS_OF_TEN.values() if prefixed_unit in powers
+    )
+    return f"{value / 10.0**power:.12g}{prefixed_unit}"

@@ -13,12 +13,10 @@ from hardcontact.config.limits import scan_limits
 from hardcontact.config.model import NONE
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
-from hardcontact.surfaces.height_map import metrics as metrics
-from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
 
 
-def refuse_reading(files: Sequence[object], **texts: object) -> None:
+def check_read_arguments(files: Sequence[object], **texts: object) -> None:
     """Refuse files that are not paths, and arguments that are not text, by their names."""
     refuse_lines(
         [
@@ -34,21 +32,21 @@ def refuse_reading(files: Sequence[object], **texts: object) -> None:
     )
 
 
-def refuse_lengths(**lengths: object) -> None:
-    """Refuse lengths (nm) that are not None and not positive numbers, by their names."""
-    refuse_non_positive(**{name: value for name, value in lengths.items() if value is not None})
+def check_optional_lengths(**lengths: object) -> None:
+    """Refuse lengths (nm) that are neither None nor positive numbers; messages name them."""
+    check_positive(**{name: value for name, value in lengths.items() if value is not None})
 
 
-def refuse_non_numbers(name: str, numbers: object) -> None:
+def check_positive_numbers(name: str, numbers: object) -> None:
     """Refuse an argument that is not a sequence of positive numbers."""
     if not isinstance(numbers, Sequence | np.ndarray) or isinstance(numbers, str):
         raise ValueError(f"{name}: expected several numbers, found {shorten(numbers)}")
     for number in numbers:
-        refuse_non_positive(**{name: number})
+        check_positive(**{name: number})
 
 
-def refuse_non_positive(**numbers: object) -> None:
-    """Refuse numbers that are not positive and finite, by their names."""
+def check_positive(**numbers: object) -> None:
+    """Refuse numbers that are not positive and finite; messages name them."""
     refuse_lines(
         f"{name}: expected a positive number, found {value!r}"
         for name, value in numbers.items()
@@ -56,15 +54,15 @@ def refuse_non_positive(**numbers: object) -> None:
     )
 
 
-def refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
-    """Refuse numbers that a study of this periodic surface would refuse, in its words."""
+def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
+    """Refuse values that a study of this periodic surface would refuse, with the same messages."""
     keys = ("preload", "hardness", "window", "count")
     section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
     shortest_range = min(ranges, default=math.nan)
-    refuse_non_positive(radius=contact.radius, **section, ranges=shortest_range)
+    check_positive(radius=contact.radius, **section, ranges=shortest_range)
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
-    # Of the scan, which mirroring doubled.
+    # Limits are stated for a scan, which is half as large as its periodic map.
     pixels, size = surface.pixels // 2, surface.size / 2
     grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
     config = {
@@ -72,21 +70,21 @@ def refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float]) 
         "sphere": {"radius": contact.radius},
         "contact": section,
         "adhesion": {"ranges": [shortest_range]},
-        "scales": {"range": math.inf},  # the ranges are those above
+        "scales": {"range": math.inf},  # All ranges are checked as ranges of adhesion.
     }
     for holds, key, accepted, value in scan_limits(config, "the map", grid):
         if not holds:
             raise ValueError(f"{key.split('.')[-1]}: expected {accepted}, found {value}")
 
 
-def refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
+def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
     """Refuse cutoffs at which a periodic surface has no waves."""
     if not isinstance(cutoffs, Mapping) or not cutoffs or not set(cutoffs) <= set(SIDES):
         raise ValueError(
-            f"cutoffs: expected those of small, large or both, found {shorten(cutoffs)}"
+            f"cutoffs: expected a mapping with small, large or both, found {shorten(cutoffs)}"
         )
     for side_cutoffs in cutoffs.values():
-        refuse_non_numbers("cutoffs", side_cutoffs)
+        check_positive_numbers("cutoffs", side_cutoffs)
     shortest, longest = 2 * surface.pixel_size * (1 + 1e-9), surface.size
     refuse_lines(
         f"cutoffs: expected wavelengths of more than two pixels ({shortest:.4g} nm) and at most "

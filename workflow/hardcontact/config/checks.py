@@ -12,12 +12,12 @@ from hardcontact.config.configuration import get_key
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, violation_messages
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
-from hardcontact.config.model import NONE, PAPER, SMOOTH
-from hardcontact.config.patterns import PUBLISHED
+from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
+from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
 from hardcontact.surfaces.scans import read_measurement, read_scan
-from hardcontact.surfaces.spectrum import is_calibrated, read_bands
+from hardcontact.surfaces.spectrum import needs_calibration, read_bands
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
@@ -50,7 +50,9 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
-    table1 = published.table1(PUBLISHED["published_table1"]).groupby("surface").quantity.agg(set)
+    table1 = (
+        published.table1(PUBLISHED_TABLES["published_table1"]).groupby("surface").quantity.agg(set)
+    )
     checks: list[Callable[[], object]] = [
         partial(refuse_description, path, table1.get(surface, set()))
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
@@ -74,7 +76,7 @@ def _surface_name_limit(config: dict[str, Any], key: str, surfaces: list[str]) -
 
 def _own_surface_limits(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:
     """Yield the limit of the sphere, which may be smooth."""
-    if config["sphere"]["surface"] != SMOOTH:
+    if config["sphere"]["surface"] != SMOOTH_SPHERE:
         yield _surface_name_limit(config, "sphere.surface", list(contacts.surface.unique()))
 
 
@@ -128,7 +130,7 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
     if rows.source.iloc[0] == "substitute":
         pixels, size = config["scan"]["pixels"], config["scan"]["size"]
         relief = SUBSTITUTE_RELIEF
-        if not is_calibrated(read_bands(path)):
+        if not needs_calibration(read_bands(path)):
             largest = 2 * size * config["scales"]["large"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
         grid, location = Grid(pixels, size / pixels, size, relief), "config key scan.size"

@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from hardcontact.base.code import LIBRARY
-from hardcontact.base.units import printed
+from hardcontact.base.units import print_exact
 from hardcontact.config.faults import quote_key
 from hardcontact.config.model import NONE, PAPER, Study
 
@@ -51,7 +51,7 @@ PAGES = {
 }
 
 #: The name of each quantity of contacts, with its key and its unit.
-QUANTITIES = {
+CONTACT_QUANTITIES = {
     "radius of the sphere": ("sphere.radius", "nm"),
     "hardness": ("contact.hardness", "Pa"),
     "preload": ("contact.preload", "N"),
@@ -143,16 +143,19 @@ def omitted_targets(configuration: Mapping[str, Any]) -> dict[str, str]:
 
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
-    """Return the surface of the sphere and QUANTITIES, as printed, of the contacts."""
+    """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
     quantities = {
-        name: printed(get_key(config, key), unit) for name, (key, unit) in QUANTITIES.items()
+        name: print_exact(get_key(config, key), unit)
+        for name, (key, unit) in CONTACT_QUANTITIES.items()
     }
     return {"sphere": str(config["sphere"]["surface"])} | quantities
 
 
 def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
-    """Return the names of the QUANTITIES whose values are the paper's: a ruby sphere on diamond."""
+    """Return the names of the CONTACT_QUANTITIES that are the paper's: a ruby sphere on diamond."""
     paper = Study().model_dump(warnings=False)
     return [
-        name for name, (key, _) in QUANTITIES.items() if get_key(config, key) == get_key(paper, key)
+        name
+        for name, (key, _) in CONTACT_QUANTITIES.items()
+        if get_key(config, key) == get_key(paper, key)
     ]

@@ -7,11 +7,11 @@ from functools import cached_property
 from itertools import cycle, product
 from typing import Any
 
-from hardcontact.base.units import token
+from hardcontact.base.units import path_token
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
-from hardcontact.config.store_keys import SCANS, key_values, short_digest
+from hardcontact.config.store_keys import SCAN_KEYS, key_values, short_digest
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -28,7 +28,7 @@ VARIED = ("sets", "robustness")
 
 # Rows of lists: their fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")
-Pair = namedtuple("Pair", "surface scan sphere_scan")
+ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
 ProtrudedChunk = namedtuple("ProtrudedChunk", "surface bearer first last")
 MeanForces = namedtuple("MeanForces", "surface variant probe radii loads ranges")
@@ -55,11 +55,11 @@ class Files:
         self._patterns = patterns
         self.contact = study_contact(configuration)
         self._swept = {
-            "radius": f"R{token(configuration['sphere']['radius'], 'um')}",
+            "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
             "load": self.contact.load,
-            "range": f"rho{token(configuration['scales']['range'], 'nm')}",
+            "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
         }
-        keys = (*SCANS, "contact.window", "sphere.surface")
+        keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
         self._filter_values = key_values(configuration, keys)
         #: The study's sphere of filtered masters.
         self.probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
@@ -185,10 +185,10 @@ class Files:
         ]
 
     @property
-    def pairs_in_turn(self) -> list[Pair]:
+    def pairs_in_turn(self) -> list[ScanPair]:
         """One scan of the sphere for each scan of a substrate, in turn."""
         return [
-            Pair(surface, scan, sphere_scan)
+            ScanPair(surface, scan, sphere_scan)
             for surface in self._selection.substrates
             for scan, sphere_scan in zip(
                 self._selection.scans(surface), cycle(self._selection.sphere_scans), strict=False
@@ -280,9 +280,9 @@ class Files:
         """Return radii, loads and ranges of a grid as parts of paths."""
         grid = self.contact_grid(purpose, probe)
         return {
-            "radii": "+".join(f"R{token(radius, 'um')}" for radius in grid["radii"]),
+            "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
             "loads": "+".join(replace(self.contact, **load).load for load in grid["loads"]),
-            "ranges": "+".join(f"rho{token(rho, 'nm')}" for rho in grid["ranges"]),
+            "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
         }
 
     def _masters_of(

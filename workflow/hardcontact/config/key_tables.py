@@ -19,17 +19,17 @@ from hardcontact.config.keys import StudyKeys
 from hardcontact.config.selection import SurfaceRow
 
 CONFIGURATION, README = Path("config/config.yaml"), Path("config/README.md")
-HEAD = """\
+YAML_HEADER = """\
 # The paper: the defaults of the study, made from workflow/hardcontact/config/keys.py by
 # python -m hardcontact.config.key_tables
 # README.md beside this file has the values that each key may have. Another study: a file with the
 # few keys that differ, given as  snakemake --configfile my-study.yaml
 """
-COLUMNS = ("key", "meaning", "values", "default", "paper")
+KEY_COLUMNS = ("key", "meaning", "values", "default", "paper")
 #: Lists of more entries are given in tables by their number, first and last entry.
 LIST_LIMIT = 4
-#: Values of keys whose types have no bounds.
-VALUES = {
+#: Accepted values, in words, of keys whose types have no bounds.
+VALUES_IN_WORDS = {
     "scans": "`all` or a list: 1 to 9999",
     "quick": "a mapping",
     "scan.edge": "`none` or 0.01 to 1e+09 nm",
@@ -40,11 +40,11 @@ def configuration_yaml() -> str:
     """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
     fields = dict(_fields(StudyKeys))
     comments = {
-        key: _meaning(field) + (f" ({_paper(field)})" if _paper(field) else "")
+        key: _meaning(field) + (f" ({_paper_section(field)})" if _paper_section(field) else "")
         for key, field in fields.items()
     }
     tree = set_keys({}, {key: field.default for key, field in fields.items()})
-    return "\n".join([HEAD, *commented_yaml(tree, comments)]) + "\n"
+    return "\n".join([YAML_HEADER, *commented_yaml(tree, comments)]) + "\n"
 
 
 def update_tables(text: str) -> str:
@@ -53,15 +53,16 @@ def update_tables(text: str) -> str:
     The tables are between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, with the
     names ``keys`` and ``columns``.
     """
-    text = _inserted(text, "keys", "\n\n".join(_sections()))
+    text = _replace_between_markers(text, "keys", "\n\n".join(_sections()))
     rows = [
         (f"`{name}`", _meaning(field), _values(field))
         for name, field in SurfaceRow.model_fields.items()
     ]
-    return _inserted(text, "columns", _table(("column", "content", "values"), rows))
+    table = _table(("column", "content", "values"), rows)
+    return _replace_between_markers(text, "columns", table)
 
 
-def _inserted(text: str, name: str, lines: str) -> str:
+def _replace_between_markers(text: str, name: str, lines: str) -> str:
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
     head, _, tail = text.partition(begin)
     return f"{head}{begin}\n{lines}\n\n{end}{tail.partition(end)[2]}"
@@ -81,7 +82,7 @@ def _fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str, F
             yield f"{prefix}{name}", field
 
 
-def _paper(field: FieldInfo) -> str:
+def _paper_section(field: FieldInfo) -> str:
     """Return the section of the paper that a default comes from, or nothing."""
     extra: Any = field.json_schema_extra or {}
     return str(extra.get("paper", ""))
@@ -96,13 +97,13 @@ def commented_yaml(
     """
     indent = "  " * prefix.count(".")
     for name, value in tree.items():
-        section = isinstance(value, dict) and bool(value)
-        if section:
+        is_section = isinstance(value, dict) and bool(value)
+        if is_section:
             yield ""
         comment = textwrap.wrap(comments.get(f"{prefix}{name}", ""), 96)
         yield from (f"{indent}# {line}" for line in comment)
-        yield f"{indent}{name}:" if section else f"{indent}{name}: {_written(value)}"
-        if section:
+        yield f"{indent}{name}:" if is_section else f"{indent}{name}: {_inline_yaml(value)}"
+        if is_section:
             yield from commented_yaml(value, comments, f"{prefix}{name}.")
 
 
@@ -110,14 +111,14 @@ def _sections() -> Iterator[str]:
     """Yield heading, table and text of the keys at the top, and of each section of keys."""
     rows: dict[str, list[tuple[str, ...]]] = {}
     for key, field in _fields(StudyKeys):
-        values = VALUES.get(key) or _values(field)
-        row = (f"`{key}`", _meaning(field), values, _default(field.default), _paper(field))
+        values = VALUES_IN_WORDS.get(key) or _values(field)
+        row = (f"`{key}`", _meaning(field), values, _default(field.default), _paper_section(field))
         rows.setdefault(key.rpartition(".")[0].partition(".")[0], []).append(row)
     for name, section_rows in rows.items():
         section = type(StudyKeys.model_fields[name].default) if name else StudyKeys
         heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
         yield f"### {heading.rstrip('.')}"
-        yield _table(COLUMNS, section_rows)
+        yield _table(KEY_COLUMNS, section_rows)
         yield from (" ".join(text.split()) for text in texts)
 
 
@@ -148,7 +149,7 @@ def _values(field: FieldInfo) -> str:
     return f"{limits['ge']} to {limits['le']}{multiple}"
 
 
-def _written(value: Any) -> str:
+def _inline_yaml(value: Any) -> str:
     """Return a value as YAML on one line."""
     text: str = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
     return text.strip()[1:-1]
@@ -158,7 +159,7 @@ def _default(value: Any) -> str:
     """Return a default for a table; a long list is shortened."""
     if isinstance(value, list) and len(value) > LIST_LIMIT:
         return f"{len(value)} values, `{value[0]}` to `{value[-1]}`"
-    return f"`{_written(value)}`"
+    return f"`{_inline_yaml(value)}`"
 
 
 if __name__ == "__main__":

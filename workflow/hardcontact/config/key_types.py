@@ -115,14 +115,14 @@ Pressures = Annotated[list[Pressure], Field(max_length=20), ASCENDING]
 
 #: Contacts along an edge: 40 000 a pair of scans.
 Count = Annotated[int, Field(ge=1, le=200)]
-Contacts = Annotated[int, Field(ge=1, le=40000)]
+ContactCount = Annotated[int, Field(ge=1, le=40000)]
 Realizations = Annotated[int, Field(ge=1, le=1000)]
 ScanPixels = Annotated[int, Field(ge=16, le=8192)]
 #: An odd grid has no order that its pixels halve; 16384 x 16384 pixels take 3.2 GiB.
 Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
 #: A smooth sphere on them, where the memory of the machine holds it (grids.py).
 MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
-Tiles = Annotated[int, Field(ge=1, le=256)]
+TileCount = Annotated[int, Field(ge=1, le=256)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
 Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False)]

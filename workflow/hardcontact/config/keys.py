@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from hardcontact.config.key_types import (
     UNIT,
-    Contacts,
+    ContactCount,
     Count,
     Folder,
     Force,
@@ -36,7 +36,7 @@ from hardcontact.config.key_types import (
     StudyName,
     SurfaceId,
     TablePath,
-    Tiles,
+    TileCount,
     Work,
 )
 
@@ -158,7 +158,7 @@ class LargeScaleKeys(Keys):
 
     pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
     """Pixels along an edge that forces are computed on at large scales."""
-    tiles: Tiles = key(4, "Determining the Most Relevant Length-scales: 20 µm")
+    tiles: TileCount = key(4, "Determining the Most Relevant Length-scales: 20 µm")
     """Stitched scans along an edge of the large-scale master; the printed pixels, 8192 of 4.883 nm,
     would be 8."""
     transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
@@ -197,7 +197,7 @@ class ElasticKeys(Keys):
     medians over contacts, the claims take means.
     """
 
-    contacts: Contacts = 2
+    contacts: ContactCount = 2
     """Contacts solved on each scan, drawn at random; at most `contact.count` squared, which solves
     all."""
 
@@ -214,7 +214,7 @@ class IndentKeys(Keys):
 class AsperitiesKeys(Keys):
     """Asperities."""
 
-    contacts: Contacts = 16
+    contacts: ContactCount = 16
     """Contacts examined on each scan, drawn at random; at most `contact.count` squared."""
     ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
     """Ranges of adhesion, ascending."""
@@ -306,7 +306,7 @@ class LawLargeScaleKeys(Keys):
 
     pixels: Pixels = 2048
     """Pixels along an edge that forces are computed on at large scales."""
-    tiles: Tiles = 2
+    tiles: TileCount = 2
     """Stitched scans along an edge of the large-scale master."""
     cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"])
     """Long-wavelength cutoffs, ascending."""
@@ -324,7 +324,7 @@ class ScalingLargeScaleKeys(Keys):
 
     pixels: Pixels = 4096
     """Pixels along an edge that forces are computed on at large scales."""
-    tiles: Tiles = 4
+    tiles: TileCount = 4
     """Stitched scans along an edge of the large-scale master."""
     cutoffs: Lengths = key(nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000))
     """Long-wavelength cutoffs, ascending."""

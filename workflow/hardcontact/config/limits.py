@@ -1,6 +1,7 @@
 """Limits of keys that follow from the pixels of scans.
 
-Each surface, pair of surfaces and master has a list of limits. The first unmet one is reported.
+Each surface, pair of surfaces and master has a list of limits, met or not. The first limit of a
+list that does not hold is reported.
 """
 
 import math
@@ -8,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice, product
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -30,42 +31,53 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Contact pixels of one indent, which are compared with each other.
-INDENT_PIXELS = 2**12
+#: Largest number of contact pixels of one contact for indents: all pairs of them are compared.
+MAX_INDENT_PIXELS = 2**12
+
+
+class RangeUse(NamedTuple):
+    """A range of adhesion that a section computes, with the sphere for which it is least safe."""
+
+    key: str  #: The key that gives the range.
+    rho: float  #: Shortest range of adhesion in nm.
+    radius: float  #: Smallest radius of a sphere in nm.
 
 
 @dataclass(frozen=True)
 class Use:
-    """One use of scans and masters by a section of the configuration."""
+    """The contacts that a section of the configuration computes on scans or masters."""
 
     section: str
-    count: str  #: The key of the contacts along an edge of the array.
-    loads: dict[str, Contact]  #: The contact with the largest load of each key.
-    range: tuple[str, float, float]  #: Key, shortest range and smallest radius of spheres in nm.
+    count_key: str  #: The key of the contacts along an edge of the array.
+    loads: dict[str, Contact]  #: By key: the contact with the largest load that the key gives.
+    shortest_range: RangeUse
 
 
-def scan_uses(config: dict[str, Any]) -> list[Use]:
-    """Return the uses of scans and masters by a study: scans first, then masters."""
+def contact_uses(config: dict[str, Any]) -> list[Use]:
+    """Return the sections of a study that compute contacts: on scans (the first), on masters."""
     contact = study_contact(config)
-    loads, ranges = {"contact.preload": contact}, ("scales.range", contact.range, contact.radius)
-    uses = [Use(section, "contact.count", loads, ranges) for section in ("contact", "scales")]
+    loads = {"contact.preload": contact}
+    range_use = RangeUse("scales.range", contact.range, contact.radius)
+    uses = [Use(section, "contact.count", loads, range_use) for section in ("contact", "scales")]
     if config["published"] != PAPER:
         return uses
     indented = replace(contact, preload=config["indent"]["preloads"][-1])
-    varied_loads, robustness = dict(loads), config["robustness"]
+    robustness = config["robustness"]
+    varied_loads = dict(loads)
     for preload in robustness["preloads"][-1:]:
         varied_loads["robustness.preloads"] = replace(contact, preload=preload)
     for hardness in robustness["hardnesses"][:1]:
         varied_loads["robustness.hardnesses"] = replace(contact, hardness=hardness)
-    scaling, section = config["insight"]["scaling"], "insight.scaling"
+    section = "insight.scaling"
+    scaling = config["insight"]["scaling"]
     scaled = replace(contact, preload=scaling["preloads"][-1])
-    shortest = (f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0])
+    scaling_range = RangeUse(f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0])
     return [
         replace(uses[0], loads=loads | {"indent.preloads": indented}),
         uses[1],
-        Use("sets", "sets.count", varied_loads, ranges),
-        Use("insight", "insight.count", loads, ranges),
-        Use(section, "insight.count", {f"{section}.preloads": scaled}, shortest),
+        Use("sets", "sets.count", varied_loads, range_use),
+        Use("insight", "insight.count", loads, range_use),
+        Use(section, "insight.count", {f"{section}.preloads": scaled}, scaling_range),
     ]
 
 
@@ -75,17 +87,19 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     The configuration has quantities as numbers. Raises ValueError with a line for each fault, which
     names the key.
     """
-    name, uses = config["sphere"]["surface"], scan_uses(config)
-    tables = [scan_limits(config, surface, grid) for surface, grid in grids.items()]
+    sphere_surface = config["sphere"]["surface"]
+    _, *master_uses = contact_uses(config)
+    limit_lists = [scan_limits(config, surface, grid) for surface, grid in grids.items()]
     for surface, grid in grids.items():
-        if surface != name:
-            sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
-            tables.append(_pair_limits(config, surface, grid, sphere))
-            tables += [
-                _master_limits(config, use, side, surface, grid, sphere)
-                for use, side in product(uses[1:], SIDES)
+        if surface != sphere_surface:
+            sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
+            limit_lists.append(_pair_limits(config, surface, grid, sphere_grid))
+            limit_lists += [
+                _master_limits(config, use, side, surface, grid, sphere_grid)
+                for use, side in product(master_uses, SIDES)
             ]
-    refuse_all(partial(refuse_lines, islice(violation_messages(limits), 1)) for limits in tables)
+    first_messages = (islice(violation_messages(limits), 1) for limits in limit_lists)
+    refuse_all(partial(refuse_lines, messages) for messages in first_messages)
 
 
 def window_images(window: float, size: float) -> float:
@@ -93,8 +107,8 @@ def window_images(window: float, size: float) -> float:
     return max(1.0, window / (2 * size)) ** 2
 
 
-def carrying_pixels(window: float, grid: Grid) -> int:
-    """Return the pixels of a stitched scan in a window (nm) that may carry a load: a quarter."""
+def max_contact_pixels(window: float, grid: Grid) -> int:
+    """Return how many pixels may carry a load: a quarter of a stitched scan in a window (nm)."""
     return min(window_pixels(window, grid.pixel_size), 2 * grid.pixels) ** 2 // 4
 
 
@@ -108,67 +122,74 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 
 def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Yield the limits of the scans of a surface: loads, numbers of contacts, ranges."""
-    uses, window, stitched = scan_uses(config), config["contact"]["window"], 2 * grid.pixels
-    radius = config["sphere"]["radius"]
+    uses = contact_uses(config)
+    window, radius = config["contact"]["window"], config["sphere"]["radius"]
+    stitched_pixels = 2 * grid.pixels
     if surface == config["sphere"].get("surface"):
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         yield Limit(radius >= grid.size, "sphere.radius", accepted, f"{radius:.6g} nm")
-    available = carrying_pixels(window, grid)
+    available = max_contact_pixels(window, grid)
     reason = f"which a quarter of the {4 * available} pixels of {surface} can carry"
     for use in uses:
         yield from _load_limits(use, available, grid.pixel_size, reason)
-    accepted = f"at most the {stitched} pixels along the stitched scan of {surface}"
+    accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
     for use in uses:
-        count = get_key(config, use.count)
-        yield Limit(count <= stitched, use.count, accepted, count)
+        count = get_key(config, use.count_key)
+        yield Limit(count <= stitched_pixels, use.count_key, accepted, count)
     ranges = {"scales.range": config["scales"]["range"]}
     ranges["adhesion.ranges"] = config["adhesion"]["ranges"][0]
     if config["published"] == PAPER:
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
     for key, rho in ranges.items():
-        yield _range_limit(window, (key, rho, radius), surface, grid)
+        yield _range_limit(window, RangeUse(key, rho, radius), surface, grid)
 
 
-def _pair_limits(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> Iterator[Limit]:
+def _pair_limits(
+    config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid
+) -> Iterator[Limit]:
     """Yield the limits of a scan of a substrate and a scan of the sphere, on common pixels."""
-    edge, pixel_size = config["contact"]["window"], min(grid.pixel_size, sphere.pixel_size)
-    window, surfaces_in_words = window_pixels(edge, pixel_size), f"{surface} and the sphere"
+    window, pixel_size = config["contact"]["window"], min(grid.pixel_size, sphere_grid.pixel_size)
+    pixels, surfaces_in_words = window_pixels(window, pixel_size), f"{surface} and the sphere"
     accepted = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {surfaces_in_words}"
-    yield Limit(window <= MAP_PIXELS, "contact.window", accepted, window)
-    yield _map_limit(surfaces_in_words, pixel_size, grid, sphere)
-    images = window_images(edge, grid.size)
-    for use in scan_uses(config):
+    yield Limit(pixels <= MAP_PIXELS, "contact.window", accepted, pixels)
+    yield _map_limit(surfaces_in_words, pixel_size, grid, sphere_grid)
+    images = window_images(window, grid.size)
+    for use in contact_uses(config):
         if use.section in ("contact", "sets"):
             yield from _contact_pixel_limits(config, use, surface, pixel_size, images)
         if "indent.preloads" in use.loads and surface == config["indent"]["surface"]:
             pixels = use.loads["indent.preloads"].pixels(pixel_size)
-            accepted = f"2 to {INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
-            yield Limit(2 <= pixels <= INDENT_PIXELS, "indent.preloads", accepted, pixels)
+            fits = 2 <= pixels <= MAX_INDENT_PIXELS
+            accepted = (
+                f"2 to {MAX_INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
+            )
+            yield Limit(fits, "indent.preloads", accepted, pixels)
 
 
 def _master_limits(
-    config: dict[str, Any], use: Use, side: str, surface: str, grid: Grid, sphere: Grid
+    config: dict[str, Any], use: Use, side: str, surface: str, grid: Grid, sphere_grid: Grid
 ) -> Iterator[Limit]:
     """Yield the limits of the masters of one side that are built on a surface."""
     keys = master_keys(config, use.section, side)
     values = {name: get_key(config, key) for name, key in keys.items()}
     pixels, tiles = values["pixels"], values.get("tiles", 1)
-    size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
-    master, finest = grid._replace(size=size / 2), size / pixels
-    accepted = f"at least the {needed} of {tiles} x {tiles} stitched scans of {surface}"
-    yield Limit(pixels >= needed, keys["pixels"], accepted, pixels)
+    size, min_pixels = 2 * grid.size * tiles, 2 * grid.pixels * tiles
+    master_pixel_size = size / pixels
+    # A grid describes a scan, half as large as its periodic map; the pixels of this one are unused.
+    master_grid = grid._replace(size=size / 2)
+    accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
+    yield Limit(pixels >= min_pixels, keys["pixels"], accepted, pixels)
     yield memory_limit(keys["pixels"], pixels, machine_megabytes())
-    yield _range_limit(config["contact"]["window"], use.range, surface, master)
-    if use.section in ("scales", "sets"):  # Those that are computed at `scales.range` alone.
+    yield _range_limit(config["contact"]["window"], use.shortest_range, surface, master_grid)
+    if use.section in ("scales", "sets"):  # These sections compute at `scales.range` alone.
         for key, contact in use.loads.items():
             depth = penetration_depth(contact, grid.relief)
-            shortest = depth / PENETRATION_OVER_RANGE
+            allowed_rho = depth / PENETRATION_OVER_RANGE
             depth_reason = f"as {key} presses the bodies some {depth:.3g} nm into each other"
-            accepted = f"at least {shortest:.3g} nm, {depth_reason}"
-            yield Limit(
-                contact.range >= shortest, use.range[0], accepted, f"{contact.range:.4g} nm"
-            )
-    cutoff_pixel_size = finest if side == "small" else grid.pixel_size
+            accepted = f"at least {allowed_rho:.3g} nm, {depth_reason}"
+            is_long = contact.range >= allowed_rho
+            yield Limit(is_long, use.shortest_range.key, accepted, f"{contact.range:.4g} nm")
+    cutoff_pixel_size = master_pixel_size if side == "small" else grid.pixel_size
     for name, pixel_size in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
         # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
         wavelengths = np.atleast_1d(values[name])
@@ -179,21 +200,20 @@ def _master_limits(
         for wavelength in wavelengths:
             fits = 2 * pixel_size * (1 + 1e-9) < wavelength <= size
             yield Limit(fits, keys[name], accepted, f"{wavelength:.4g} nm")
+    pixel_size = master_pixel_size
     if use.section == "sets" or config["scales"]["sphere_roughness"]:
-        finest = min(finest, sphere.pixel_size)
+        pixel_size = min(master_pixel_size, sphere_grid.pixel_size)
         surfaces_in_words = f"the {side}-scale masters of {surface} and the sphere"
-        yield _map_limit(surfaces_in_words, finest, master, sphere)
-    yield from _contact_pixel_limits(config, use, surface, finest, 1)
+        yield _map_limit(surfaces_in_words, pixel_size, master_grid, sphere_grid)
+    yield from _contact_pixel_limits(config, use, surface, pixel_size, 1)
 
 
-def _range_limit(
-    window: float, shortest: tuple[str, float, float], surface: str, grid: Grid
-) -> Limit:
+def _range_limit(window: float, range_use: RangeUse, surface: str, grid: Grid) -> Limit:
     """Return the limit of a range of adhesion for the pixels and the relief of a surface."""
-    key, rho, radius = shortest
-    shortest_rho, reason = minimum_range(radius, window, grid)
-    accepted = f"at least {shortest_rho:g} nm on {surface}, where {reason}"
-    return Limit(rho >= shortest_rho, key, accepted, f"{rho:.4g} nm")
+    key, rho, radius = range_use
+    allowed_rho, reason = minimum_range(radius, window, grid)
+    accepted = f"at least {allowed_rho:g} nm on {surface}, where {reason}"
+    return Limit(rho >= allowed_rho, key, accepted, f"{rho:.4g} nm")
 
 
 def _map_limit(surfaces_in_words: str, pixel_size: float, *grids: Grid) -> Limit:
@@ -213,10 +233,10 @@ def _contact_pixel_limits(
 
     Each pixel (edge in nm) has `images` periodic images in the window.
     """
-    count, window = get_key(config, use.count), config["contact"]["window"]
+    count, window = get_key(config, use.count_key), config["contact"]["window"]
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{use.count} = {count} and contact.window = {window:.6g} nm"
+        f"{use.count_key} = {count} and contact.window = {window:.6g} nm"
     )
     yield from _load_limits(use, int(CONTACT_PIXELS / count**2 / images), pixel_size, reason)
 

@@ -20,10 +20,10 @@ from hardcontact.config.keys import StudyKeys
 
 #: Value of the key `published` in a study that is compared with the paper.
 PAPER = "paper"
-#: What stands for a table that the study does not have.
+#: Value of the keys of tables that a study does not have, and of `published` without the paper.
 NONE = "none"
 #: Value of the key `sphere.surface` of a sphere without roughness.
-SMOOTH = "smooth"
+SMOOTH_SPHERE = "smooth"
 #: End of the names of study and store at quick effort.
 QUICK_NAME = "-quick"
 
@@ -38,24 +38,24 @@ class Study(StudyKeys):
 
     def _name_limits(self) -> Iterator[Limit]:
         """Yield the limits of the effort and of the folders."""
-        quick = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+        remedy = "quick (the quick study of the paper: --configfile config/quick.yaml)"
         has_quick_keys = self.effort != "quick" or bool(self.quick)
-        yield Limit(has_quick_keys, "effort", "full where no keys stand under quick", quick)
+        yield Limit(has_quick_keys, "effort", "full, as no keys stand under quick", remedy)
         repeated_names = sorted({"study", "store"} & self.quick.keys())
-        accepted = f"no study or store there: their names are those above, with {QUICK_NAME}"
+        accepted = f"neither study nor store, whose names at quick effort end in {QUICK_NAME}"
         yield Limit(not repeated_names, "quick", accepted, " and ".join(repeated_names))
         if self.quick and self.effort != "quick":
-            accepted = f"another end than {QUICK_NAME}, that of names with effort: quick"
+            accepted = f"a name without the end {QUICK_NAME}, which marks effort: quick"
             for key, name in (("study", self.study), ("store", self.store)):
                 yield Limit(not name.endswith(QUICK_NAME), key, accepted, name)
         folder = f"results/{self.study}"
         results, store = Path(os.path.realpath(folder)), Path(os.path.realpath(self.store))
         is_apart = not (results.is_relative_to(store) or store.is_relative_to(results))
         yield Limit(is_apart, "store", f"a folder apart from {folder}", self.store)
-        is_inside = store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent)
-        yield Limit(
-            not is_inside, "store", "a folder in results or outside of the project", self.store
-        )
+        is_in_project = store.is_relative_to(os.getcwd())
+        is_allowed = store.is_relative_to(results.parent) or not is_in_project
+        accepted = "a folder in results or outside of the project"
+        yield Limit(is_allowed, "store", accepted, self.store)
 
     def _published_limits(self) -> Iterator[Limit]:
         """Yield the limits that depend on whether a study is compared with the paper."""
@@ -66,20 +66,20 @@ class Study(StudyKeys):
             for name in ("elastic", "asperities"):
                 number = getattr(self, name).contacts
                 yield Limit(number <= contacts, f"{name}.contacts", accepted, number)
-        elif self.sphere.surface == SMOOTH:
-            accepted = f"false with sphere.surface: {SMOOTH}"
+        elif self.sphere.surface == SMOOTH_SPHERE:
+            accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
             rough = self.scales.sphere_roughness
             yield Limit(not rough, "scales.sphere_roughness", accepted, "true")
 
 
-def quantity(key: str) -> Quantity:
+def quantity_type(key: str) -> Quantity:
     """Return the unit and the bounds of a key that is a quantity."""
     *sections, name = key.split(".")
     field = section_model(Study, sections).model_fields[name]
     return next(annotation for annotation in field.metadata if isinstance(annotation, Quantity))
 
 
-def configuration(config: object, prefix: str = "") -> dict[str, Any]:
+def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:
     """Return a configuration, as read from YAML, with every quantity as a number.
 
     Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Missing keys have

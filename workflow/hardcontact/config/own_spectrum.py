@@ -23,7 +23,7 @@ from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
-from hardcontact.surfaces.scan_heights import LENGTHS, TAKE_CARE, split_notes
+from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.surfaces.scans import (
     examine,
     height_map,
@@ -33,13 +33,13 @@ from hardcontact.surfaces.scans import (
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Pairs of columns. A table has one column of each pair, and a column with its unit.
-WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
-COLUMNS = (
+WAVE_COLUMNS, DENSITY_COLUMNS = ("wavevector", "wavelength"), ("c_iso", "c_1d")
+EXPECTED_COLUMNS = (
     "a table with one of the columns wavevector and wavelength, one of c_iso and c_1d, and the "
     "unit of each (wavelength_unit, ...)"
 )
 #: The unit of a column: a pattern around the unit of length, and words.
-UNITS = {
+COLUMN_UNITS = {
     "wavevector": (
         r"rad\s*/\s*(\S+)",
         "radians over a length, such as rad/nm (q = 2 pi/wavelength)",
@@ -51,7 +51,7 @@ UNITS = {
 #: Characters of the first line of a file that tell a table from heights.
 MAX_LINE = 1000
 #: The first heading of a table of positions and heights.
-POSITION = re.compile(r"\W*(x|position|distance)\b", re.IGNORECASE)
+POSITION_HEADING = re.compile(r"\W*(x|position|distance)\b", re.IGNORECASE)
 #: The fewest wavelengths with roughness that a table must have.
 MIN_WAVELENGTHS = 5
 #: Independent waves that each bin of a profile's density is taken to have when it is converted.
@@ -129,7 +129,7 @@ def own_spectrum(
         for member in ([dataset] if dataset else list_measurements(path))
     ]
     for scan in scans:
-        if np.ptp(scan.heights) < LENGTHS[0]:
+        if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
     names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
     defects = [
@@ -177,7 +177,7 @@ def _is_table(path: str | Path) -> bool:
         return True
     with open(path, "rb") as file:
         first_line = file.readline(MAX_LINE).decode("latin-1")
-    return not (ROW.fullmatch(first_line.strip()) or POSITION.match(first_line))
+    return not (ROW.fullmatch(first_line.strip()) or POSITION_HEADING.match(first_line))
 
 
 def table_spectrum(path: str | Path) -> Spectrum:
@@ -190,7 +190,7 @@ def table_spectrum(path: str | Path) -> Spectrum:
     for each faulty row.
     """
     table = user_table(path, "a table of a power spectral density")
-    wave, density = _column(table, WAVES), _column(table, DENSITIES)
+    wave, density = _column(table, WAVE_COLUMNS), _column(table, DENSITY_COLUMNS)
     points = table.convert(partial(_point, wave=wave, density=density))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
@@ -215,10 +215,10 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
     present = [name for name in names if name in table.header]
     if len(present) != 1:
         raise ValueError(
-            f"{table.path}: expected {COLUMNS}, or a scan that begins with numbers or a column x, "
-            f"found {quote_cell(', '.join(table.header))}"
+            f"{table.path}: expected {EXPECTED_COLUMNS}, or a scan that begins with numbers or a "
+            f"column x, found {quote_cell(', '.join(table.header))}"
         )
-    table.require([present[0], f"{present[0]}_unit"], COLUMNS)
+    table.require([present[0], f"{present[0]}_unit"], EXPECTED_COLUMNS)
     return present[0]
 
 
@@ -238,7 +238,7 @@ def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
 
 def _nanometres(row: Row, name: str) -> float:
     """Return the length in the unit of a column, in nm; refuse a unit of another quantity."""
-    pattern, words = UNITS[name]
+    pattern, words = COLUMN_UNITS[name]
     unit = row[f"{name}_unit"]
     match = re.fullmatch(pattern, unit)
     try:

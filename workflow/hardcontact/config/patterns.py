@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
-PUBLISHED = {
+PUBLISHED_TABLES = {
     "published_constants": "resources/paper/parameters.csv",
     "published_pull_off": "resources/paper/pull_off.csv",
     "published_table1": "resources/paper/table1.csv",

@@ -13,9 +13,9 @@ from hardcontact.base.units import magnitude
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import Keys
-from hardcontact.config.patterns import PUBLISHED
+from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.tables import user_table
-from hardcontact.surfaces.spectrum import is_calibrated, read_bands
+from hardcontact.surfaces.spectrum import needs_calibration, read_bands
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
@@ -123,7 +123,7 @@ class Selection:
         texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
         return [magnitude(text, "nm") if text else None for text in texts]
 
-    def contact_places(self, surface: str) -> list[int]:
+    def contact_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""
         uses = self._all_rows.use[self._all_rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT]
@@ -152,7 +152,7 @@ class Selection:
     @property
     def pooled(self) -> list[str]:
         """Substrates with a pool of scans for the sets: substitutes with a published rms height."""
-        table1 = pd.read_csv(PUBLISHED["published_table1"])
+        table1 = pd.read_csv(PUBLISHED_TABLES["published_table1"])
         published_surfaces = set(table1.surface[table1.quantity == "afm_rms_height"])
         return [
             surface
@@ -185,7 +185,7 @@ class Selection:
 
     def reads_curvature(self, surface: str) -> bool:
         """Return True if a substitute depends on the reading of the curvature of Table 1."""
-        return is_calibrated(read_bands(self.description(surface)))
+        return needs_calibration(read_bands(self.description(surface)))
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:

@@ -24,9 +24,8 @@ from hardcontact.base.code import LIBRARY, write_pins
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.faults import refuse_all
-from hardcontact.config.model import QUICK_NAME
-from hardcontact.config.model import configuration as numbers_of
-from hardcontact.config.patterns import PUBLISHED
+from hardcontact.config.model import QUICK_NAME, numeric_configuration
+from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 
 #: The folder of the repository that the imported library belongs to.
@@ -134,9 +133,9 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
             refuse_all(
                 partial(refuse_unreadable, os.path.relpath(path)) for path in workflow.configfiles
             )
-        numbers = numbers_of(config)
+        numbers = numeric_configuration(config)
         if numbers["quick"]:
-            numbers_of(apply_effort(config | {"effort": "quick"}), "effort quick: ")
+            numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)
@@ -150,7 +149,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.config.checks import check_study
 
-            compared = published.pull_off(PUBLISHED["published_pull_off"]).index
+            compared = published.pull_off(PUBLISHED_TABLES["published_pull_off"]).index
             check_study(configuration, rows, compared)
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:

@@ -15,8 +15,8 @@ _READING = ("scan.undefined_pixels", "scan.unit", "scan.edge")
 _MEASURED = (*_READING, "scan.levelling", "scans")
 _SUBSTITUTES = ("seed", "scans", "scan.pixels", "scan.size")
 #: What every scan depends on, measured or substitute, and all that is computed from scans.
-SCANS = (*_SUBSTITUTES, *_MEASURED)
-_CONTACTS = (*SCANS, "contact.window", "contact.count")
+SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
+_CONTACTS = (*SCAN_KEYS, "contact.window", "contact.count")
 _POOL = (
     *_SUBSTITUTES, "sets.rms_heights", "sets.count", "contact.window", "adhesion.ranges",
 )  # fmt: skip
@@ -28,19 +28,19 @@ STORE_KEYS = {
     "measured_spectra": _MEASURED,
     "drawn_spectra": (*_MEASURED, "seed"),
     "conditioning": _SUBSTITUTES,
-    "substitutes": SCANS,  # which are made with the scans
-    "scans": SCANS,
-    "stitched": SCANS,
+    "substitutes": SCAN_KEYS,  # which are made with the scans
+    "scans": SCAN_KEYS,
+    "stitched": SCAN_KEYS,
     "pull_off": (*_CONTACTS, "adhesion.ranges"),
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
     "mean_forces": (*_CONTACTS, "sets.count", "adhesion.ranges", "sphere.surface"),
     "pool": _POOL,
     "protruded": (*_POOL, "robustness.heights.surface"),
-    "masters": (*SCANS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
+    "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
     "laws": (
-        *SCANS, *_TRANSITIONS, "contact.window", "insight.count", "insight.window", "insight.small",
-        "insight.large",
+        *SCAN_KEYS, *_TRANSITIONS, "contact.window", "insight.count", "insight.window",
+        "insight.small", "insight.large",
     ),
 }  # fmt: skip
 

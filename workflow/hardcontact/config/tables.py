@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     CALIBRATION_ROWS,
     KNOWN_BASES,
     NUMBER_COLUMNS,
-    is_calibrated,
+    needs_calibration,
     read_bands,
 )
 
@@ -37,15 +37,15 @@ Result = TypeVar("Result")
 TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
 #: A pull-off force: of an atom at least, and of a hundred kilograms at most.
-FORCE = Quantity("N", 1e-15, 1e3)
+FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 #: Models of a band; a power law continues the band above, so that it cannot come first.
-MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
+BAND_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
 SIGNED = ("hurst", "hurst_change")
 #: The local exponent of a C_iso that is constant.
 FLATTEST = -1.0
 #: Columns of the points of a profile's spectrum.
-POINTS = ("wavelength_nm", "c1d_nm3")
+PROFILE_COLUMNS = ("wavelength_nm", "c1d_nm3")
 
 
 class UserTable(NamedTuple):
@@ -144,10 +144,26 @@ def measured_forces(
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 
-    The file is a CSV with a header: surface, value, unit, one row a test; or surface, mean, median,
-    count, unit, one row a surface. Returns, by line of the file, the columns surface; mean and
-    median in N, positive; and count, the number of tests. A single test is its own mean and median.
-    Raises ValueError with a line for each faulty row, which names the option or key of the table.
+    Parameters
+    ----------
+    path : str or Path
+        A CSV with a header: surface, value, unit, one row per test; or surface, mean, median,
+        count, unit, one row per surface.
+    surfaces : collection of str
+        The surfaces of the study.
+    given_as : str
+        The option or key that names the table, for messages.
+
+    Returns
+    -------
+    pandas.DataFrame
+        By line of the file: surface; mean and median in N, positive; and count, the number of
+        tests. A single test is its own mean and median.
+
+    Raises
+    ------
+    ValueError
+        With a line for each faulty row.
     """
     table = user_table(path, f"a table of forces ({given_as})")
     columns = SUMMARIES if "mean" in table.header else TESTS
@@ -174,7 +190,7 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
                 f"{name}: expected a force above zero, found {quote_cell(row[name])}: of a test "
                 "below the noise write the noise, which makes the mean an upper bound"
             )
-    mean, median = (FORCE.number(f"{row[name]} {row['unit']}") for name in names)
+    mean, median = (FORCE_QUANTITY.number(f"{row[name]} {row['unit']}") for name in names)
     if surface not in surfaces:
         raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_cell(surface)}")
     if not re.fullmatch("[1-9][0-9]{0,8}", count):
@@ -191,7 +207,7 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
     """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
     for line, row in _description(path, NUMBER_COLUMNS, ("model", "table")).items():
         model, hurst = row["model"], row["hurst"]
-        models = [name for name in MODELS if line > 2 or name != "power law"]
+        models = [name for name in BAND_MODELS if line > 2 or name != "power law"]
         missing_rows = (
             set() if hurst else set(CALIBRATION_ROWS.get(model, ())).difference(published)
         )
@@ -212,7 +228,7 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
         ]
         refuse_lines(faults[:1])
         if model == "profile":
-            _description(Path(path).parent / row["table"], POINTS)
+            _description(Path(path).parent / row["table"], PROFILE_COLUMNS)
 
 
 def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
@@ -222,7 +238,7 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
     Table 1, to which substitutes with these names are conditioned. Raises ValueError with one line.
     """
     bands = read_bands(path)
-    if surface in published or is_calibrated(bands):
+    if surface in published or needs_calibration(bands):
         raise ValueError(
             "config key published: expected paper in a study with substitutes for its surfaces "
             f"({surface}), found none"

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from hardcontact.base.units import printed, token
+from hardcontact.base.units import path_token, print_exact
 from hardcontact.config.patterns import STUDY_VARIANT
 from hardcontact.config.selection import Selection
 from hardcontact.contact.contact import Contact
@@ -125,8 +125,8 @@ def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Var
         variants_made += [
             replace(
                 baseline,
-                name=f"{quantity}-{token(value, unit)}",
-                label=f"{quantity} {printed(value, printed_unit)}",
+                name=f"{quantity}-{path_token(value, unit)}",
+                label=f"{quantity} {print_exact(value, printed_unit)}",
                 group=quantity,
                 contact=replace(contact, **{quantity: value}),
             )

@@ -7,10 +7,10 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import stack
+from hardcontact.contact.contact import CONTACT_AXES
 
 #: Datasets by their labels: the surface first.
 Parts = Mapping[tuple[Any, ...], xr.Dataset]
-CONTACT_AXES = ("contact_y", "contact_x")
 
 
 class Described(TypedDict):
@@ -21,7 +21,20 @@ class Described(TypedDict):
 
 
 def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
-    """Return a dataset with the label and the basis of every surface of it."""
+    """Return a dataset with the label and the basis of each of its surfaces.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Over surface.
+    described : Described
+        Label and basis by surface.
+
+    Returns
+    -------
+    xarray.Dataset
+        The dataset with ``label`` (surface) and ``basis`` (surface).
+    """
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
         label=("surface", [described["labels"][surface] for surface in surfaces]),
@@ -30,7 +43,18 @@ def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
 
 
 def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
-    """Return `pull_off_of_pair` of one scan on all scans of the sphere, with contacts by number."""
+    """Return the forces of one scan on all scans of the sphere, with contacts by number.
+
+    Parameters
+    ----------
+    pairs : mapping of int to xarray.Dataset
+        By number of the sphere scan: the dataset of `pull_off_of_pair`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The same variables over (sphere_scan, ...).
+    """
     # Positions of contacts differ between pixel sizes.
     numbered = {
         (scan,): pair.assign_coords({axis: range(pair.sizes[axis]) for axis in CONTACT_AXES})
@@ -42,8 +66,18 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
 def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    The scans come from `over_sphere_scans`, with `wider_window_change`, by (surface, scan).
-    ``contact_pixels`` (contact_model) are the most of any pair.
+    Parameters
+    ----------
+    scans : mapping
+        By (surface, scan): the dataset of `over_sphere_scans`, with `wider_window_change`.
+    described : Described
+        Label and basis by surface.
+
+    Returns
+    -------
+    xarray.Dataset
+        The same variables over (surface, scan, ...); ``contact_pixels`` (contact_model) is the
+        largest of all pairs.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
@@ -54,11 +88,22 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
 def single_masters(
     files: Iterable[tuple[Sequence[str], xr.Dataset]], realizations: int, load: str | None = None
 ) -> Parts:
-    """Return the forces on each master, by the key of its file, realization and side.
+    """Return the forces on each master.
 
-    The files come from `filtered_masters.filtered_pull_off`; realizations beyond the number asked
-    for are left out. With a load, the forces are those at it, at the single radius and range of the
-    file.
+    Parameters
+    ----------
+    files : iterable of tuple
+        Key of a file, beginning with the surface, and its dataset from
+        `filtered_masters.filtered_pull_off`.
+    realizations : int
+        Number of realizations; further ones are left out.
+    load : str or None
+        The only load, at the single radius and range of the file; None for all loads.
+
+    Returns
+    -------
+    dict
+        By key of the file, realization and side: the dataset of one master.
     """
     masters: dict[tuple[Any, ...], xr.Dataset] = {}
     for key, file in files:
@@ -75,9 +120,20 @@ def single_masters(
 
 
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
-    """Return the `elastic_contacts_of_pair` of all surfaces and scans, by (surface, scan).
+    """Return the elastic contacts of all surfaces and scans.
 
-    The ``pressure`` (surface, y, x) shows one contact on the first scan of each surface.
+    Parameters
+    ----------
+    scans : mapping
+        By (surface, scan): the dataset of `elastic_contacts_of_pair`.
+    described : Described
+        Label and basis by surface.
+
+    Returns
+    -------
+    xarray.Dataset
+        The same variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows one
+        contact on the first scan of each surface.
     """
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
@@ -93,9 +149,17 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
 def stacked_forces(masters: Parts) -> xr.Dataset:
     """Return the forces on all filtered masters, and their ratios to the unfiltered forces.
 
-    The masters come from `forces_at_cutoffs`, by (surface, realization, side); forces are NaN at
-    cutoffs of the other side. ``unfiltered_wavelength`` is over (surface, side), ``ratio``
-    (surface, realization, side, cutoff_wavelength, ...) compares means over contacts.
+    Parameters
+    ----------
+    masters : mapping
+        By (surface, realization, side): the dataset of `forces_at_cutoffs`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The same variables over (surface, realization, side, ...), NaN at cutoffs of the other side.
+        ``ratio`` (surface, realization, side, cutoff_wavelength, ...) compares means over contacts;
+        ``unfiltered_wavelength`` (surface, side) is in nm.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -114,9 +178,19 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
 def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with the changes that another spectrum makes.
 
-    Both come from `stacked_forces`; varied masters have drawn spectra and the same random numbers.
-    ``log_ratio_shift`` and ``log_unfiltered_force_shift`` are changes of the logarithms of
-    ``ratio`` and of the mean ``unfiltered_pull_off_force``, NaN where there is no other master.
+    Parameters
+    ----------
+    scales : xarray.Dataset
+        From `stacked_forces`, for masters with the most likely spectra.
+    varied : xarray.Dataset
+        From `stacked_forces`, for masters with drawn spectra and the same random numbers.
+
+    Returns
+    -------
+    xarray.Dataset
+        `scales` with ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the changes of the
+        logarithms of ``ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if there is no
+        varied master.
     """
     whole = "unfiltered_pull_off_force"
     ratio = varied["ratio"] / scales["ratio"]
@@ -130,7 +204,20 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
-    """Return forces of masters with the wavelengths (nm) where artificial roughness begins."""
+    """Return forces of masters with the wavelengths at which artificial roughness begins.
+
+    Parameters
+    ----------
+    scales : xarray.Dataset
+        Over side.
+    transitions : mapping of str to float
+        Wavelength in nm by side.
+
+    Returns
+    -------
+    xarray.Dataset
+        The forces with ``transition`` (side) in nm.
+    """
     attributes = {"units": "nm", "long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]
     return scales.assign(transition=("side", lengths, attributes))

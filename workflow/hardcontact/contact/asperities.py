@@ -16,18 +16,23 @@ from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 
 Floats = NDArray[np.float64]
 
-UNITS = {"largest_share": "1", "two_largest_share": "1", "patch_count": "1", "extent": "nm"}
-#: Share of the force that patches carry: they are those of the fewest pixels.
+ASPERITY_UNITS = {
+    "largest_share": "1",
+    "two_largest_share": "1",
+    "patch_count": "1",
+    "extent": "nm",
+}
+#: Share of the force that the patches of the fewest pixels carry.
 SHARE = 0.9
 
 
 def asperities(
     attraction: Floats, share: float, pixel_size: float
 ) -> tuple[float, float, int, float]:
-    """Return the numbers of UNITS of the fewest pixels that carry a share of the force.
+    """Return the ASPERITY_UNITS of the fewest pixels that carry a share of the force.
 
-    They are the shares of the force that the largest patch and the two largest carry, how many
-    patches there are, and the diameter in nm of the circle about the centre of force that holds the
+    These are the shares of the force that the largest patch and the two largest patches carry, the
+    number of patches, and the diameter in nm of the circle about the centre of force that holds the
     share. The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
@@ -49,44 +54,61 @@ def _diameter(attraction: Floats, share: float, total: float) -> int:
     y, x = (np.arange(pixels) for pixels in attraction.shape)
     centre_y, centre_x = attraction.sum(axis=1) @ y / total, attraction.sum(axis=0) @ x / total
     from_y, from_x = y - centre_y, x - centre_x
-    reach, carried = 32, np.zeros(1)
-    # Squares about the centre, each twice the one before, until a circle in one holds the share.
-    while carried[-1] < share * total and reach < 2 * max(attraction.shape):
-        reach *= 2
-        rows, columns = (np.flatnonzero(abs(distance) <= reach) for distance in (from_y, from_x))
+    half_width, carried = 32, np.zeros(1)
+    # Squares about the centre, each twice as wide, until a circle in one holds the share.
+    while carried[-1] < share * total and half_width < 2 * max(attraction.shape):
+        half_width *= 2
+        rows = np.flatnonzero(abs(from_y) <= half_width)
+        columns = np.flatnonzero(abs(from_x) <= half_width)
         near = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
         distance = np.rint(np.hypot(from_y[near[0], None], from_x[near[1]])).astype(int)
-        carried = np.cumsum(np.bincount(distance.ravel(), attraction[near].ravel())[:reach])
+        carried = np.cumsum(np.bincount(distance.ravel(), attraction[near].ravel())[:half_width])
     return 2 * int(np.searchsorted(carried, share * total))
 
 
 def asperities_of_pair(
     bodies: Bodies,
     contact: Contact,
-    places: NDArray[np.int_],
+    contact_indices: NDArray[np.int_],
     share: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
-    """Return which asperities carry the force of some plastic contacts, by range of adhesion.
+    """Return which asperities carry the force of some plastic contacts.
 
-    The places (contact, 2) are of the array, ranges in nm. The dataset has UNITS (contact, rho).
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    contact : Contact
+        Load and hardness.
+    contact_indices : numpy.ndarray
+        (contact, 2) Row and column of each contact in the array of contacts.
+    share : float
+        Share of the force, between 0 and 1.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables of ASPERITY_UNITS (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixels = contact.pixels(pixel_size)
     carriers = []
-    for index in progress(places, len(places), "contacts"):
+    for index in progress(contact_indices, len(contact_indices), "contacts"):
         gap = flattened_gaps(gap_map(bodies, index), contact_pixels)
         carriers.append([asperities(np.exp(-gap / rho), share, pixel_size) for rho in ranges])
     values = np.array(carriers)
     return xr.Dataset(
         {
             name: (("contact", "rho"), values[..., k], {"units": unit})
-            for k, (name, unit) in enumerate(UNITS.items())
+            for k, (name, unit) in enumerate(ASPERITY_UNITS.items())
         },
         {
             "rho": ("rho", ranges, {"units": "nm", "long_name": "range of adhesion"}),
-            "contact_y": ("contact", places[:, 0]),
-            "contact_x": ("contact", places[:, 1]),
+            "contact_y": ("contact", contact_indices[:, 0]),
+            "contact_x": ("contact", contact_indices[:, 1]),
         },
         {"share": share, "sphere_radius": bodies.geometry.radius},
     )

@@ -5,18 +5,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
+#: Axes of the array of contacts.
+CONTACT_AXES = ("contact_y", "contact_x")
+#: Dimensions of single contacts, and of the scans of the sphere with which they are made.
+CONTACT_DIMENSIONS = ("sphere_scan", "contact", *CONTACT_AXES)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
     """A sphere pressed onto a surface at an array of contacts.
 
-    A window, range or work that nothing depends on may be left out; computing with it then fails.
+    Window, range and work may be left out if nothing uses them.
     """
 
-    radius: float  #: Of the sphere, in nm.
-    preload: float  #: In N.
-    hardness: float  #: Of the softer body, in Pa.
-    window: float = math.nan  #: Edge in nm of the square about each contact that is analysed.
+    radius: float  #: Radius of the sphere in nm.
+    preload: float  #: Load in N.
+    hardness: float  #: Hardness of the softer body in Pa.
+    window: float = math.nan  #: Edge in nm of the square around each contact that attracts.
     count: int = 1  #: Contacts along an edge of the array; there are count x count.
     range: float = math.nan  #: Range of adhesion rho in nm.
     work: float = math.nan  #: Work of adhesion in J/m².
@@ -41,5 +46,20 @@ class Contact:
 
 
 def contact_of_area(radius: float, rho: float, work: float, area: float) -> Contact:
-    """Return a contact whose preload an area (nm²) carries, at a hardness of 1 N/nm²."""
+    """Return a contact whose preload an area carries, at a hardness of 1 N/nm².
+
+    Parameters
+    ----------
+    radius, rho : float
+        Radius of the sphere and range of adhesion in nm.
+    work : float
+        Work of adhesion in J/m².
+    area : float
+        Area of contact in nm².
+
+    Returns
+    -------
+    Contact
+        A single contact.
+    """
     return Contact(radius=radius, range=rho, work=work, preload=area, hardness=1e18)

@@ -1,8 +1,8 @@
 """Elastic contact with the solvers of ContactMechanics and Adhesion, without plasticity.
 
 A rough body of height -gap is pressed into, or pulled off, a flat periodic half space of the
-effective modulus. Towards the solvers lengths are in nm, forces in nN, pressures in GPa, energies
-per area in J/m².
+effective modulus. The solvers get lengths in nm, forces in nN, pressures in GPa, energies per area
+in J/m².
 """
 
 from typing import Any
@@ -34,12 +34,12 @@ PASCAL_PER_GPA = 1e9
 NEWTON_PER_NN = 1e-9
 
 #: Edge in nm of the window about a contact in which elastic and rigid pull-off are compared, and
-#: the least pixels along it.
+#: the smallest number of pixels along it.
 PULL_OFF_WINDOW = 2500.0
-LEAST_WINDOW_PIXELS = 16
+MIN_WINDOW_PIXELS = 16
 #: Overlap or open gap (nm) that pixels in contact may have.
 OVERLAP = 1e-4
-#: Residual force on a pixel that counts as equilibrium, over the largest adhesive force on one.
+#: Largest residual force on a pixel in equilibrium, relative to the largest adhesive force on one.
 RESIDUAL = 1e-4
 
 
@@ -97,6 +97,7 @@ def adhesive_pull_off(
     iterations = 0
 
     def force(offset: float) -> float:
+        """Return the total force (nN) at an offset (nm), negative for attraction."""
         nonlocal displacement, iterations
         solution = system.minimize_proxy(
             offset=offset,
@@ -137,12 +138,12 @@ def _check_equilibrium(solution: Any, system: Any, largest: float) -> None:
 
 
 def _refuse(failed: bool, reason: str) -> None:
-    """Raise ValueError if something is wrong."""
+    """Raise ValueError with the reason if `failed`."""
     if failed:
         raise ValueError(f"expected an elastic contact in equilibrium, found {reason}")
 
 
-UNITS = {
+ELASTIC_UNITS = {
     "contact_area": "nm2",
     "share_above_hardness": "1",
     "peak_pressure": "Pa",
@@ -155,25 +156,46 @@ UNITS = {
 def elastic_contacts_of_pair(
     bodies: Bodies,
     contact: Contact,
-    places: NDArray[np.int_],
+    contact_indices: NDArray[np.int_],
     modulus: float,
     pull_off_window: float,
 ) -> xr.Dataset:
-    """Return some contacts of a pair of scans, elastic instead of rigid or plastic.
+    """Solve some contacts of a pair of scans with elasticity, without plasticity.
 
-    The places (contact, 2) are of the array, the effective modulus is in Pa. The pull-off is solved
-    in a window (edge in nm) about the lowest gap of the contact. The dataset has UNITS by contact,
-    and of the first the pressure (y, x) about its peak.
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    contact : Contact
+        Load, hardness, range and work of adhesion.
+    contact_indices : numpy.ndarray
+        (contact, 2) Row and column of each contact in the array of contacts.
+    modulus : float
+        Effective modulus in Pa.
+    pull_off_window : float
+        Edge in nm of the window around the lowest gap in which pull-off is solved.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables of ELASTIC_UNITS (contact); ``share_above_hardness`` is the share of the
+        contact area whose pressure exceeds the hardness. ``pressure`` (y, x) in Pa around its peak,
+        for the first contact.
+
+    Raises
+    ------
+    ValueError
+        If a solver finds no equilibrium.
     """
     geometry = bodies.geometry
     pixel_size = bodies.geometry.pixel_size
     period = min(bodies.substrate.pixels, geometry.window)
-    window = min(max(window_pixels(pull_off_window, pixel_size), LEAST_WINDOW_PIXELS), period)
-    numbers: list[tuple[float, ...]] = []
-    peaks = []
+    window = min(max(window_pixels(pull_off_window, pixel_size), MIN_WINDOW_PIXELS), period)
+    contact_rows: list[tuple[float, ...]] = []
+    pressure_maps = []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):
-        for index in progress(places, len(places), "elastic contacts"):
+        for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
             gap = gap_map(bodies, index)
             period_gap = part_around_lowest(gap, period)
             window_gap = part_around_lowest(gap, window)
@@ -181,30 +203,34 @@ def elastic_contacts_of_pair(
             rigid, elastic = adhesive_pull_off(
                 window_gap, pixel_size, modulus, contact.work, contact.range
             )
-            carried = pressure[pressure > 0]
-            numbers.append(
+            contact_pressure = pressure[pressure > 0]
+            contact_rows.append(
                 (
-                    carried.size * pixel_size**2,
-                    float(np.mean(carried > contact.hardness)),
-                    carried.max(),
-                    carried.mean(),
+                    contact_pressure.size * pixel_size**2,
+                    float(np.mean(contact_pressure > contact.hardness)),
+                    contact_pressure.max(),
+                    contact_pressure.mean(),
                     rigid,
                     elastic,
                 )
             )
-            peaks.append(-part_around_lowest(-pressure, min(64, period)))
+            # The highest pressure is the lowest negative pressure.
+            pressure_maps.append(-part_around_lowest(-pressure, min(64, period)))
     variables: dict[str, Any] = {
         name: ("contact", list(values), {"units": unit})
-        for (name, unit), values in zip(UNITS.items(), zip(*numbers, strict=True), strict=True)
+        for (name, unit), values in zip(
+            ELASTIC_UNITS.items(), zip(*contact_rows, strict=True), strict=True
+        )
     }
     example = {"units": "Pa", "long_name": "pressure in one contact"}
-    position = (np.arange(len(peaks[0])) - len(peaks[0]) // 2) * pixel_size
+    pixels = len(pressure_maps[0])
+    position = (np.arange(pixels) - pixels // 2) * pixel_size
     from_peak = {"units": "nm", "long_name": "position from the peak"}
     return xr.Dataset(
-        variables | {"pressure": (("y", "x"), peaks[0], example)},
+        variables | {"pressure": (("y", "x"), pressure_maps[0], example)},
         {
-            "contact_y": ("contact", places[:, 0]),
-            "contact_x": ("contact", places[:, 1]),
+            "contact_y": ("contact", contact_indices[:, 0]),
+            "contact_x": ("contact", contact_indices[:, 1]),
             "y": ("y", position, from_peak),
             "x": ("x", position, from_peak),
         },

@@ -1,5 +1,6 @@
 """Pull-off forces over scans: means against the range of adhesion, distributions of contacts."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -14,14 +15,12 @@ from hardcontact.base.statistics import (
     student_log_samples,
     with_interval,
 )
-
-#: Dimensions of single contacts, and of the sphere scans they are made with.
-CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
+from hardcontact.contact.contact import CONTACT_DIMENSIONS
 
 
 def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
-    """Return the mean force (surface, scan, rho) of each scan, over CONTACTS that forces have."""
-    contacts = [name for name in CONTACTS if name in forces.dims]
+    """Return the mean force (surface, scan, rho) over the contacts of each scan."""
+    contacts = [name for name in CONTACT_DIMENSIONS if name in forces.dims]
     return forces.mean(contacts).transpose("surface", "scan", "rho")
 
 
@@ -30,10 +29,25 @@ def mean_forces(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Average forces over all scans of each surface, and sample this mean.
 
-    Forces (surface, scan, rho), of scans or of their contacts, are NaN where a scan is missing.
-    Samples (sample, surface, rho) by `student_log_samples` are NaN for a surface with a single
-    scan. The random numbers of a surface depend on the purpose and its name alone: contact models
-    share them.
+    The random numbers of a surface depend on the purpose and its name alone: contact models share
+    them.
+
+    Parameters
+    ----------
+    forces : xarray.DataArray
+        Forces (surface, scan, rho) in N, of scans or also of their contacts; NaN for a missing
+        scan.
+    sampling : Sampling
+        Random numbers.
+    purpose : str
+        Purpose of the random numbers.
+
+    Returns
+    -------
+    means : numpy.ndarray
+        (surface, rho) N.
+    samples : numpy.ndarray
+        (sample, surface, rho) N, by `student_log_samples`; NaN for a surface with a single scan.
     """
     scans = mean_of_each_scan(forces)
     samples = [
@@ -48,35 +62,53 @@ def mean_forces(
 
 
 def force_curves(
-    forces: xr.DataArray, means: np.ndarray, sampled: np.ndarray, reference: int, sampling: Sampling
+    forces: xr.DataArray,
+    means: np.ndarray,
+    mean_samples: np.ndarray,
+    reference_index: int,
+    sampling: Sampling,
 ) -> dict[str, Any]:
-    """Return mean forces and their ratios to a reference surface, over surface and rho.
+    """Return mean forces and their ratios to a reference surface.
 
-    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) have the means and samples of
-    `mean_forces`; the reference is the index of a surface.
+    Parameters
+    ----------
+    forces : xarray.DataArray
+        Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N.
+    means, mean_samples : numpy.ndarray
+        The means and samples of these forces, from `mean_forces`.
+    reference_index : int
+        Index of the reference surface.
+    sampling : Sampling
+        Confidence of the intervals.
+
+    Returns
+    -------
+    dict of str to variable
+        ``mean_force`` in N and ``ratio``, both (surface, rho), with their intervals.
     """
     dimensions = ("surface", "rho")
-    ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
+    ratio = means / means[reference_index]
+    ratio_samples = mean_samples / mean_samples[:, [reference_index]]
     interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
     return {
         **with_interval(
             "mean_force", dimensions, means, interval.values, {"units": "N"}, sampling.confidence
         ),
-        **sampling.with_interval("ratio", dimensions, ratio, ratios, {"units": "1"}),
+        **sampling.with_interval("ratio", dimensions, ratio, ratio_samples, {"units": "1"}),
     }
 
 
-def on_fine_grid(forces: np.ndarray, rhos: np.ndarray, fine: np.ndarray) -> np.ndarray:
-    """Return forces (..., rho) on a fine grid of rho, by a cubic spline in log F and log rho.
+def interpolate_to_ranges(forces: np.ndarray, rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
+    """Return forces (..., rho) at other ranges (nm), by a cubic spline in log F and log rho.
 
-    NaN beyond the ranges computed.
+    NaN beyond the computed ranges `rhos`.
     """
-    interpolated: np.ndarray = np.exp(np.log(forces) @ _weights(rhos, fine))
+    interpolated: np.ndarray = np.exp(np.log(forces) @ _weights(rhos, ranges))
     return interpolated
 
 
-def at_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
-    """Return forces (..., rho, ...) at one rho in nm, interpolated as `on_fine_grid` does."""
+def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
+    """Return forces (..., rho, ...) at one rho (nm), by the spline of `interpolate_to_ranges`."""
     weights = xr.DataArray(_weights(forces.rho.values, np.array([rho]))[:, 0], dims="rho")
     logarithms = xr.apply_ufunc(np.log, forces).drop_vars("rho")
     interpolated: xr.DataArray = xr.apply_ufunc(
@@ -95,8 +127,8 @@ def _weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
     return weights
 
 
-#: What is computed of the forces, with its unit.
-STATISTICS = {
+#: Statistics of the forces on one surface, with their units.
+FORCE_STATISTICS = {
     "mean_force_at_pair": "N",
     "median_force_at_pair": "N",
     "lognormal_shape": "1",
@@ -104,50 +136,66 @@ STATISTICS = {
     "censored_fraction": "1",
 }
 
-#: Those of the forces of all scans together.
-POOLED = ["median_force_at_pair", "lognormal_shape", "lognormal_median"]
+#: Statistics of the forces on all scans together; their intervals come from the jackknife.
+POOLED_STATISTICS = ["median_force_at_pair", "lognormal_shape", "lognormal_median"]
 
 
 def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
-    Forces (scan, sphere_scan, contact) are in N, NaN where one is missing; those below the floor
-    enter the fit as censored ones. The scalars STATISTICS have intervals over substrate scans: the
-    mean and the censored fraction by Student's t, those of POOLED by the jackknife. All are NaN
-    where all forces are.
+    Parameters
+    ----------
+    forces : numpy.ndarray
+        (scan, sphere_scan, contact) N, NaN for a missing scan or contact.
+    floor : float
+        Smallest measurable force in N. Smaller forces enter the fit as censored.
+    sampling : Sampling
+        Confidence of the intervals; without samples there are none.
+
+    Returns
+    -------
+    xarray.Dataset
+        The scalars FORCE_STATISTICS with intervals over substrate scans: the mean and the censored
+        fraction by Student's t, POOLED_STATISTICS by the jackknife. All are NaN if all forces are.
     """
-    has_scan, has_sphere, has_contact = (
-        np.isfinite(forces).any(axis=axes) for axes in ((1, 2), (0, 2), (0, 1))
-    )
-    finite_forces = forces[np.ix_(has_scan, has_sphere, has_contact)]
-    finite_forces = finite_forces.reshape(has_scan.sum(), has_sphere.sum() * has_contact.sum())
+    is_finite = np.isfinite(forces)
+    scan_exists = is_finite.any(axis=(1, 2))
+    sphere_exists = is_finite.any(axis=(0, 2))
+    contact_exists = is_finite.any(axis=(0, 1))
+    finite_forces = forces[np.ix_(scan_exists, sphere_exists, contact_exists)]
+    finite_forces = finite_forces.reshape(scan_exists.sum(), math.prod(finite_forces.shape[1:]))
     scan_forces = xr.DataArray(finite_forces, dims=("scan", "contact"))
     mean = scan_forces.mean("contact")
     censored = (scan_forces < floor).mean("contact")
-    pooled, confidence = _pooled(finite_forces, floor), sampling.confidence
-    values = dict(zip(POOLED, pooled, strict=True))
+    confidence = sampling.confidence
+    pooled = _pooled_statistics(finite_forces, floor)
+    values = dict(zip(POOLED_STATISTICS, pooled, strict=True))
     values |= {
         "mean_force_at_pair": float(mean.mean()),
         "censored_fraction": float(censored.mean()),
     }
-    ends = dict.fromkeys(STATISTICS, np.full(2, np.nan))
+    intervals = dict.fromkeys(FORCE_STATISTICS, np.full(2, np.nan))
     if sampling.samples:
-        left_out = [
-            _pooled(np.delete(finite_forces, scan, axis=0), floor)
+        leave_one_out = [
+            _pooled_statistics(np.delete(finite_forces, scan, axis=0), floor)
             for scan in range(len(finite_forces))
         ]
-        ends = dict(zip(POOLED, jackknife_interval(pooled, left_out, confidence), strict=True))
-        ends["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
-        ends["censored_fraction"] = student_interval(censored, confidence, "scan").clip(0, 1).values
+        pooled_intervals = jackknife_interval(pooled, leave_one_out, confidence)
+        censored_interval = student_interval(censored, confidence, "scan").clip(0, 1)
+        intervals = dict(zip(POOLED_STATISTICS, pooled_intervals, strict=True))
+        intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
+        intervals["censored_fraction"] = censored_interval.values
     variables: dict[str, Any] = {}
-    for name, unit in STATISTICS.items():
-        variables |= with_interval(name, (), values[name], ends[name], {"units": unit}, confidence)
+    for name, unit in FORCE_STATISTICS.items():
+        variables |= with_interval(
+            name, (), values[name], intervals[name], {"units": unit}, confidence
+        )
     return xr.Dataset(variables)
 
 
-def _pooled(forces: np.ndarray, floor: float) -> np.ndarray:
-    """Return those of POOLED of all forces (N) together: (3,), NaN where there is no force."""
+def _pooled_statistics(forces: np.ndarray, floor: float) -> np.ndarray:
+    """Return the POOLED_STATISTICS (3,) of all forces (N) together; NaN without forces."""
     if not forces.size:
-        return np.full(len(POOLED), np.nan)
+        return np.full(len(POOLED_STATISTICS), np.nan)
     shape, median, _ = lognormal_fit(forces.ravel(), floor)
     return np.array([np.median(forces), shape, median])

@@ -14,7 +14,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.sphere_sums import Contacts, outside_sums
 from hardcontact.contact.touched_places import touched_places
@@ -31,8 +31,6 @@ NEWTON_PER_JOULE_M2_NM = 1e-9
 WORK_OF_ADHESION = 1.0
 #: Attributes of a stored force.
 FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
-
-CONTACT_AXES = ("contact_y", "contact_x")
 
 
 def load_axis(contacts: Sequence[Contact]) -> dict[str, Axis]:
@@ -98,11 +96,28 @@ def _gaps(contacts: Contacts) -> Floats:
 
 
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
+    """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
 
-    The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
-    ``apex_depth`` (contact_model, contact_y, contact_x), ``contact_pixels`` (contact_model)
-    and the number of `touched_places`.
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    contact : Contact
+        Load and hardness.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
+        ``apex_depth`` (contact_model, contact_y, contact_x) in nm, ``contact_pixels``
+        (contact_model) and the number of `touched_places`.
+
+    Raises
+    ------
+    ValueError
+        If a range is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
     counts = [1, contact.pixels(pixel_size)]
@@ -151,7 +166,22 @@ def _forces(
 def mean_pull_off_of_pair(
     bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return plastic (load, rho) and rigid (rho) forces of a pair averaged over its contacts."""
+    """Return the forces of a pair of scans, averaged over its contacts.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    contacts : sequence of Contact
+        One for each load.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        In N at 1 J/m²: plastic ``pull_off_force`` (load, rho) and ``rigid_pull_off_force`` (rho).
+    """
     counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
     rigid, *plastic = _forces(bodies, [1, *counts], ranges)[1].mean(axis=(-2, -1))
     return xr.Dataset(
@@ -165,9 +195,21 @@ def mean_pull_off_of_pair(
 
 
 def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
-    """Return the mean plastic force on pixels of half the size over that on those of a pair.
+    """Return the mean plastic force on pixels of half the size, relative to those of a pair.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    contact : Contact
+        Load, hardness and range of adhesion.
+
+    Returns
+    -------
+    xarray.Dataset
+        The ratio of the forces, a single number.
     """
     geometry = bodies.geometry
     substrate, sphere = bodies.substrate, bodies.roughness
@@ -193,9 +235,19 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
 
 
 def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
-    """Return the largest change of the plastic force in a window larger by a period on each side.
+    """Return how much the plastic force changes in a window larger by a period on each side.
 
-    The pairs are one substrate with several rough spheres.
+    Parameters
+    ----------
+    pairs : iterable of Bodies
+        One substrate with several scans of the sphere.
+    contact : Contact
+        Load, hardness and range of adhesion.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``wider_window_change``, the largest relative change over contacts and pairs.
     """
     changes = []
     for bodies in pairs:

@@ -1,9 +1,9 @@
 """One place of the sphere pressed onto many places of a substrate: indents accumulate.
 
-At each contact pixels of the softer sphere that penetrate the substrate are flattened to it, and
-stay so. Not modelled: elastic recovery, hardening, material that piles up beside an indent, wear
-and transfer. Places are drawn at random on a large random surface: in a mirrored scan every summit
-would press its indent into the points of a lattice.
+At each contact, pixels of the softer sphere that penetrate the substrate are flattened, and stay
+flat. The model has no elastic recovery, hardening, pile-up beside an indent, wear or transfer.
+Places are drawn at random on a large random surface: in a mirrored scan every summit would press
+its indent into the points of a lattice.
 """
 
 from collections.abc import Iterator, Sequence
@@ -27,14 +27,14 @@ from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
 Floats = NDArray[np.float64]
-#: Most pixels along an edge of a large surface.
+#: Largest number of pixels along an edge of a large surface.
 MAX_PIXELS = 4096
 
 
 def over_window(bodies: Bodies) -> Bodies:
-    """Return the same bodies with the sphere's roughness over its whole window as one period.
+    """Return the same bodies, with a period of the sphere's roughness that fills the window.
 
-    The roughness of a scan is continued periodically, indents in it must not be.
+    The roughness of a scan repeats itself; indents must not.
     """
     geometry, substrate = bodies.geometry, bodies.substrate
     offset = np.fft.ifftshift(geometry.offsets())
@@ -52,8 +52,8 @@ def repeated_contacts(
     """Press one place of a sphere onto places of a substrate, and yield contacts and depths.
 
     The positions (contacts, 2) are pixels (row, column) of the substrate under the apex. A contact
-    has the gaps before they were flattened. The depth (window, window) in nm is what the sphere is
-    flattened by after it, about the apex; the next contact changes the same array.
+    has the gaps before flattening. The depth (window, window) in nm is the total flattening of the
+    sphere around the apex after the contact; the next contact changes the same array.
     """
     substrate, wide = as_tiles(bodies.substrate), over_window(bodies)
     assert wide.roughness is not None
@@ -81,7 +81,22 @@ def _flatten(roughness: Tiles, offsets: NDArray[np.int_], penetration: Floats) -
 def large_surface(
     rng: np.random.Generator, spectrum: Spectrum, size: float, pixel_size: float
 ) -> HeightMap:
-    """Return a random surface of at most a size (nm) and MAX_PIXELS pixels along an edge."""
+    """Return a random surface, as large as its pixels permit.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Source of the heights.
+    spectrum : Spectrum
+        C_iso of the surface.
+    size, pixel_size : float
+        Largest size and size of a pixel in nm.
+
+    Returns
+    -------
+    HeightMap
+        Periodic, with at most MAX_PIXELS pixels along an edge.
+    """
     pixels = min(window_pixels(size, pixel_size), MAX_PIXELS)
     return random_surface(rng, pixels, pixel_size, spectrum)
 
@@ -89,21 +104,49 @@ def large_surface(
 def indented_area_ratio(
     bodies: Bodies, contact_pixels: int, rng: np.random.Generator, contacts: int
 ) -> float:
-    """Return the area of the indents of many contacts over that of as many separate contacts.
+    """Return the area of the indents of many contacts relative to as many separate contacts.
 
-    One place of the sphere meets random places of the substrate. It is one where no indents
-    overlap.
+    One place of the sphere meets random places of the substrate.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    contact_pixels : int
+        Number of pixels in contact.
+    rng : numpy.random.Generator
+        Source of the places.
+    contacts : int
+        Number of contacts.
+
+    Returns
+    -------
+    float
+        One if no indents overlap.
     """
     places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
     indented_pixels = [
         np.count_nonzero(depth) for _, depth in repeated_contacts(bodies, places, contact_pixels)
     ]
-    # The first contact is that of a sphere without indents, and so are separate ones.
+    # Separate contacts are all like the first one, on a sphere without indents.
     return indented_pixels[-1] / (contacts * indented_pixels[0])
 
 
 def mean_over_surfaces(ratios: Sequence[float], confidence: float) -> xr.Dataset:
-    """Return the mean of `indented_area_ratio` over surfaces, with an interval above 0."""
+    """Return the mean of `indented_area_ratio` over surfaces, with its interval.
+
+    Parameters
+    ----------
+    ratios : sequence of float
+        Ratio of each surface.
+    confidence : float
+        Confidence of the interval, by Student's t; it does not reach below 0.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``indented_area_ratio`` and its interval.
+    """
     ratio = xr.DataArray(list(ratios), dims="scan", attrs={"units": "1"})
     interval = student_interval(ratio, confidence, "scan").clip(0, keep_attrs=True)
     return xr.Dataset(

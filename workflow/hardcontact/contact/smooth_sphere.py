@@ -40,10 +40,10 @@ PAPER_MODULUS = effective_modulus(
     {"modulus": 365e9, "poisson_ratio": 0.29}, {"modulus": 1010e9, "poisson_ratio": 0.22}
 )
 
-#: Hardness in Pa below which PAPER_MODULUS says nothing: a tenth of that of the paper's diamond.
-#: Moduli are ten to some hundred times the hardness (ceramics, metals), so bodies of this one may
-#: be ten times as compliant as the paper's.
-SOFT = 2.5e9
+#: Hardness in Pa below which PAPER_MODULUS is not assumed: a tenth of that of the paper's diamond.
+#: Moduli are ten to some hundred times the hardness (ceramics, metals), so bodies of this hardness
+#: may be ten times as compliant as the paper's.
+SOFT_HARDNESS = 2.5e9
 
 #: Work in J/m² to part diamond along (111): no known solids adhere more strongly. Source: J. E.
 #: Field, The Properties of Diamond (Academic Press, 1979).
@@ -51,8 +51,8 @@ STRONGEST_WORK = 10.6
 
 
 def assumed_modulus(hardness: float) -> float:
-    """Return the effective modulus (Pa) to assume of bodies of a hardness (Pa), NaN if SOFT."""
-    return PAPER_MODULUS if hardness >= SOFT else np.nan
+    """Return the effective modulus (Pa) to assume at a hardness (Pa); NaN below SOFT_HARDNESS."""
+    return PAPER_MODULUS if hardness >= SOFT_HARDNESS else np.nan
 
 
 def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
@@ -102,7 +102,7 @@ def maugis_parameter(tabor: Values) -> Values:
 
 
 def transition_coefficient(maugis: Values) -> Values:
-    """Return the pull-off force over πWR for Maugis parameters, by the fit of Carpick et al.
+    """Return the pull-off force relative to πWR for Maugis parameters, by the fit of Carpick et al.
 
     7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1): 2 (DMT) to 3/2 (JKR). Carpick, Ogletree and Salmeron,
     J. Colloid Interface Sci. 211 (1999) 395, as used by Grierson, Flater and Carpick, J. Adhes.

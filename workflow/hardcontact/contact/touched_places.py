@@ -1,7 +1,7 @@
 """The number of places of a scan that its contacts touch.
 
-A particle on a flat scan carries every contact. Forces then scatter little, though they may differ
-much where the particle is not.
+A place is a patch of connected contact pixels. A particle on a flat scan would carry every contact:
+forces then scatter little, though they may be very different away from the particle.
 """
 
 import numpy as np
@@ -11,21 +11,24 @@ from hardcontact.contact.sphere_sums import Contacts
 
 
 def touched_places(bodies: Bodies, contacts: Contacts) -> int:
-    """Return the number of places of a mirrored scan that contacts touch.
+    """Return the number of places of a mirrored scan at which contacts are deepest.
 
-    A contact touches where its gap is least. Contacts touch the same place if these pixels are the
-    same in the scan, or are joined by contact pixels, corner to corner.
+    A contact is deepest at the pixel of its smallest gap. Two contacts touch the same place if
+    these two pixels are the same in the scan, or if contact pixels that share an edge or a corner
+    connect them.
     """
     from scipy.ndimage import label  # A slow import.
 
     pixels = bodies.substrate.pixels
-    touching = [
+    contact_pixels = [
         (bodies.geometry.positions[list(index)] + offsets) % pixels
         for index, (_, offsets) in contacts.items()
     ]
-    in_scan = [tuple(np.minimum(points, pixels - 1 - points).T) for points in touching]
+    # Fold the mirror images back onto the scan.
+    scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_pixels]
     is_touched = np.zeros((pixels, pixels), bool)
-    for points in in_scan:
+    for points in scan_pixels:
         is_touched[points] = True
     patches, _ = label(is_touched, np.ones((3, 3)))
-    return len({patches[rows[0], columns[0]] for rows, columns in in_scan})
+    # The first pixel of a contact has its lowest gap.
+    return len({patches[rows[0], columns[0]] for rows, columns in scan_pixels})

@@ -10,26 +10,38 @@ from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
 from hardcontact.contact.pull_off import pull_off_force
 
 
-def traced_contact(bodies: Bodies, place: tuple[int, int], contact: Contact) -> xr.Dataset:
+def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
 
-    ``gap`` (y, x) is in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
-    (separation) in N.
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere on common pixels.
+    index : tuple of int
+        Row and column of the contact in the array of contacts.
+    contact : Contact
+        Load, hardness, range and work of adhesion.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
+        (separation) in N.
     """
     geometry, rho, work = bodies.geometry, contact.range, contact.work
-    gap = gap_map(bodies, place)
+    gap = gap_map(bodies, index)
     gap -= plastic_approach(gap, contact.pixels(geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)
     pressure = work / (rho * 1e-9) * attraction
     pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))
-    # The bodies keep their deformed shape: all gaps grow alike, and Eq. 3 decays with rho.
+    # The bodies keep their deformed shape: all gaps grow by the same length.
     separation = np.linspace(0, 10 * rho, 201)
     position = geometry.offsets() * geometry.pixel_size
     from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
-    before = {"units": "nm", "long_name": "gap before flattening"}
+    gap_attributes = {"units": "nm", "long_name": "gap before flattening"}
     return xr.Dataset(
         {
-            "gap": (("y", "x"), gap.astype(np.float32), before),
+            "gap": (("y", "x"), gap.astype(np.float32), gap_attributes),
             "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), {"units": "Pa"}),
             "force": ("separation", -pull_off * np.exp(-separation / rho), {"units": "N"}),
         },

@@ -28,7 +28,7 @@ SPECTRUM = "spectrum"
 #: How undefined pixels are filled, so that the file can be described.
 FILLING = "harmonic"
 #: Columns of the table that is printed.
-COLUMNS = (
+ENTRY_COLUMNS = (
     "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
     "tip radius", "reliable", "used for",
 )  # fmt: skip
@@ -212,7 +212,7 @@ def _entry(
 
 def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
     """Return a table of the entries and their uses, with the notes on reading below."""
-    rows = [COLUMNS]
+    rows = [ENTRY_COLUMNS]
     notes = []
     for number, (entry, use) in enumerate(zip(entries, uses, strict=True), 1):
         is_map, tip, band = entry.kind == "map", entry.tip_radius, entry.band

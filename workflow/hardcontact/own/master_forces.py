@@ -11,8 +11,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import stack
+from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.own.scan_parts import (
-    CONTACTS,
     ScanParts,
     Variance,
     delete_one_logarithms,
@@ -93,8 +93,10 @@ def half_width_over_masters(
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:
         """Return the statistic (realization, ...) over the kept contacts (realization, y, x)."""
-        filtered = masters.forces.pull_off_force.where(kept_contacts).mean(CONTACTS)
-        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept_contacts).mean(CONTACTS)
+        filtered = masters.forces.pull_off_force.where(kept_contacts).mean(CONTACT_AXES)
+        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept_contacts).mean(
+            CONTACT_AXES
+        )
         return statistic(filtered, unfiltered).transpose("realization", ...)
 
     logarithms = delete_one_logarithms(

@@ -17,7 +17,7 @@ from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import refuse_all, refuse_lines, validate
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
-from hardcontact.config.model import NONE, SMOOTH, configuration
+from hardcontact.config.model import NONE, SMOOTH_SPHERE, numeric_configuration
 from hardcontact.config.selection import CONTACT, SurfaceRow
 from hardcontact.config.tables import measured_forces
 from hardcontact.contact.contact import Contact
@@ -31,23 +31,23 @@ from hardcontact.own.inventory import (
 )
 from hardcontact.own.proposal import Choice, Proposal, propose, refuse_unreliable
 from hardcontact.own.request import (
-    QUANTITIES,
+    QUANTITY_OPTIONS,
     ROOT,
     SPHERE,
-    Option,
+    QuantityOption,
+    implausible_quantities,
     list_sources,
     name_faults,
     parse_arguments,
     parse_quantities,
     path_from_root,
-    questioned_quantities,
 )
 
 
 def main() -> int:
     """Carry out the command line, `new` or `predict`; return the exit code."""
     try:
-        # A terminal would obey control characters, and no table holds what is no UTF-8.
+        # A terminal would obey control characters, and tables are written in UTF-8.
         refuse_lines(
             f"{word!r}: expected printable characters in UTF-8, found others"
             for word in sys.argv[1:]
@@ -78,11 +78,11 @@ def new_study(arguments: Namespace) -> str:
     Raises ValueError with a line for each problem; then nothing is written.
     """
     quantities, faults = parse_quantities(arguments)
-    files, file_faults = list_sources(arguments, quantities["radius"].number)
+    sources, file_faults = list_sources(arguments, quantities["radius"].number)
     tip = quantities.get("tip")
     tip_text = tip.text if tip else ""
     entries, unreadable, problems = inventory(
-        files,
+        sources,
         tip.number if tip else None,
         arguments.channel,
         arguments.unit,
@@ -92,16 +92,19 @@ def new_study(arguments: Namespace) -> str:
     faults += [*file_faults, *problems]
     checks: list[Callable[[], Any]] = [
         partial(refuse_lines, [*name_faults(arguments), *faults]),
-        *_checks(arguments, table_rows(entries, [], tip_text), [file.surface for file in files]),
+        *_checks(
+            arguments, table_rows(entries, [], tip_text), [source.surface for source in sources]
+        ),
     ]
-    if not faults:  # Otherwise problems would be reported that vanish once these are mended.
-        checks.append(partial(_plan, arguments, quantities, entries))
+    if not faults:  # Faults of the input can cause faults of the proposal.
+        checks.append(partial(_propose_study, arguments, quantities, entries))
+    # With faults, `refuse_all` raises: the last result is that of `_propose_study`.
     *_, (proposal, choices) = refuse_all(checks)
     overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
-    run = f"snakemake --configfile {overlay}"
+    command = f"snakemake --configfile {overlay}"
     texts = {
-        table: table_text(table_rows(entries, proposal.contact, tip_text)),
-        overlay: overlay_text(run, choices, proposal.quick),
+        table: table_text(table_rows(entries, proposal.contact_entries, tip_text)),
+        overlay: overlay_text(command, choices, proposal.quick),
     }
     for path, text in texts.items():
         with whole_file(ROOT / path) as temporary:
@@ -109,8 +112,8 @@ def new_study(arguments: Namespace) -> str:
     report = [
         *_report_lines(entries, unreadable, proposal, choices),
         f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:",
-        f"{run} --config effort=quick   # a first answer",
-        run,
+        f"{command} --config effort=quick   # a first answer",
+        command,
     ]
     return "\n".join(report)
 
@@ -127,8 +130,8 @@ def _checks(
         yield partial(measured_forces, arguments.forces, substrates, "--forces")
 
 
-def _plan(
-    arguments: Namespace, quantities: Mapping[str, Option], entries: Sequence[Entry]
+def _propose_study(
+    arguments: Namespace, quantities: Mapping[str, QuantityOption], entries: Sequence[Entry]
 ) -> tuple[Proposal, list[Choice]]:
     """Return the proposal, and all keys of the overlay except the keys of quick effort.
 
@@ -142,22 +145,26 @@ def _plan(
     )
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, probe, quantities["range"].is_given)
-    proposal.cautions.extend(questioned_quantities(quantities))
-    choices = [*_named_choices(arguments, quantities), *proposal.choices]
+    proposal.cautions.extend(implausible_quantities(quantities))
+    choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
-        for surface, scans in entries_by_surface(proposal.contact).items()
+        for surface, scans in entries_by_surface(proposal.contact_entries).items()
     }
     full = values_by_key(choices)
     for keys in (full, full | values_by_key(proposal.quick)):
-        # The name itself is checked by `name_faults`.
+        # `name_faults` checks the names of study and store.
         other_keys = {key: value for key, value in keys.items() if key not in ("study", "store")}
-        check_grids(configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids)
+        check_grids(
+            numeric_configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids
+        )
     refuse_unreliable(entries)
     return proposal, choices
 
 
-def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> Iterator[Choice]:
+def _choices_without_scans(
+    arguments: Namespace, quantities: Mapping[str, QuantityOption]
+) -> Iterator[Choice]:
     """Yield the keys that do not depend on the scans."""
     name = arguments.name
     yield Choice("study", name, f"results go to results/{name}/")
@@ -165,16 +172,18 @@ def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> It
     yield Choice("published", NONE, "nothing of the paper is needed or judged")
     yield Choice("surfaces", f"config/{name}.tsv", "one row a scan")
     if arguments.unit != NONE:
-        yield Choice("scan.unit", arguments.unit, "as given, of files that state none")
+        yield Choice("scan.unit", arguments.unit, "as given, for files that state none")
     if "size" in quantities:
-        yield Choice("scan.edge", quantities["size"].text, "as given, of files that state none")
+        yield Choice("scan.edge", quantities["size"].text, "as given, for files that state none")
     if arguments.levelling != "plane":
-        yield Choice("scan.levelling", arguments.levelling, "as given, of all height maps")
+        yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
-    surface, reason = (SPHERE, "its scans") if arguments.sphere else (SMOOTH, "no scans of it")
+    surface, reason = (
+        (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
+    )
     yield Choice("sphere.surface", surface, reason)
-    for option, (key, meaning) in QUANTITIES.items():
+    for option, (key, meaning) in QUANTITY_OPTIONS.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]
             origin = "as given" if quantity.is_given else f"the paper's; --{option} changes it"
@@ -185,10 +194,10 @@ def _report_lines(
     entries: Sequence[Entry], unreadable: list[str], proposal: Proposal, choices: Sequence[Choice]
 ) -> Iterator[str]:
     """Yield the lines of the report on the entries and the choices."""
-    contact = {id(entry) for entry in proposal.contact}
+    contact_ids = {id(entry) for entry in proposal.contact_entries}
     yield "Found:"
     yield printed_table(
-        entries, [CONTACT if id(entry) in contact else SPECTRUM for entry in entries]
+        entries, [CONTACT if id(entry) in contact_ids else SPECTRUM for entry in entries]
     )
     labels = {entry.source.surface: entry.source.label for entry in entries}
     renamed = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
@@ -214,17 +223,17 @@ def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
     return {choice.key: choice.value for choice in choices}
 
 
-def overlay_text(run: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
+def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
     """Return an overlay as YAML: the command that runs it, and each choice below its reason.
 
     The key `quick` has the choices of quick effort.
     """
     reasons = {choice.key: choice.reason for choice in choices}
-    reasons["quick"] = "With --config effort=quick these replace those above."
+    reasons["quick"] = "With --config effort=quick these keys replace those above."
     tree = set_keys({}, values_by_key(choices)) | {"quick": set_keys({}, values_by_key(quick))}
     lines = commented_yaml(tree, reasons)
     head = "# Written by `hardcontact new`; config/README.md explains every key.\n"
-    return f"{head}# {run}\n" + "".join(f"{line}\n" for line in lines)
+    return f"{head}# {command}\n" + "".join(f"{line}\n" for line in lines)
 
 
 def table_text(rows: Sequence[Mapping[str, str]]) -> str:

@@ -20,7 +20,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
     with_interval,
 )
-from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.own.predicted_force import (
     PLASTIC,
     ScanForces,
@@ -28,10 +28,10 @@ from hardcontact.own.predicted_force import (
     forces_of_scans,
 )
 from hardcontact.own.scan_parts import sampled_deviations
-from hardcontact.paper.error_map import fit
+from hardcontact.paper.error_map import fit_range_and_work
 
-#: Logarithms of a sampled mean beyond this are as good as infinite.
-ENDLESS = 50.0
+#: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
+MAX_LOG_DEVIATION = 50.0
 #: Number of ranges of adhesion on the curves, from the shortest to the longest computed range.
 FINE_RANGES = 401
 
@@ -72,7 +72,9 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     variance_drawn = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
     deviation = (variance_drawn - variance) / 2 - normal * np.sqrt(variance_drawn / tests.number)
-    return np.asarray(tests.mean * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
+    return np.asarray(
+        tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
+    )
 
 
 def fit_measured(
@@ -109,8 +111,8 @@ def fit_measured(
     radius, rhos = float(adhesion.attrs["sphere_radius"]), adhesion.rho.values
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
     tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
-    target = np.array([test.mean for test in tests])
-    means = [
+    measured_forces = np.array([test.mean for test in tests])
+    measured_samples = [
         sampled_means(sampling.generator("tests", name), test, sampling.samples)
         for name, test in zip(surfaces, tests, strict=True)
     ]
@@ -123,17 +125,24 @@ def fit_measured(
         ]
         works = [
             mean[:, None] / _sampled_forces(scan, name, sampling)
-            for mean, scan, name in zip(means, scans, surfaces, strict=True)
+            for mean, scan, name in zip(measured_samples, scans, surfaces, strict=True)
         ]
-        force = np.array([scan.mean for scan in scans])
-        models[(model,)] = _fit(force, target, np.stack(works, axis=1), rhos, sampling.confidence)
-    # Tests and parts of scans, which intervals come from, are the same for all contact models.
+        computed_forces = np.array([scan.mean for scan in scans])
+        models[(model,)] = _fit_model(
+            computed_forces, measured_forces, np.stack(works, axis=1), rhos, sampling.confidence
+        )
+    # The last contact model gives the sources of intervals: tests and parts of scans are the same
+    # for all models.
     sources = [
         scan.scan_parts[0].source if test.number > 1 else "one_test"
         for scan, test in zip(scans, tests, strict=True)
     ]
     variables = sampling.with_interval(
-        "measured_force", "surface", target.tolist(), np.stack(means, axis=1), NEWTON
+        "measured_force",
+        "surface",
+        measured_forces.tolist(),
+        np.stack(measured_samples, axis=1),
+        NEWTON,
     ) | {
         "test_count": ("surface", [test.number for test in tests], ONE),
         "interval_source": ("surface", sources),
@@ -158,42 +167,47 @@ def _sampled_forces(scans: ScanForces, surface: str, sampling: Sampling) -> np.n
     return np.asarray(scans.mean * np.exp(np.stack(deviations, axis=1)))
 
 
-def _fit(
-    force: np.ndarray, target: np.ndarray, works: np.ndarray, rhos: np.ndarray, confidence: float
+def _fit_model(
+    computed_forces: np.ndarray,
+    measured_forces: np.ndarray,
+    sampled_works: np.ndarray,
+    rhos: np.ndarray,
+    confidence: float,
 ) -> xr.Dataset:
     """Return the fit of one contact model.
 
-    `force` (surface, rho) is computed at 1 J/m² and `target` (surface,) is measured, in N. The
-    works (sample, surface, rho) in J/m² have resampled tests and scans. The region takes the
-    intervals of n independent surfaces at the confidence c^(1/n), so that all intervals together
-    contain the true pair with the confidence c.
+    Computed forces (surface, rho) at 1 J/m² and measured forces (surface,) are in N. Sampled works
+    (sample, surface, rho) in J/m² have resampled tests and scans. The region takes the intervals of
+    n independent surfaces at the confidence c^(1/n), so that all intervals together contain the
+    true pair with the confidence c.
     """
-    count = len(target)
-    # A single range stays single.
-    fine = np.union1d(np.geomspace(rhos[0], rhos[-1], FINE_RANGES if len(rhos) > 1 else 1), rhos)
-    force = on_fine_grid(force, rhos, fine)
+    count = len(measured_forces)
+    # A single computed range is not interpolated.
+    range_count = FINE_RANGES if len(rhos) > 1 else 1
+    fine_ranges = np.union1d(np.geomspace(rhos[0], rhos[-1], range_count), rhos)
+    fine_forces = interpolate_to_ranges(computed_forces, rhos, fine_ranges)
 
-    def intervals(confidence: float) -> np.ndarray:
-        """Return the intervals of the works (surface, fine rho, 2)."""
-        ends = np.moveaxis(percentile_interval(works, confidence), -1, 0)
-        return np.moveaxis(on_fine_grid(ends, rhos, fine), 0, -1)
+    def work_intervals(share: float) -> np.ndarray:
+        """Return the central intervals of the works (surface, fine rho, 2)."""
+        ends = np.moveaxis(percentile_interval(sampled_works, share), -1, 0)
+        return np.moveaxis(interpolate_to_ranges(ends, rhos, fine_ranges), 0, -1)
 
-    joint = intervals(confidence ** (1 / count))
+    joint = work_intervals(confidence ** (1 / count))
     region = np.stack([joint[..., 0].max(axis=0), joint[..., 1].min(axis=0)], axis=-1)
     region[~(region[:, 0] < region[:, 1])] = np.nan
-    work_of_adhesion = target[:, None] / force
+    work_of_adhesion = measured_forces[:, None] / fine_forces
     best_range, best_work, best_error, exact_pairs = np.nan, np.nan, np.nan, 0
     if count > 1:
-        best_index, work, error = fit(force, target)
-        best_range, best_work, best_error = float(fine[best_index]), float(work), float(error)
+        best_index, work, error = fit_range_and_work(fine_forces, measured_forces)
+        best_range, best_work, best_error = fine_ranges[best_index], float(work), float(error)
     if count == 2:
         exceeds = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
         exact_pairs = int(np.count_nonzero(np.diff(exceeds)))
     if exact_pairs:
-        best_error = np.nan  # of the grid of ranges alone
+        best_error = np.nan  # The remaining error comes from the grid of ranges alone.
     variables = with_interval(
-        "work_of_adhesion", ("surface", "rho"), work_of_adhesion, intervals(confidence), ENERGY,
-        confidence,
+        "work_of_adhesion", ("surface", "rho"), work_of_adhesion, work_intervals(confidence),
+        ENERGY, confidence,
     ) | {
         "region": (("rho", "bound"), region, ENERGY),
         "best_range": ((), best_range, NM),
@@ -201,27 +215,30 @@ def _fit(
         "best_error": ((), best_error, ONE),
         "exact_pairs": ((), exact_pairs, ONE),
     }  # fmt: skip
-    return xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
+    return xr.Dataset(variables, {"rho": ("rho", fine_ranges, NM)}).assign(
+        _extent(region, fine_ranges)
+    )
 
 
-def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:
+def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
     """Return the extent of a region (rho, bound), and the status of its ends.
 
     If the region reaches the shortest or longest computed range, it may extend beyond. Then range
     and work have no limit there.
     """
     allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
-    ranges, works, status = np.full(2, np.nan), np.full(2, np.nan), np.full(2, "none", "<U5")
+    region_range, region_work = np.full(2, np.nan), np.full(2, np.nan)
+    status = np.full(2, "none", "<U5")
     if len(allowed):
         ends = allowed[[0, -1]]
-        open_ends = ends == [0, len(fine) - 1]
-        ranges = np.where(open_ends, np.nan, fine[ends])
-        status = np.where(open_ends, "open", "found")
-        if not open_ends.any():
-            works = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
+        is_open = ends == [0, len(ranges) - 1]
+        region_range = np.where(is_open, np.nan, ranges[ends])
+        status = np.where(is_open, "open", "found")
+        if not is_open.any():
+            region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {
-        "region_range": ("bound", ranges, NM),
-        "region_work": ("bound", works, ENERGY),
+        "region_range": ("bound", region_range, NM),
+        "region_work": ("bound", region_work, ENERGY),
         "region_status": ("bound", status),
     }
 
@@ -230,8 +247,9 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
     The work is the measured force divided by the force computed at 1 J/m². Extrapolated roughness
-    changes the computed force by a factor and the work by its inverse: W F_scan/F_continued.
-    Masters are computed at one range and in plastic contact only, so that this is not a curve.
+    changes the computed force by a factor and the work by its inverse: W F_scan/F_extrapolated.
+    Masters are computed at one range and in plastic contact only, so the result is one value, not a
+    curve over ranges.
 
     Parameters
     ----------
@@ -250,16 +268,20 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """
     surface_force = force.sel(surface=fitted.surface)
     measured_force, computed_force = fitted.measured_force, surface_force.extrapolated_force
-    log_lower, log_upper = (
-        np.log(end / measured_force) for end in bounds(fitted, "measured_force")
-    )
+    measured_low, measured_high = bounds(fitted, "measured_force")
+    measured_log_low = np.log(measured_low / measured_force)
+    measured_log_high = np.log(measured_high / measured_force)
     low, high = bounds(surface_force, "extrapolated_force")
-    log_high = np.log(high / computed_force)
-    log_low = np.log(low.where(low > 0) / computed_force).where(low != 0, -np.inf)
+    computed_log_high = np.log(high / computed_force)
+    # A lower end of zero is no bound: its logarithm is minus infinity.
+    computed_log_low = np.log(low.where(low > 0) / computed_force).where(low != 0, -np.inf)
     work = (measured_force / (computed_force / force.attrs["work_of_adhesion"])).transpose(
         "surface", "side"
     )
-    ends = [-np.hypot(log_lower, log_high), np.hypot(log_upper, log_low)]
+    ends = [
+        -np.hypot(measured_log_low, computed_log_high),
+        np.hypot(measured_log_high, computed_log_low),
+    ]
     interval = xr.concat([work * np.exp(end) for end in ends], "bound")
     variables = with_interval(
         "extrapolated_work",

@@ -20,15 +20,15 @@ from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.request import (
-    QUANTITIES,
+    QUANTITY_OPTIONS,
     add_shared_options,
+    implausible_quantities,
     parse_quantities,
-    questioned_quantities,
 )
 from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 from hardcontact.theory.prediction import prediction
 
-DESCRIPTION = """\
+USAGE = """\
 Predict the pull-off force of a smooth sphere from the power spectral density of a
 surface, in closed form, within seconds:
 
@@ -43,23 +43,23 @@ for example, in five rows or more,
   1000,nm,4.8e7,nm4
 
 A c_iso of 0 says that there is no roughness of this wavelength. In place of a table FILE may
-be a height map, a line scan or a container of them: their spectrum is measured, and only the
-wavelengths at which it is reliable count, and then also those that continue them.
+be a height map, a line scan or a container of them. Their spectrum is measured, and used at its
+reliable wavelengths, alone and then with the spectrum extrapolated beyond them.
 """
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the command; a wrong one ends the program."""
     parser = ArgumentParser(
-        "hardcontact predict", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter,
+        "hardcontact predict", description=USAGE, formatter_class=RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )  # fmt: skip
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared_options(parser)
-    parser.add_argument("--modulus", help="effective modulus of both bodies (that of the paper's)")
+    parser.add_argument("--modulus", help="effective modulus of both bodies (default: the paper's)")
     parser.add_argument(
         "--dataset", "--channel", default="", metavar="NAME",
-        help="the only scan of a container that counts, or the channel of another file",
+        help="the only scan of a container to read, or the channel of another file",
     )  # fmt: skip
     for name in WRITERS:
         parser.add_argument(f"--{name}", metavar="FILE", help="write the numbers; - for stdout")
@@ -101,7 +101,7 @@ def predict(arguments: Namespace) -> str:
             name, option.number, option.unit, status="given" if option.is_given else "paper"
         )
         for name, option in quantities.items()
-        if name in QUANTITIES
+        if name in QUANTITY_OPTIONS
     }
     tolerance = Study().scales.tolerance
     numbers |= prediction(
@@ -117,8 +117,8 @@ def predict(arguments: Namespace) -> str:
         modulus, status = quantities["modulus"].number, "given"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
-    texts = {name: quantities[name].text for name in QUANTITIES}
-    cautions = [f"take care: {line}" for line in questioned_quantities(quantities)]
+    texts = {name: quantities[name].text for name in QUANTITY_OPTIONS}
+    cautions = [f"take care: {line}" for line in implausible_quantities(quantities)]
     report = "\n".join([*user_spectrum.notes, _report(numbers, texts), *cautions])
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
@@ -171,7 +171,7 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
     )
     environment.filters |= {"length": print_length, "quantity": print_quantity}
     environment.tests["known"] = math.isfinite
-    meanings = {name: meaning for name, (_, meaning) in QUANTITIES.items()}
+    meanings = {name: meaning for name, (_, meaning) in QUANTITY_OPTIONS.items()}
     report = environment.get_template("prediction.txt").render(
         numbers=numbers, texts=texts, meanings=meanings, change_that_matters=MAX_NEGLIGIBLE_CHANGE
     )

@@ -11,7 +11,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
-from hardcontact.contact.contact import Contact
+from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.master_forces import (
@@ -21,7 +21,6 @@ from hardcontact.own.master_forces import (
     summarize_masters,
 )
 from hardcontact.own.scan_parts import (
-    CONTACTS,
     ScanParts,
     delete_one_logarithms,
     half_width,
@@ -30,7 +29,7 @@ from hardcontact.own.scan_parts import (
     parts_of_scans,
     quarters_of_contacts,
 )
-from hardcontact.surfaces.spectrum import spectrum_from
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.edge_scaling import regime_coordinates
 from hardcontact.theory.hard_contact import tabor
 from hardcontact.theory.pull_off_statistics import force_scatter
@@ -89,7 +88,8 @@ def own_force(
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
-        name: spectrum_from(spectra.sel(surface=name)) for name in force["surface"].values.tolist()
+        name: spectrum_of_dataset(spectra.sel(surface=name))
+        for name in force["surface"].values.tolist()
     }
     draw_sizes = {
         name: draw_size(spectrum, contact.radius, contact.area)
@@ -120,9 +120,19 @@ class ScanForces(NamedTuple):
 
 
 def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
-    """Return the fewest places that the contacts on a scan touch, by surface.
+    """Return the fewest places that the contacts on a scan touch.
 
     For several scans of the sphere, the scan with the most touched places counts.
+
+    Parameters
+    ----------
+    adhesion : xarray.Dataset
+        adhesion.nc, with ``touched_places`` (surface, scan, sphere_scan).
+
+    Returns
+    -------
+    dict of str to float
+        Number of places by surface.
     """
     places = adhesion.touched_places.max("sphere_scan").min("scan")
     return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
@@ -136,7 +146,7 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: fl
     `fewest_places`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
-    scan_forces = scan_forces.transpose("scan", "rho", *CONTACTS)
+    scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     scan_parts = [
@@ -144,9 +154,9 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: fl
         for rho in scan_forces.rho.values
     ]
     delete_one = delete_one_logarithms(
-        scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACTS).mean("scan")
+        scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
-    return ScanForces(scan_forces.mean(CONTACTS).mean("scan").values, delete_one, scan_parts)
+    return ScanForces(scan_forces.mean(CONTACT_AXES).mean("scan").values, delete_one, scan_parts)
 
 
 def predicted_force(
@@ -224,7 +234,7 @@ def _surface_force(
         ]
     )
     interval = logarithmic_interval(mean, half)
-    quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACTS]).transpose(
+    quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]).transpose(
         "contact_model", "rho", "quantile"
     )
     scan_parts = models[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
@@ -236,7 +246,11 @@ def _surface_force(
             "conditional": int(scan_parts.conditional),
             "interval_source": scan_parts.source,
             "interval_scans": scan_parts.scans,
-            "contacts": ((), np.prod([adhesion.sizes[axis] for axis in CONTACTS]), {"units": "1"}),
+            "contacts": (
+                (),
+                np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES]),
+                {"units": "1"},
+            ),
             "touched_places": ((), places, {"units": "1"}),
             "correlation_of_parts": ((), scan_parts.shared, {"units": "1"}),
         },

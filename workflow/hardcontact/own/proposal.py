@@ -29,19 +29,19 @@ from hardcontact.surfaces.spectrum import MIN_BINS
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
 TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4
 #: The share of the force on a smooth sphere that the window should hold.
-SHARE = 0.99
+MIN_WINDOW_SHARE = 0.99
 #: The range of adhesion over the shortest, and the longest over it, that forces are computed at.
 RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
-FINEST = 0.15
+FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts along an edge of the array. Even ones fall evenly on the quarters of a scan.
-COUNTS = (20, 16, 12, 10, 8, 6, 4)
+CONTACT_COUNTS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take.
 CONTACT_SECONDS = 2.0
 #: Seconds a contact pixel and image of the cell in the window, and a tile in the window (measured).
 SECONDS_A_PIXEL, SECONDS_A_TILE = 4e-7, 4e-8
 #: The least ratio of neighbouring cutoffs: forces in between are as good interpolated.
-RATIO = 1.15
+MIN_CUTOFF_RATIO = 1.15
 #: Share of undefined pixels from which the user is told how they are filled.
 MANY_UNDEFINED = 0.05
 
@@ -58,8 +58,8 @@ class Effort(NamedTuple):
 
 
 #: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
-FULL = Effort(pixels=4096, cutoffs=14, realizations=5, fewest=3, contacts=20, ranges=12)
-QUICK = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ranges=5)
+FULL_EFFORT = Effort(pixels=4096, cutoffs=14, realizations=5, fewest=3, contacts=20, ranges=12)
+QUICK_EFFORT = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ranges=5)
 
 
 class Choice(NamedTuple):
@@ -73,7 +73,7 @@ class Choice(NamedTuple):
 class Proposal(NamedTuple):
     """The choices for scans."""
 
-    contact: list[Entry]  #: scans that contacts are made on; others only enter the spectrum
+    contact_entries: list[Entry]  #: scans that contacts are made on; others only enter the spectrum
     choices: list[Choice]
     quick: list[Choice]  #: what differs at quick effort
     reasons: list[str]  #: for the scans of contacts, by surface
@@ -119,10 +119,10 @@ def propose(
             "make a study of each"
         )
     contact, shortest_range, contact_reasons = choose_window(
-        scans, substrates, probe, range_given, FULL.pixels
+        scans, substrates, probe, range_given, FULL_EFFORT.pixels
     )
-    full = list(_choices(substrates, contact, shortest_range, contact_reasons, FULL))
-    quick = list(_choices(substrates, contact, shortest_range, contact_reasons, QUICK))
+    full = list(_choices(substrates, contact, shortest_range, contact_reasons, FULL_EFFORT))
+    quick = list(_choices(substrates, contact, shortest_range, contact_reasons, QUICK_EFFORT))
     usual = {choice.key: choice.value for choice in full}
     if gaps := sum(entry.undefined > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
@@ -188,7 +188,7 @@ def _contact_cautions(
             f"it is {reasons['scales.range']}"
         )
     share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
-    if share < SHARE:
+    if share < MIN_WINDOW_SHARE:
         yield (
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
             "show too little of what the sphere feels, and forces come out too low"
@@ -224,7 +224,7 @@ def _choices(
     masters = effort.fewest if slow else effort.realizations
     surfaces = [scan.source.surface for scan in substrates]
     most_scans = max(map(surfaces.count, surfaces))
-    if effort is QUICK:
+    if effort is QUICK_EFFORT:
         realizations = max(masters, min(most_scans, 3))
     else:
         masters_a_scan = max(1, round(masters / most_scans))
@@ -269,7 +269,7 @@ def _small_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
         seconds = _contact_seconds(scan, contact, pixel_size)
-        if pixel_size < FINEST or COUNTS[-1] ** 2 * seconds > CONTACT_SECONDS:
+        if pixel_size < FINEST_PIXEL_SIZE or CONTACT_COUNTS[-1] ** 2 * seconds > CONTACT_SECONDS:
             break
         pixels *= 2
     return pixels
@@ -295,7 +295,7 @@ def _count(
         for pixel_size, image_count in ((scan.pixel_size, images), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixels(pixel_size) * image_count)
-    for count in COUNTS:
+    for count in CONTACT_COUNTS:
         slow = count**2 * seconds > CONTACT_SECONDS
         if count <= max_count and count**2 * kept_pixels <= CONTACT_PIXELS and not slow:
             break
@@ -304,7 +304,7 @@ def _count(
 
 def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:
     """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
-    steps = int(math.log(longest / shortest) / math.log(RATIO))
+    steps = int(math.log(longest / shortest) / math.log(MIN_CUTOFF_RATIO))
     wavelengths = np.geomspace(shortest, longest, min(max_cutoffs, max(steps, 1) + 1))
     return [_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
@@ -327,7 +327,7 @@ def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:
 
     Limits of the study refuse a range of the masters below the shortest range that scans permit.
     """
-    accepted = model.quantity("scales.range")
+    accepted = model.quantity_type("scales.range")
     shortest = min(max(shortest_range, rho / RANGE_SPAN, accepted.low), rho)
     longest = min(rho * RANGE_SPAN, accepted.high)
     shorter = np.geomspace(shortest, rho, count // 2 + 1)[:-1]

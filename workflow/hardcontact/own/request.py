@@ -12,7 +12,7 @@ from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import magnitude
 from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
-from hardcontact.config.model import QUICK_NAME, quantity
+from hardcontact.config.model import QUICK_NAME, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import LEVELLING
@@ -22,9 +22,9 @@ ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
-TAKEN = ("config", "paper", "quick", "surfaces")
+RESERVED_NAMES = ("config", "paper", "quick", "surfaces")
 #: Options that are quantities: the key of the configuration, and their meaning.
-QUANTITIES = {
+QUANTITY_OPTIONS = {
     "radius": ("sphere.radius", "radius of the sphere"),
     "hardness": ("contact.hardness", "hardness of the softer body"),
     "preload": ("contact.preload", "load on a contact"),
@@ -43,9 +43,9 @@ PLAUSIBLE = {
     "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
-TAKEN_IDS = ("pooled", "smooth")
-DESCRIPTION = """\
-Read scans of your own surfaces, tell what is in them, choose what can be computed,
+RESERVED_IDS = ("pooled", "smooth")
+USAGE = """\
+Read scans of your own surfaces, report what is in them, choose what can be computed,
 and write config/NAME.yaml and config/NAME.tsv:
 
   hardcontact new my-coating scans/*.di twin.zip --radius 250um --preload 10uN
@@ -55,17 +55,17 @@ Several surfaces, each with its label and its files:
 
   hardcontact new both --surface bare scans/bare/*.di --surface coated scans/coated/*.di
 
-`hardcontact predict --help` tells how to predict a force from a power spectral density.
+`hardcontact predict --help` explains how to predict a force from a power spectral density.
 """
 
 
-class Option(NamedTuple):
-    """A quantity, as written text and as a number; from the user, or the paper's value."""
+class QuantityOption(NamedTuple):
+    """A quantity of the command line, or the paper's value."""
 
-    text: str
-    number: float
-    unit: str
-    is_given: bool
+    text: str  #: As written.
+    number: float  #: In `unit`.
+    unit: str  #: Of the study.
+    is_given: bool  #: Whether the user gave it.
 
 
 class Source(NamedTuple):
@@ -81,7 +81,7 @@ class Source(NamedTuple):
 def parse_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the program's name; a wrong one ends the program."""
     parser = ArgumentParser(
-        "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter,
+        "hardcontact", description=USAGE, formatter_class=RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )  # fmt: skip
     parser.add_argument("--version", action="version", version=version("hardcontact"))
@@ -90,13 +90,15 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "
         "hardcontact predict --help",
     )  # fmt: skip
-    parser.add_argument("name", metavar="NAME", help="of the study: results/NAME/")
+    parser.add_argument(
+        "name", metavar="NAME", help="name of the study; results go to results/NAME/"
+    )
     parser.add_argument(
         "files", metavar="FILE", nargs="*", help="scans, line scans or containers of one surface"
     )
     parser.add_argument(
         "--surface", nargs="+", action="append", default=[], metavar=("LABEL", "FILE"),
-        help="a label and the files of a surface; again for each surface",
+        help="a label and the files of a surface; repeat it for each surface",
     )  # fmt: skip
     parser.add_argument(
         "--sphere", nargs="+", default=[], metavar="FILE",
@@ -105,7 +107,8 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
     add_shared_options(parser)
     parser.add_argument(
         "--channel", default="", metavar="NAME",
-        help="of all files but containers, or its number (the first of heights)",
+        help="name or number of the channel to read, for all files that are not containers "
+        "(default: the first channel of heights)",
     )  # fmt: skip
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
@@ -116,59 +119,65 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def add_shared_options(parser: ArgumentParser) -> None:
-    """Add the options of both commands: QUANTITIES, and properties that files may not state."""
+    """Add the options of both commands: quantities, and properties that files may not state."""
     paper = read_yaml("config/config.yaml")
-    for name, (key, meaning) in QUANTITIES.items():
+    for name, (key, meaning) in QUANTITY_OPTIONS.items():
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {get_key(paper, key)})")
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument(
         "--unit", default="none",
-        help="unit of length, for the files that do not state it; of points x, y, height two are "
-        "of positions and of heights, such as mm,nm",
+        help="unit of length, for the files that do not state it; for points x, y, height two "
+        "units, of positions and of heights, such as mm,nm",
     )  # fmt: skip
     parser.add_argument(
         "--size", help="longer edge of the scan, for the files that do not state it"
     )
     parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
-        help="what is subtracted of maps: a plane, offsets of lines, or a quadratic polynomial",
+        help="what is subtracted from height maps: a plane, offsets of lines, or a quadratic "
+        "polynomial",
     )  # fmt: skip
 
 
-def parse_quantities(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
+def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
     """Return the quantities of the command line by name, and a line for each faulty quantity.
 
     Tip, size and modulus are included only if the user gave them. A faulty quantity has the paper's
     value.
     """
     paper = read_yaml("config/config.yaml")
-    accepted = {name: quantity(key) for name, (key, _) in QUANTITIES.items()}
-    accepted |= {"tip": TIP_RADIUS, "size": quantity("scan.size"), "modulus": accepted["hardness"]}
+    quantity_types = {name: quantity_type(key) for name, (key, _) in QUANTITY_OPTIONS.items()}
+    quantity_types |= {
+        "tip": TIP_RADIUS,
+        "size": quantity_type("scan.size"),
+        "modulus": quantity_types["hardness"],
+    }
     quantities, faults = {}, []
     try:
         UNIT.check(arguments.unit)
     except ValueError as error:
         faults.append(f"--unit: {error}")
-    for name, bounds in accepted.items():
+    for name, kind in quantity_types.items():
         text = getattr(arguments, name, None)
         try:
             if text is not None:
-                quantities[name] = Option(text.strip(), bounds.number(text), bounds.unit, True)
+                quantities[name] = QuantityOption(text.strip(), kind.number(text), kind.unit, True)
         except ValueError as error:
             faults.append(f"--{name}: {error}")
-        if name in QUANTITIES and name not in quantities:
-            usual = get_key(paper, QUANTITIES[name][0])
-            quantities[name] = Option(usual, bounds.number(usual), bounds.unit, False)
+        if name in QUANTITY_OPTIONS and name not in quantities:
+            paper_text = get_key(paper, QUANTITY_OPTIONS[name][0])
+            number = kind.number(paper_text)
+            quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
     return quantities, faults
 
 
-def questioned_quantities(quantities: Mapping[str, Option]) -> Iterator[str]:
+def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
     """Yield a line for each quantity of the user that is not PLAUSIBLE."""
     for name, (low, high, kind) in PLAUSIBLE.items():
         option = quantities[name]
         lowest, highest = (magnitude(text, option.unit) for text in (low, high))
         if option.is_given and not lowest <= option.number <= highest:
-            yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual of {kind}"
+            yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual for {kind}"
 
 
 def name_faults(arguments: Namespace) -> Iterator[str]:
@@ -184,18 +193,20 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
     if arguments.files:
         yield from _label_faults("NAME", name)
     if name.endswith(QUICK_NAME):
-        yield f"NAME: expected another end than {QUICK_NAME}, that of a first answer, found {name}"
-    elif name in TAKEN:
-        yield f"NAME: expected one of your own, found {name}, which is the project's"
+        accepted = f"a name without the end {QUICK_NAME}, which marks first answers"
+        yield f"NAME: expected {accepted}, found {name}"
+    elif name in RESERVED_NAMES:
+        yield f"NAME: expected a name that the project does not use, found {name}"
     elif not arguments.overwrite:
-        results = (f"results/{name}", f"results/{name}{QUICK_NAME}")  # of these or of other inputs
+        # Results of this name may come from other inputs.
+        results = (f"results/{name}", f"results/{name}{QUICK_NAME}")
         for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
             if os.path.lexists(ROOT / file):
-                yield f"{file}: expected none, found one: take another name, or --overwrite"
+                yield f"{file}: expected none, found one: take another name, or add --overwrite"
 
 
 def _label_faults(option: str, label: str) -> Iterator[str]:
-    """Yield a line if figures cannot have a label."""
+    """Yield a line if a label is not valid in figures."""
     try:
         LABEL.check(label)
     except ValueError as error:
@@ -215,33 +226,33 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
         if not files:
             faults.append(f"--surface {label}: expected files of scans, found none")
     surfaces += [(SPHERE, arguments.sphere)] if arguments.sphere else []
-    files_of_all: list[Source] = []
+    sources: list[Source] = []
     labels: dict[str, str] = {}
     for label, files in surfaces:
         surface = surface_id(label)
         if surface in labels:
             faults.append(
-                f"--surface {labels[surface]}: expected a label of its own, small and capital "
-                f"letters and signs alike, found also {label}"
+                f"--surface {labels[surface]}: expected labels that differ in more than capitals "
+                f"and signs, found also {label}"
             )
         labels.setdefault(surface, label)
         sphere_radius = radius if files is arguments.sphere else None
-        files_of_all += [
+        sources += [
             Source(surface, label, file, path_from_root(file), sphere_radius) for file in files
         ]
-    paths = [source.path for source in files_of_all]
+    paths = [source.path for source in sources]
     faults += [
         f"{path}: expected each file once, found it {paths.count(path)} times"
         for path in dict.fromkeys(paths)
         if paths.count(path) > 1
     ]
-    return files_of_all, faults
+    return sources, faults
 
 
 def surface_id(label: str) -> str:
     """Return the id of a surface: its label in lower case, other characters as underscores."""
     name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
-    if name in TAKEN_IDS or not re.match("[a-z]", name):
+    if name in RESERVED_IDS or not re.match("[a-z]", name):
         name = f"surface_{name}".rstrip("_")
     return name[:40].rstrip("_")
 

@@ -15,15 +15,16 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-CONTACTS = ("contact_y", "contact_x")
+from hardcontact.contact.contact import CONTACT_AXES
+
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
 #: Half widths of logarithms: less is rounding, more is as good as infinite.
-ROUNDING, ENDLESS = 1e-9, 50.0
+MIN_HALF_WIDTH, MAX_HALF_WIDTH = 1e-9, 50.0
 #: An interval that spans a wider factor to each side bounds nothing of use.
-UNBOUNDED = float(np.log(1e3))
+MAX_BOUNDED_HALF_WIDTH = float(np.log(1e3))
 #: Parts that correlate more are the same.
-SAME = 1 - 1e-9
+SAME_CORRELATION = 1 - 1e-9
 
 
 class Variance(NamedTuple):
@@ -69,7 +70,7 @@ class ScanParts:
         matrix C are (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN if these parts give no interval.
         """
         count, shared = len(self.correlation), self.shared
-        if count < 2 or shared > SAME or self.touches_few:
+        if count < 2 or shared > SAME_CORRELATION or self.touches_few:
             return np.nan, np.nan
         centred = (np.eye(count) - 1 / count) @ self.correlation
         freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
@@ -83,7 +84,7 @@ class ScanParts:
         """
         if not self.conditional:
             return "scans"
-        if len(self.correlation) < 2 or self.shared > SAME:
+        if len(self.correlation) < 2 or self.shared > SAME_CORRELATION:
             return "none"
         return "few_places" if self.touches_few else "quarters"
 
@@ -164,7 +165,7 @@ def delete_one_logarithms(
         [
             np.log(
                 statistic(
-                    xr.DataArray(scan_parts.part_of_contact != number, dims=(maps, *CONTACTS))
+                    xr.DataArray(scan_parts.part_of_contact != number, dims=(maps, *CONTACT_AXES))
                 ).values
             )
             for number in range(len(scan_parts.correlation))
@@ -195,8 +196,8 @@ def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
     inverse = sum((source.value / positive) ** 2 / source.freedom for source in sources)
     inverse = np.where(total > 0, inverse, 1.0)
     quantile = special.stdtrit(1 / inverse, (1 + confidence) / 2)
-    half = np.minimum(quantile * np.sqrt(total), ENDLESS)
-    return np.where(half > ROUNDING, half, np.nan)
+    half = np.minimum(quantile * np.sqrt(total), MAX_HALF_WIDTH)
+    return np.where(half > MIN_HALF_WIDTH, half, np.nan)
 
 
 def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
@@ -207,7 +208,7 @@ def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
     span any factor.
     """
     finite = value[..., None] * np.exp(np.stack([-half, half], axis=-1))
-    return np.where((half > UNBOUNDED)[..., None], [0.0, np.inf], finite)
+    return np.where((half > MAX_BOUNDED_HALF_WIDTH)[..., None], [0.0, np.inf], finite)
 
 
 def sampled_deviations(
@@ -227,4 +228,4 @@ def sampled_deviations(
     chi_squared = 2 * special.gammaincinv(freedom / 2, level)
     scale = np.sqrt(factor * (count - 1) / count * freedom / chi_squared)
     deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)
-    return np.asarray(np.clip(deviations, -ENDLESS, ENDLESS))
+    return np.asarray(np.clip(deviations, -MAX_HALF_WIDTH, MAX_HALF_WIDTH))

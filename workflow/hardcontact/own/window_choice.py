@@ -21,7 +21,7 @@ IMAGES = 10
 #: The longest range of adhesion that is proposed unasked, in nm: the longest of the paper's study.
 LONGEST_RANGE = 40.0
 #: Edge of the large-scale master over that of a scan, and over the window.
-SCANS, WINDOWS = 8, 1.6
+MASTER_SCANS, MASTER_WINDOWS = 8, 1.6
 
 
 def choose_window(
@@ -96,5 +96,5 @@ def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
     of pixels suffices.
     """
     size = min(scan.size for scan in substrates)
-    tiles = math.ceil(max(SCANS * size, WINDOWS * window) / (2 * size) * (1 - 1e-9))
+    tiles = math.ceil(max(MASTER_SCANS * size, MASTER_WINDOWS * window) / (2 * size) * (1 - 1e-9))
     return max(1, min(tiles, pixels // max(2 * scan.pixels for scan in substrates)))

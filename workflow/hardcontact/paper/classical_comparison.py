@@ -21,7 +21,7 @@ from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
 NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
-METRICS = {"afm": "afm", "all_scales": "all"}
+METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
 
 
 def apply_classical_models(
@@ -98,7 +98,7 @@ def apply_classical_models(
         effective[(force_source,)] = xr.Dataset(variables)
     targets = {force_source: force for force_source, (force, _) in forces.items()}
     models = {}
-    for metrics, prefix in METRICS.items():
+    for metrics, prefix in METRIC_PREFIXES.items():
         mean = _roughness(rows, "value", prefix)
         uncertainty = _roughness(rows, "uncertainty", prefix)
         rng = sampling.generator(metrics)

@@ -57,7 +57,7 @@ def sample_roughness(
     )
 
 
-def fit_work(
+def fit_classical_work(
     model: Model, roughness: Roughness, sphere: ElasticSphere, target: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Fit the work of adhesion of a model to forces.
@@ -84,7 +84,7 @@ def fit_work(
     """
     if model.proportional:
         forces = model.force(1.0, roughness, sphere)
-        _, work, error = error_map.fit(forces[..., None], target)
+        _, work, error = error_map.fit_range_and_work(forces[..., None], target)
         return work, error
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
     works = np.broadcast_to(WORKS, (*roughness.height.shape[:-1], WORKS.size))
@@ -167,8 +167,8 @@ def compare_models(
         )
         forces[(name,)] = xr.Dataset(variables)
         for force_source, target in targets.items():
-            _, error = fit_work(model, mean, sphere, target)
-            _, error_samples = fit_work(model, samples, sphere, target)
+            _, error = fit_classical_work(model, mean, sphere, target)
+            _, error_samples = fit_classical_work(model, samples, sphere, target)
             variables = sampling.with_interval("mean_relative_error", (), error, error_samples, ONE)
             fits[name, force_source] = xr.Dataset(variables)
     return stack(forces, ["model"]).merge(stack(fits, ["model", "force_source"]))

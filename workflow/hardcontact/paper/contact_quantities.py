@@ -1,7 +1,7 @@
 """Numbers about contact (height, area, deformation), classical models and effective works.
 
-Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `paper.numbers`
-defines it; its dimensions are in brackets.
+Lengths in nm, forces in N, pressures in Pa. Each function returns a number, a dataset of `value`
+and `value_interval` (`paper.numbers`); its dimensions are in brackets.
 """
 
 import json
@@ -32,7 +32,7 @@ def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
 
 
 def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
-    """Return effective works of adhesion of printed forces, without their rounding (surface)."""
+    """Return effective works of adhesion of the published forces, without interval (surface)."""
     return number_with_interval(
         classical["effective_work_of_adhesion"].sel(force_source="published", drop=True)
     )
@@ -48,7 +48,7 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
 
 
 def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
-    """Return the smallest error of a classical model relative to the force sum.
+    """Return the smallest error of a classical model relative to that of the computed forces.
 
     Its dimensions are metrics, model, force_source and contact_model.
     """
@@ -75,12 +75,15 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the relative plastic force at the smallest range on finer pixels (surface)."""
+    """Return the plastic force on finer pixels relative to the pixels of the study (surface).
+
+    The range of adhesion is the smallest, the finer pixels are half as large.
+    """
     return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the change of the mean force by elasticity, relative to rigid contact (surface)."""
+    """Return the magnitude of the relative change of the mean force by elasticity (surface)."""
     elastic_force = mean_over_contacts(elastic["elastic_pull_off_force"])
     rigid_force = mean_over_contacts(elastic["rigid_pull_off_force"])
     change = elastic_force / rigid_force - 1
@@ -88,7 +91,7 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def typical_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the share of the contact area that bears more than the hardness ().
+    """Return the share of the contact area whose pressure exceeds the hardness ().
 
     It is the median over the surfaces.
     """
@@ -96,7 +99,7 @@ def typical_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
 
 
 def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area that carries the preload at the hardness relative to elastic contact ().
+    """Return the area of plastic contact (preload/hardness) relative to elastic contact ().
 
     It is the median over the surfaces.
     """
@@ -119,12 +122,12 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
 
 
 def typical_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return the exponent of the force against the radius, the median over the surfaces ()."""
+    """Return d ln(force)/d ln(radius), the median over the surfaces ()."""
     return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
 
 
 def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return the exponent of the long edge against the root of the radius ().
+    """Return d ln(long edge)/d ln(root of the radius) ().
 
     It is the median over the surfaces, for spheres of at least LARGE_RADIUS. The interval follows
     from the ends of the intervals at the smallest and the largest of these spheres.
@@ -142,9 +145,9 @@ def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the repulsion in contacts relative to the attraction around them (surface).
 
-    Two large rough surfaces stick if it is below one: h' r/(k l) (h' d/(4 r))^(2/3) / (pi
+    Two large rough surfaces stick if it is below one: h' ρ/(k l) (h' d/(4 ρ))^(2/3) / (pi
     (3/16)^(2/3)) with the rms slope h' and the rms curvature h'' of all scales, d = 4 h'/h'', l =
-    W/E*, k = 2. The range of adhesion r is the shortest range of atomic interactions. Pastewka and
+    W/E*, k = 2. The range of adhesion ρ is the shortest range of atomic interactions. Pastewka and
     Robbins, Proceedings of the National Academy of Sciences 111 (2014) 3298.
     """
     names = json.loads(topography.attrs["table1_variables"])
@@ -157,8 +160,8 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
         )
         for body in ("sphere", "substrate")
     ]
-    length = 1e9 * paper["work_of_adhesion"] / effective_modulus(*bodies)  # nm
-    reach = paper["atomic_range_lower_bound"]
-    repulsion = slope * reach / (2 * length)
-    attraction = np.pi * (3 / 16) ** (2 / 3) * (reach * curvature / slope**2) ** (2 / 3)
+    adhesion_length = 1e9 * paper["work_of_adhesion"] / effective_modulus(*bodies)  # nm
+    shortest_range = paper["atomic_range_lower_bound"]
+    repulsion = slope * shortest_range / (2 * adhesion_length)
+    attraction = np.pi * (3 / 16) ** (2 / 3) * (shortest_range * curvature / slope**2) ** (2 / 3)
     return number_with_interval(repulsion / attraction)

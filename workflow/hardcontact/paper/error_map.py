@@ -6,11 +6,11 @@ All forces are computed for a work of adhesion of 1 J/m², to which they are pro
 import numpy as np
 
 #: Works of adhesion (J/m²) of the error map.
-WORK = np.geomspace(1e-3, 10.0, 501)
+WORKS = np.geomspace(1e-3, 10.0, 501)
 
 
 def mean_relative_error(
-    mean_forces: np.ndarray, published: np.ndarray, work: np.ndarray
+    mean_forces: np.ndarray, measured_forces: np.ndarray, works: np.ndarray
 ) -> np.ndarray:
     """Return the mean over surfaces of |W f/F - 1|.
 
@@ -18,9 +18,9 @@ def mean_relative_error(
     ----------
     mean_forces : numpy.ndarray
         Computed forces f (..., surface, rho) in N at 1 J/m².
-    published : numpy.ndarray
+    measured_forces : numpy.ndarray
         Measured forces F (surface,) in N.
-    work : numpy.ndarray
+    works : numpy.ndarray
         Works of adhesion W (k,) in J/m².
 
     Returns
@@ -28,14 +28,14 @@ def mean_relative_error(
     numpy.ndarray
         Errors (..., rho, k).
     """
-    relative = mean_forces / published[:, None]
-    return np.asarray(np.abs(relative[..., None] * work - 1).mean(axis=-3))
+    relative = mean_forces / measured_forces[:, None]
+    return np.asarray(np.abs(relative[..., None] * works - 1).mean(axis=-3))
 
 
 def minimum_along_axis(
     errors: np.ndarray, values: np.ndarray, axis: int = -1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the minima of the errors along an axis, and the values there.
+    """Return the values at the minima of the errors along an axis, and these minima.
 
     Parameters
     ----------
@@ -49,13 +49,13 @@ def minimum_along_axis(
     tuple of numpy.ndarray
         Values and errors at the minima, without the axis.
     """
-    best = np.expand_dims(errors.argmin(axis=axis), axis)
-    value = np.take_along_axis(values, best, axis).squeeze(axis)
-    error = np.take_along_axis(errors, best, axis).squeeze(axis)
+    best_index = np.expand_dims(errors.argmin(axis=axis), axis)
+    value = np.take_along_axis(values, best_index, axis).squeeze(axis)
+    error = np.take_along_axis(errors, best_index, axis).squeeze(axis)
     return value, error
 
 
-def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Find the work of adhesion that minimizes the mean relative error, at every range.
 
     The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
@@ -65,7 +65,7 @@ def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray
     ----------
     mean_forces : numpy.ndarray
         Computed forces (..., surface, rho) in N at 1 J/m².
-    published : numpy.ndarray
+    measured_forces : numpy.ndarray
         Measured forces (surface,) in N.
 
     Returns
@@ -73,26 +73,26 @@ def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray
     tuple of numpy.ndarray
         Work of adhesion (..., rho) in J/m² and its error (..., rho).
     """
-    relative = mean_forces / published[:, None]
+    relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
     errors = np.stack(
         [
             np.abs(candidates[..., [surface], :] * relative - 1).mean(axis=-2)
-            for surface in range(len(published))
+            for surface in range(len(measured_forces))
         ],
         axis=-2,
     )  # (..., candidate, rho)
     return minimum_along_axis(errors, candidates, axis=-2)
 
 
-def fit(
-    mean_forces: np.ndarray, published: np.ndarray
+def fit_range_and_work(
+    mean_forces: np.ndarray, measured_forces: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Find the range and the work of adhesion that minimize the mean relative error.
 
     Parameters
     ----------
-    mean_forces, published : numpy.ndarray
+    mean_forces, measured_forces : numpy.ndarray
         As for `fit_work`.
 
     Returns
@@ -100,12 +100,12 @@ def fit(
     tuple of numpy.ndarray
         Index into rho, work of adhesion in J/m² and error, each (...).
     """
-    work, error = fit_work(mean_forces, published)
+    work, error = fit_work(mean_forces, measured_forces)
     return error.argmin(axis=-1), *minimum_along_axis(error, work)
 
 
 def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
-    """Return the indices of the local minima of errors, in the order of these errors.
+    """Return the indices of the local minima of errors, the smallest error first.
 
     An end of the ranges is a minimum if the error grows from it inwards.
 
@@ -121,14 +121,14 @@ def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
     numpy.ndarray
         Indices into rho, at most `count`.
     """
-    places = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
-    change = np.diff(errors[places], prepend=np.inf, append=np.inf)
-    minima = places[(change[:-1] < 0) & (change[1:] > 0)]
+    run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
+    change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
+    minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]
     return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
 
 
 def fit_ratios(
-    mean_forces: np.ndarray, published: np.ndarray, reference: int
+    mean_forces: np.ndarray, measured_forces: np.ndarray, reference: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Find the range that minimizes the error of the force ratios to a reference surface.
 
@@ -138,7 +138,7 @@ def fit_ratios(
     ----------
     mean_forces : numpy.ndarray
         Computed forces (..., surface, rho) in N.
-    published : numpy.ndarray
+    measured_forces : numpy.ndarray
         Measured forces (surface,) in N.
     reference : int
         Index of the reference surface.
@@ -149,14 +149,14 @@ def fit_ratios(
         Index (...) into rho, and the mean relative errors (..., rho) of the ratios.
     """
     ratios = mean_forces / mean_forces[..., [reference], :]
-    published_ratios = (published / published[reference])[:, None]
-    is_other = np.arange(len(published)) != reference
-    errors = np.abs(ratios / published_ratios - 1)[..., is_other, :].mean(axis=-2)
+    measured_ratios = (measured_forces / measured_forces[reference])[:, None]
+    is_other = np.arange(len(measured_forces)) != reference
+    errors = np.abs(ratios / measured_ratios - 1)[..., is_other, :].mean(axis=-2)
     return errors.argmin(axis=-1), errors
 
 
 def error_region(
-    errors: np.ndarray, rhos: np.ndarray, work: np.ndarray, threshold: float
+    errors: np.ndarray, rhos: np.ndarray, works: np.ndarray, threshold: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the extent in range and work of adhesion of the region of small error.
 
@@ -164,17 +164,17 @@ def error_region(
     ----------
     errors : numpy.ndarray
         Error map (rho, work).
-    rhos, work : numpy.ndarray
+    rhos, works : numpy.ndarray
         Ranges of adhesion (rho,) in nm and works of adhesion (work,) in J/m².
     threshold : float
-        An error below it is small.
+        Error below which a pair counts as fitting.
 
     Returns
     -------
     tuple of numpy.ndarray
-        Smallest and largest range (2,) and work (2,), NaN if no error is small.
+        Smallest and largest range (2,) and work (2,) of these pairs, NaN if there are none.
     """
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:
         return np.full(2, np.nan), np.full(2, np.nan)
-    return rhos[[rows.min(), rows.max()]], work[[columns.min(), columns.max()]]
+    return rhos[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]

@@ -21,8 +21,8 @@ from hardcontact.base.statistics import bounds
 from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
 from hardcontact.paper.numbers import variable_as_number
 from hardcontact.paper.selection import (
-    NO_SCAN,
-    Selection,
+    WITHOUT_SCAN,
+    SelectedLabels,
     claim_basis,
     claim_surfaces,
     fixed_verdict,
@@ -216,7 +216,7 @@ class _ClaimNumber(NamedTuple):
 
     number: xr.Dataset
     datasets: dict[str, xr.Dataset]
-    labels: Selection
+    labels: SelectedLabels
 
 
 def _compute_all(
@@ -326,7 +326,7 @@ def _claim_interval(
     """
     value = float(number["value"])
     ends = interval_with_sets(value, bounds(number, "value"), replicas, confidence)
-    return (value, value) if claim.needs == NO_SCAN and np.isnan(ends[0]) else ends
+    return (value, value) if claim.needs == WITHOUT_SCAN and np.isnan(ends[0]) else ends
 
 
 def _stability(

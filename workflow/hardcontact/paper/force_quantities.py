@@ -1,7 +1,7 @@
 """Numbers about pull-off forces, and about roughness of all scales relative to the AFM scans.
 
-Forces in N, lengths in nm. Each function returns a number as `paper.numbers` defines it; its
-dimensions are in brackets.
+Forces in N, lengths in nm. Each function returns a number, a dataset of `value` and
+`value_interval` (`paper.numbers`); its dimensions are in brackets.
 """
 
 import json
@@ -32,7 +32,10 @@ def slope_over_height(topography: xr.Dataset) -> xr.Dataset:
 
 
 def curvature_over_height(topography: xr.Dataset) -> xr.Dataset:
-    """Return the same ratio of the rms curvatures, divided by the ratio of heights (surface)."""
+    """Return the rms curvature of all scales relative to the AFM scans (surface).
+
+    It is divided by the same ratio of the rms heights.
+    """
     return quotient(_all_over_afm(topography, "curvature"), _all_over_afm(topography, "height"))
 
 
@@ -85,7 +88,10 @@ def area_slope(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def short_range_rise(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the force at the smallest range over the smallest force (surface, contact_model)."""
+    """Return the force at the smallest range, relative to the smallest force.
+
+    Its dimensions are surface and contact_model.
+    """
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
     rise = mean.isel(rho=0, drop=True) / mean.min("rho")
     return mean_over_scans(rise, adhesion.attrs["confidence"])
@@ -99,10 +105,9 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     radius = adhesion.attrs["sphere_radius"]
     pixel = adhesion.attrs["pixel_size"]
     rho = adhesion["rho"]
-    reach = int(
-        12 * np.sqrt(radius * rho.max()) / pixel
-    )  # there the attraction is exp(-72) of the apex
-    position = xr.DataArray(pixel * np.arange(-reach, reach + 1), dims="position")
+    # At this distance the attraction at the longest range is exp(-72) of that at the apex.
+    half_width = int(12 * np.sqrt(radius * rho.max()) / pixel)
+    position = xr.DataArray(pixel * np.arange(-half_width, half_width + 1), dims="position")
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
     return number_with_interval(force.max() / force.min() - 1)
 
@@ -145,9 +150,9 @@ def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataA
     return forces.sel(rho=adhesion.attrs["reference_rho"], method="nearest", drop=True)
 
 
-def _kolmogorov_distance(values: np.ndarray, probability: Callable[..., np.ndarray]) -> float:
-    """Return the largest difference of the distribution of values (n,) to a probability."""
-    expected = probability(np.sort(values))
+def _kolmogorov_distance(values: np.ndarray, cumulative: Callable[..., np.ndarray]) -> float:
+    """Return the largest difference of the distribution of values (n,) to a cumulative one."""
+    expected = cumulative(np.sort(values))
     steps = np.arange(len(values) + 1) / len(values)
     return float(max((steps[1:] - expected).max(), (expected - steps[:-1]).max()))
 
@@ -170,9 +175,9 @@ def _inverse_gaussian_distance(values: np.ndarray) -> float:
     mean = values.mean()
     shape = 1 / np.mean(1 / values - 1 / mean)
 
-    def probability(value: np.ndarray) -> np.ndarray:
+    def cumulative(value: np.ndarray) -> np.ndarray:
         root = np.sqrt(shape / value)
         mirrored = np.exp(2 * shape / mean + special.log_ndtr(-root * (value / mean + 1)))
         return np.asarray(special.ndtr(root * (value / mean - 1)) + mirrored)
 
-    return _kolmogorov_distance(values, probability)
+    return _kolmogorov_distance(values, cumulative)

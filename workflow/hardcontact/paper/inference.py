@@ -13,11 +13,11 @@ import xarray as xr
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_curves import (
-    at_range,
     force_curves,
     force_statistics,
+    interpolate_to_range,
+    interpolate_to_ranges,
     mean_forces,
-    on_fine_grid,
 )
 from hardcontact.paper import error_map
 
@@ -35,7 +35,7 @@ MINIMA = 3
 NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
 
 #: Variables fitted to mean forces, with their units.
-UNITS = {
+INFERRED_UNITS = {
     "range_of_adhesion": NM,
     "work_of_adhesion": ENERGY,
     "best_error": ONE,
@@ -79,7 +79,7 @@ def infer(
     reference_surface : str
         Surface to which force ratios are taken.
     error_threshold : float
-        A mean relative error below it is small.
+        Mean relative error below which a pair counts as fitting.
     force_floor : float
         Smallest measurable force in N, for `force_statistics`.
     sampling : Sampling
@@ -93,12 +93,12 @@ def infer(
         error of rigid contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
-    target = published.forces.mean_force.reindex(surfaces).to_numpy()
+    published_forces = published.forces.mean_force.reindex(surfaces).to_numpy()
     reference = surfaces.index(reference_surface)
     model_datasets = []
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        fits = infer_model(forces, target, reference, error_threshold, sampling)
+        fits = infer_model(forces, published_forces, reference, error_threshold, sampling)
         fitted = Pair(float(fits.range_of_adhesion), float(fits.work_of_adhesion))
         pairs = [
             _forces_at_pair(forces, pair, reference, force_floor, sampling)
@@ -133,7 +133,7 @@ def _forces_at_pair(
     forces: xr.DataArray, pair: Pair, reference: int, floor: float, sampling: Sampling
 ) -> xr.Dataset:
     """Return force statistics and ratios of mean forces of one contact model by surface."""
-    pair_forces = at_range(forces, pair.range_of_adhesion) * pair.work_of_adhesion
+    pair_forces = interpolate_to_range(forces, pair.range_of_adhesion) * pair.work_of_adhesion
     means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
     ratio = means[:, 0] / means[reference, 0]
     ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference], 0]
@@ -149,7 +149,7 @@ def _forces_at_pair(
 
 def infer_model(
     forces: xr.DataArray,
-    published: np.ndarray,
+    published_forces: np.ndarray,
     reference: int,
     threshold: float,
     sampling: Sampling,
@@ -161,72 +161,72 @@ def infer_model(
     forces : xarray.DataArray
         Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N at 1 J/m², NaN for a
         missing scan.
-    published : numpy.ndarray
+    published_forces : numpy.ndarray
         Published mean forces (surface,) in N. Surfaces with NaN do not enter the fit.
     reference : int
         Index of the surface to which force ratios are taken.
     threshold : float
-        A mean relative error below it is small.
+        Mean relative error below which a pair counts as fitting.
     sampling : Sampling
         Random numbers and confidence of the intervals.
 
     Returns
     -------
     xarray.Dataset
-        Fitted variables (UNITS) with intervals and samples, the error map, and the variables of
+        INFERRED_UNITS with intervals and samples, the error map, and the variables of
         `force_curves`. At the best work for each range the error has local minima along the range.
         ``minimum`` numbers them in the order of their errors; missing minima are NaN.
     """
     rhos = forces.rho.values
-    fine = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
+    fine_ranges = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
     means, mean_samples = mean_forces(forces, sampling)
-    is_published = np.isfinite(published)
-    target = published[is_published]
+    is_published = np.isfinite(published_forces)
+    targets = published_forces[is_published]
     target_reference = int(is_published[:reference].sum())
-    curve = on_fine_grid(means[is_published], rhos, fine)
-    curve_samples = on_fine_grid(mean_samples[:, is_published], rhos, fine)
-    fits = _fit_curves(curve, target, target_reference, fine)
-    samples = _fit_curves(curve_samples, target, target_reference, fine)
+    curves = interpolate_to_ranges(means[is_published], rhos, fine_ranges)
+    curve_samples = interpolate_to_ranges(mean_samples[:, is_published], rhos, fine_ranges)
+    fits = _fit_curves(curves, targets, target_reference, fine_ranges)
+    samples = _fit_curves(curve_samples, targets, target_reference, fine_ranges)
     variables: dict[str, Any] = {
-        f"sampled_{name}": ("sample", samples[variable], UNITS[variable])
+        f"sampled_{name}": ("sample", samples[variable], INFERRED_UNITS[variable])
         for name, variable in SAMPLED.items()
     }
-    for name, attributes in UNITS.items():
+    for name, attributes in INFERRED_UNITS.items():
         variables |= sampling.with_interval(name, (), fits[name], samples[name], attributes)
-    variables |= _error_variables(curve, target, fine, threshold)
-    _, ratio_errors = error_map.fit_ratios(curve, target, target_reference)
+    variables |= _error_variables(curves, targets, fine_ranges, threshold)
+    _, ratio_errors = error_map.fit_ratios(curves, targets, target_reference)
     variables["ratio_error"] = ("rho_fine", ratio_errors, ONE)
     variables |= force_curves(forces, means, mean_samples, reference, sampling)
     coordinates = {
-        "rho_fine": ("rho_fine", fine, NM),
-        "work": ("work", error_map.WORK, ENERGY),
+        "rho_fine": ("rho_fine", fine_ranges, NM),
+        "work": ("work", error_map.WORKS, ENERGY),
         "minimum": np.arange(1, MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
 
 
 def _fit_curves(
-    curves: np.ndarray, published: np.ndarray, reference: int, fine: np.ndarray
+    curves: np.ndarray, targets: np.ndarray, reference: int, fine_ranges: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Return the variables (...) fitted to curves (..., surface, rho), NaN if a curve has NaN."""
-    best, work, error = error_map.fit(curves, published)
-    best_of_ratios, _ = error_map.fit_ratios(curves, published, reference)
+    best_index, work, error = error_map.fit_range_and_work(curves, targets)
+    best_index_of_ratios, _ = error_map.fit_ratios(curves, targets, reference)
     is_fitted = np.isfinite(error)
     return {
-        "range_of_adhesion": np.where(is_fitted, fine[best], np.nan),
+        "range_of_adhesion": np.where(is_fitted, fine_ranges[best_index], np.nan),
         "work_of_adhesion": work,
         "best_error": error,
-        "range_from_ratios": np.where(is_fitted, fine[best_of_ratios], np.nan),
+        "range_from_ratios": np.where(is_fitted, fine_ranges[best_index_of_ratios], np.nan),
     }
 
 
 def _error_variables(
-    curve: np.ndarray, published: np.ndarray, fine: np.ndarray, threshold: float
+    curves: np.ndarray, targets: np.ndarray, fine_ranges: np.ndarray, threshold: float
 ) -> dict[str, Any]:
     """Return the error map, its local minima, and the region of small error."""
-    errors = error_map.mean_relative_error(curve, published, error_map.WORK)
-    ranges, works = error_map.error_region(errors, fine, error_map.WORK, threshold)
-    work, smallest_errors = error_map.fit_work(curve, published)
+    errors = error_map.mean_relative_error(curves, targets, error_map.WORKS)
+    ranges, works = error_map.error_region(errors, fine_ranges, error_map.WORKS, threshold)
+    work, smallest_errors = error_map.fit_work(curves, targets)
     minima = error_map.local_minima(smallest_errors, MINIMA)
     padding = (0, MINIMA - len(minima))
     return {
@@ -241,7 +241,7 @@ def _error_variables(
             attributes,
         )
         for name, values, attributes in (
-            ("range", fine, NM),
+            ("range", fine_ranges, NM),
             ("work", work, ENERGY),
             ("error", smallest_errors, ONE),
         )

@@ -17,7 +17,7 @@ import xarray as xr
 from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_curves import mean_forces
-from hardcontact.paper.error_map import fit, fit_work
+from hardcontact.paper.error_map import fit_range_and_work, fit_work
 from hardcontact.paper.inference import Pair
 from hardcontact.theory.interaction_laws import (
     EXPONENTIAL,
@@ -228,7 +228,7 @@ def _fit_case(
 
 def _best_fit(relative: np.ndarray, lengths: np.ndarray) -> _Fit:
     """Return the best fit of forces (..., surface, length) relative to their targets."""
-    best, work, error = fit(relative, np.ones(relative.shape[-2]))
+    best, work, error = fit_range_and_work(relative, np.ones(relative.shape[-2]))
     return _Fit(best, np.where(np.isfinite(error), lengths[best], np.nan), work, error)
 
 

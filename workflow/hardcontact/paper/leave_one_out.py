@@ -1,12 +1,12 @@
-"""Range and work of adhesion fitted without one surface at a time."""
+"""Range and work of adhesion, fitted with one surface left out at a time."""
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.paper import error_map
-from hardcontact.paper.inference import FINE_RANGES, UNITS
+from hardcontact.paper.inference import FINE_RANGES, INFERRED_UNITS
 
 #: Label of the fit to all surfaces.
 NONE_LEFT_OUT = "none"
@@ -28,16 +28,18 @@ def fitted_pairs(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
         ``range_of_adhesion`` (...) in nm, ``work_of_adhesion`` (...) in J/m² and ``best_error``
         (...), the mean relative error of the fitted forces.
     """
-    target = published.reindex(mean_forces["surface"].values).dropna()
+    targets = published.reindex(mean_forces["surface"].values).dropna()
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
-    forces = mean_forces.sel(surface=target.index).transpose(*dimensions, "surface", "rho")
+    forces = mean_forces.sel(surface=targets.index).transpose(*dimensions, "surface", "rho")
     ranges = forces["rho"].values
-    fine = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
-    curves = on_fine_grid(forces.values, ranges, fine)
-    best, work, error = error_map.fit(curves, target.to_numpy())
-    values = {"range_of_adhesion": fine[best], "work_of_adhesion": work, "best_error": error}
+    fine_ranges = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
+    curves = interpolate_to_ranges(forces.values, ranges, fine_ranges)
+    best_index, work, error = error_map.fit_range_and_work(curves, targets.to_numpy())
+    values = {
+        "range_of_adhesion": fine_ranges[best_index], "work_of_adhesion": work, "best_error": error,
+    }  # fmt: skip
     return xr.Dataset(
-        {name: (dimensions, value, UNITS[name]) for name, value in values.items()},
+        {name: (dimensions, value, INFERRED_UNITS[name]) for name, value in values.items()},
         {dim: forces[dim] for dim in dimensions},
     )
 

@@ -12,9 +12,7 @@ from hardcontact.base.statistics import (
     student_interval,
     student_log_interval,
 )
-
-#: Dimensions of single contacts, and of the scans of the sphere.
-CONTACTS = ("sphere_scan", "contact", "contact_y", "contact_x")
+from hardcontact.contact.contact import CONTACT_DIMENSIONS
 
 
 def number_with_interval(
@@ -64,7 +62,7 @@ def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
     value = dataset[name]
     if f"{name}_interval" in dataset:
         return number_with_interval(value, *bounds(dataset, name))
-    if "scan" in value.dims and set(CONTACTS) & set(value.dims):
+    if "scan" in value.dims and set(CONTACT_DIMENSIONS) & set(value.dims):
         if "confidence" not in dataset.attrs:
             raise KeyError("expected an attribute named 'confidence', found none")
         return mean_over_scans(mean_over_contacts(value), dataset.attrs["confidence"])
@@ -73,7 +71,7 @@ def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
 
 def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
     """Return the mean over the contacts of one scan and over the scans of the sphere."""
-    return values.mean([dim for dim in CONTACTS if dim in values.dims])
+    return values.mean([dim for dim in CONTACT_DIMENSIONS if dim in values.dims])
 
 
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:

@@ -20,7 +20,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
-from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_from
+from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
@@ -78,7 +78,7 @@ def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
     return PoolSources(
-        spectrum_from(spectrum),
+        spectrum_of_dataset(spectrum),
         targets,
         pool_heights(targets, parameters["scans"], parameters["rms_heights"]),
         PoolSettings(

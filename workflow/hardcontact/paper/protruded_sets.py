@@ -1,7 +1,7 @@
 """Sets with rare protrusions on one coating or on the sphere: forces, fits of range and work.
 
-All scans of a coating have protrusions of the same density, height and width. Each variant draws
-these three numbers anew.
+All scans of a coating have protrusions of the same density, height and width. A draw is one random
+choice of these three numbers.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
-from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import plastic_forces, range_axis
 from hardcontact.paper.inference import Published
@@ -22,7 +22,7 @@ from hardcontact.paper.leave_one_out import fitted_pairs
 from hardcontact.paper.pool import PoolSettings, PoolSources
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.protrusions import Roughness, add_protrusions, draw_protrusions
+from hardcontact.surfaces.protrusions import PublishedRoughness, add_protrusions, draw_protrusions
 from hardcontact.surfaces.substitute_scans import draw_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
@@ -37,7 +37,7 @@ PROTRUSION_UNITS = {"density": "um-2", "height": "1", "width": "nm"}
 
 def published_roughness(
     table1: pd.DataFrame, constants: pd.DataFrame, coating: str, definitions: Mapping[str, str]
-) -> Roughness:
+) -> PublishedRoughness:
     """Return the published roughness of a coating and of the sphere.
 
     Parameters
@@ -51,12 +51,13 @@ def published_roughness(
 
     Returns
     -------
-    Roughness
-        Rms height, slope and its upper limit of the coating, and rms height of the sphere.
+    PublishedRoughness
+        Rms height, rms slope and largest rms slope of the coating, and the largest rms height of
+        the sphere.
     """
     rows = rows_of_surface(table1, coating, **definitions)
     slope = float(rows["value"]["afm_rms_slope"])
-    return Roughness(
+    return PublishedRoughness(
         float(rows["value"]["afm_rms_height"]),
         slope,
         slope + float(rows["uncertainty"]["afm_rms_slope"]),
@@ -65,24 +66,28 @@ def published_roughness(
 
 
 def compute_protruded(
-    numbers: Sequence[int], scans: int, sources: PoolSources, roughness: Roughness, bearer: str
+    draw_numbers: Sequence[int],
+    scan_count: int,
+    sources: PoolSources,
+    roughness: PublishedRoughness,
+    bearer: str,
 ) -> xr.Dataset:
     """Compute the forces between sphere and coating if either of them has protrusions.
 
     Forces depend on the gap alone. Protrusions of the sphere are therefore added to the heights of
-    the coating, at random places of each scan, as of many spheres. The coating with protrusions of
-    its own keeps its rms height.
+    the coating, at random places of each scan, as if each scan met another sphere. A coating with
+    protrusions of its own is scaled back to its rms height.
 
     Parameters
     ----------
-    numbers : sequence of int
-        Numbers of the variants. Each variant has other protrusions.
-    scans : int
-        Number of scans of the coating in each variant. Their rms heights get the mean and the
+    draw_numbers : sequence of int
+        Numbers of the draws. Each draw has other protrusions.
+    scan_count : int
+        Number of scans of the coating in each draw. Their rms heights get the mean and the
         deviation of the targets.
     sources : PoolSources
         Spectrum and targets of the coating without protrusions.
-    roughness : Roughness
+    roughness : PublishedRoughness
         Published roughness, which limits protrusions.
     bearer : str
         Name of the body with protrusions: the coating or the sphere. Protrusions of the sphere are
@@ -96,36 +101,36 @@ def compute_protruded(
         mean force without protrusions; ``density`` (1/µm²), ``height`` (rms heights) and ``width``
         (nm) by draw.
     """
-    variants = [
-        _protruded_forces(number, scans, sources, roughness, bearer)
-        for number in progress(numbers, len(numbers), "protruded surfaces")
+    draws = [
+        _protruded_forces(number, scan_count, sources, roughness, bearer)
+        for number in progress(draw_numbers, len(draw_numbers), "protruded surfaces")
     ]
-    axis = pd.Index(list(numbers), name="draw")
-    return xr.concat(variants, axis).assign_attrs(surface=sources.settings["surface"])
+    axis = pd.Index(list(draw_numbers), name="draw")
+    return xr.concat(draws, axis).assign_attrs(surface=sources.settings["surface"])
 
 
 def _protruded_forces(
-    number: int, scans: int, sources: PoolSources, roughness: Roughness, bearer: str
+    number: int, scan_count: int, sources: PoolSources, roughness: PublishedRoughness, bearer: str
 ) -> xr.Dataset:
-    """Return forces and protrusions of one variant."""
-    density, targets, heights, settings = sources
+    """Return forces and protrusions of one draw."""
+    spectrum, targets, pool_rms_heights, settings = sources
     seed = settings["seed"]
     coating = settings["surface"]
     sphere_is_bearer = bearer != coating
-    rng = generator(seed, bearer, number, "protrusions")
-    protrusions = draw_protrusions(rng, roughness, sphere_is_bearer)
-    generators = [
+    protrusion_rng = generator(seed, bearer, number, "protrusions")
+    protrusions = draw_protrusions(protrusion_rng, roughness, sphere_is_bearer)
+    scan_rngs = [
         generator(seed, coating, number, scan_number, "protruded scan")
-        for scan_number in range(1, scans + 1)
+        for scan_number in range(1, scan_count + 1)
     ]
-    unscaled = [level(draw_scan(rng, density, settings["scan"])) for rng in generators]
+    unscaled = [level(draw_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
     rms_heights = np.array([scan.heights.std() for scan in unscaled])
     target_heights = group_heights(rms_heights, targets.means["rms_height"], targets.deviation)
-    # With six scans or more a height may be below the smallest height of the forces of sets.
-    target_heights = np.maximum(target_heights, heights[0])
+    # With six scans or more a target may be below the smallest rms height of the pool.
+    target_heights = np.maximum(target_heights, pool_rms_heights[0])
     forces = []
     unprotruded_forces = []
-    for rng, scan, rms_height in zip(generators, unscaled, target_heights, strict=True):
+    for rng, scan, rms_height in zip(scan_rngs, unscaled, target_heights, strict=True):
         scan = _scale_scan(scan, rms_height)
         if sphere_is_bearer:
             protruded = add_protrusions(rng, scan, protrusions, roughness.rms_height)
@@ -163,7 +168,7 @@ def _plastic_forces(scan: HeightMap, settings: PoolSettings) -> Floats:
 def judge_protruded(
     chunks: Iterable[xr.Dataset], surface: str, sets: xr.Dataset, published: Published
 ) -> xr.Dataset:
-    """Fit range and work of adhesion to every set, with the protrusions of every variant.
+    """Fit range and work of adhesion to every set, with the protrusions of every draw.
 
     The forces with protrusions replace the forces of the sets on this surface. The mean forces on
     other surfaces are multiplied by the change that protrusions cause.
@@ -171,7 +176,7 @@ def judge_protruded(
     Parameters
     ----------
     chunks : iterable of xarray.Dataset
-        From `compute_protruded`: the same variants for each surface whose forces change.
+        From `compute_protruded`: the same draws for each surface whose forces change.
     surface : str
         The surface whose forces are compared with published forces.
     sets : xarray.Dataset
@@ -185,8 +190,8 @@ def judge_protruded(
     xarray.Dataset
         The `fitted_pairs` by (draw, set). At the fitted pair ``mean_force`` and
         ``median_force`` (draw, set) of the protruded surface in N; ``agrees`` (draw, set) is
-        1 if both are within FACTOR of the published forces. At the published pair
-        ``mean_at_published`` and ``median_at_published`` (draw) in N and
+        1 if both are within the factor MAX_FORCE_FACTOR of the published forces. At the published
+        pair ``mean_at_published`` and ``median_at_published`` (draw) in N and
         ``log_force_std_at_published`` (draw), the standard deviation of ln F. The fields of
         `Protrusions` (draw).
     """
@@ -198,7 +203,7 @@ def judge_protruded(
     forces = protruded[surface]["pull_off_force"] * factor
     forces = forces.transpose("draw", "contact", "rho")
     ranges = forces["rho"].values
-    changes = [variants["mean_force_ratio"] for variants in protruded.values()]
+    changes = [draws["mean_force_ratio"] for draws in protruded.values()]
     change = xr.concat(changes, pd.Index(list(protruded), name="surface"))
     curves = sets["mean_force"] * change.reindex(surface=sets["surface"], fill_value=1.0)
     curves = curves.where(sets["surface"] != surface, forces.mean("contact"))
@@ -206,17 +211,19 @@ def judge_protruded(
     shape = tuple(fits.sizes.values())
     means = np.empty(shape)
     medians = np.empty(shape)
-    for row in range(len(forces)):
-        fit = fits.isel(draw=row)
-        fitted_forces = on_fine_grid(forces.values[row], ranges, fit["range_of_adhesion"].values)
+    for draw, draw_forces in enumerate(forces.values):
+        fit = fits.isel(draw=draw)
+        fitted_forces = interpolate_to_ranges(draw_forces, ranges, fit["range_of_adhesion"].values)
         fitted_forces = fitted_forces * fit["work_of_adhesion"].values  # (contact, set)
-        means[row] = fitted_forces.mean(axis=0)
-        medians[row] = np.median(fitted_forces, axis=0)
+        means[draw] = fitted_forces.mean(axis=0)
+        medians[draw] = np.median(fitted_forces, axis=0)
     agrees = np.ones(shape, bool)
     for name, values in (("mean_force", means), ("median_force", medians)):
         agrees &= abs(np.log(values / published.forces[name][surface])) <= np.log(MAX_FORCE_FACTOR)
     rho, work = published.pair
-    published_pair_forces = on_fine_grid(forces.values, ranges, np.array([rho]))[..., 0] * work
+    published_pair_forces = (
+        interpolate_to_ranges(forces.values, ranges, np.array([rho]))[..., 0] * work
+    )
     return fits.assign(
         mean_force=(("draw", "set"), means, NEWTON),
         median_force=(("draw", "set"), medians, NEWTON),
@@ -232,7 +239,7 @@ def judge_protruded(
 
 
 def empty_protruded(surface: str, ranges: np.ndarray) -> xr.Dataset:
-    """Return the dataset of `compute_protruded` without any variant.
+    """Return the dataset of `compute_protruded` without any draw.
 
     Parameters
     ----------
@@ -244,7 +251,7 @@ def empty_protruded(surface: str, ranges: np.ndarray) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        As from `compute_protruded`; the variant has the length zero.
+        As from `compute_protruded`; the dimension draw has the length zero.
     """
     forces = np.empty((0, len(ranges), 1))
     return xr.Dataset(

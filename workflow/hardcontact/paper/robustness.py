@@ -27,7 +27,7 @@ INFERENCE_VARIABLES = [
 BAND_VARIABLES = ["edge", "edge_interval"]
 
 #: Files of masters, each with its surface, variant and probe.
-Masters = Sequence[tuple[Sequence[str], xr.Dataset]]
+KeyedMasters = Sequence[tuple[Sequence[str], xr.Dataset]]
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Choices:
 
 def robustness(
     adhesion: Mapping[tuple[Any, ...], xr.Dataset],
-    masters: Masters,
+    masters: KeyedMasters,
     variants: Sequence[dict[str, Any]],
     published: pd.DataFrame,
     choices: Choices,
@@ -123,7 +123,7 @@ def _infer_range_and_work(
     return fits[INFERENCE_VARIABLES]
 
 
-def _pooled_band(masters: Masters, variant: dict[str, Any], choices: Choices) -> xr.Dataset:
+def _pooled_band(masters: KeyedMasters, variant: dict[str, Any], choices: Choices) -> xr.Dataset:
     """Return BAND_VARIABLES (side) of one variant, pooled over all substrates."""
     files = [
         ([surface], file)

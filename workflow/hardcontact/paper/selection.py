@@ -1,4 +1,7 @@
-"""Selection of the number of a claim, and verdicts that do not depend on the number."""
+"""Selection of the number of a claim, and verdicts that do not depend on the number.
+
+A number is a dataset of `value` and `value_interval` (`paper.numbers`).
+"""
 
 from collections.abc import Iterable, Mapping
 from itertools import chain, pairwise
@@ -13,10 +16,10 @@ from hardcontact.paper.numbers import quotient
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
 #: Groups of labels by dimension; `a > b` makes two groups.
-Selection = Mapping[str, list[list[Any]]]
+SelectedLabels = Mapping[str, list[list[Any]]]
 
 
-def parse_selection(number: xr.Dataset, select: str) -> Selection | None:
+def parse_selection(number: xr.Dataset, select: str) -> SelectedLabels | None:
     """Parse the column `select` of a claim.
 
     Parameters
@@ -28,7 +31,7 @@ def parse_selection(number: xr.Dataset, select: str) -> Selection | None:
 
     Returns
     -------
-    Selection or None
+    SelectedLabels or None
         Labels as in the coordinates; None if a coordinate lacks a label.
 
     Raises
@@ -56,7 +59,7 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
     return coordinate[matches][0] if matches.any() else None
 
 
-def select_number(number: xr.Dataset, labels: Selection, rule: str) -> xr.Dataset:
+def select_number(number: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
     """Return the single number that is judged, with its interval.
 
     The number of an order of groups, ``a > b > c``, is the smallest ratio of a member of a group to
@@ -67,7 +70,7 @@ def select_number(number: xr.Dataset, labels: Selection, rule: str) -> xr.Datase
     ----------
     number : xarray.Dataset
         The number with its dimensions.
-    labels : Selection
+    labels : SelectedLabels
         From `parse_selection`.
     rule : str
         As for `verdicts.accepted_range`.
@@ -85,14 +88,14 @@ def select_number(number: xr.Dataset, labels: Selection, rule: str) -> xr.Datase
     for dim, groups in labels.items():
         members = [number.sel({dim: group}) for group in groups]
         number = _smallest_ratio(members, dim) if len(members) > 1 else members[0]
-    open_dimensions = number["value"].dims
+    remaining = number["value"].dims
     if number["value"].size == 1:
-        return number.squeeze(open_dimensions, drop=True)
+        return number.squeeze(remaining, drop=True)
     if rule not in ONE_SIDED:
         raise ValueError(
-            f"rule {rule!r} needs one number, open: {', '.join(map(str, open_dimensions))}"
+            f"rule {rule!r} needs one number, not selected: {', '.join(map(str, remaining))}"
         )
-    worst = number.max(open_dimensions) if rule == "below" else number.min(open_dimensions)
+    worst = number.max(remaining) if rule == "below" else number.min(remaining)
     # The worst number has no interval if any number lacks one: that number may be the worst.
     has_interval = number["value_interval"].notnull().all("bound") | number["value"].isnull()
     return worst.assign(value_interval=worst["value_interval"].where(has_interval.all()))
@@ -107,11 +110,12 @@ def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
     return xr.concat(ratios, dim="pair_of_groups").min("pair_of_groups", skipna=False)
 
 
-NO_SCAN = "no scan"
+#: Basis of a number that needs no scan.
+WITHOUT_SCAN = "no scan"
 
 
 def claim_surfaces(
-    claim: Any, datasets: Mapping[str, xr.Dataset], selected: Selection, topography: xr.Dataset
+    claim: Any, datasets: Mapping[str, xr.Dataset], labels: SelectedLabels, topography: xr.Dataset
 ) -> list[str]:
     """Return the surfaces on which a claim depends.
 
@@ -122,10 +126,10 @@ def claim_surfaces(
     Parameters
     ----------
     claim : row of a table
-        From `evaluation.read_statements`.
+        From `evaluation.read_statements`; its column ``needs`` is used.
     datasets : mapping of str to xarray.Dataset
         The datasets of the claim.
-    selected : Selection
+    labels : SelectedLabels
         From `parse_selection`.
     topography : xarray.Dataset
         topography.nc, with all surfaces and the name of the sphere.
@@ -135,11 +139,11 @@ def claim_surfaces(
     list of str
         Names of surfaces.
     """
-    if claim.needs == NO_SCAN:
+    if claim.needs == WITHOUT_SCAN:
         return []
     study_surfaces = set(topography["surface"].values)
-    labels = chain.from_iterable(group for groups in selected.values() for group in groups)
-    surfaces = [label for label in labels if label in study_surfaces]
+    all_labels = chain.from_iterable(group for groups in labels.values() for group in groups)
+    surfaces = [label for label in all_labels if label in study_surfaces]
     if not surfaces:
         surfaces = list(next(iter(datasets.values()))["surface"].values)
     if set(datasets) != {"topography"}:
@@ -150,7 +154,7 @@ def claim_surfaces(
 def claim_basis(surfaces: list[str], topography: xr.Dataset) -> str:
     """Return the basis of a number: ``measured``, ``substitute scans`` or ``no scan``."""
     if not surfaces:
-        return NO_SCAN
+        return WITHOUT_SCAN
     return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
 
 
@@ -170,7 +174,7 @@ def fixed_verdict(
     Parameters
     ----------
     claim : row of a table
-        From `evaluation.read_statements`.
+        From `evaluation.read_statements`; its columns ``needs`` and ``quantity`` are used.
     surfaces : list of str
         From `claim_surfaces`.
     topography : xarray.Dataset
@@ -198,12 +202,12 @@ def fixed_verdict(
     ]
     if surfaces and all(meets_by_construction):
         return BY_CONSTRUCTION, "The substitute scans are made to meet this."
-    if claim.quantity in PIXEL_QUANTITIES and _is_coarse(topography, constants["value"]):
+    if claim.quantity in PIXEL_QUANTITIES and _has_larger_pixels(topography, constants["value"]):
         return UNTESTABLE, "It depends on the size of a pixel, which is larger than the paper's."
     return "", ""
 
 
-def _is_coarse(topography: xr.Dataset, published: "pd.Series[float]") -> bool:
+def _has_larger_pixels(topography: xr.Dataset, published: "pd.Series[float]") -> bool:
     """Return whether the pixels of the scans are larger than those of the paper."""
     pixel_size = topography["scan_size"].max().item() / topography.sizes["row"]
     return bool(pixel_size > 1.01 * published["scan_size"] / published["scan_pixels"])

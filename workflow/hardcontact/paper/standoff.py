@@ -5,8 +5,8 @@ Eq. 2 all points below the sphere attract together with the force
 
     F = 2 pi R W exp(sigma²/2 rho² - m/rho) Phi(m/sigma - sigma/rho).
 
-A force therefore gives m for every rho and W. The formula is too small where few points carry the
-force. Published forces are therefore compared with computed forces by the same formula.
+A force therefore gives m for every rho and W. The formula gives too small a force if few points
+carry it. Published forces are therefore compared with computed forces by the same formula.
 """
 
 import numpy as np
@@ -18,16 +18,18 @@ from hardcontact.paper import error_map
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.theory.closed_form import gaussian_share
 
-#: Number of tabulated heights of the apex; the highest one in rms heights plus ranges of adhesion.
+#: Number of tabulated heights of the apex. The highest one is HIGHEST_IN_RMS rms heights plus
+#: HIGHEST_IN_RANGES ranges of adhesion.
 TABULATED_HEIGHTS = 20001
 HIGHEST_IN_RMS, HIGHEST_IN_RANGES = 10, 40
-STATISTICS = ["mean", "median"]
+#: Statistics of the forces on a surface that give a height.
+CENTRAL_VALUES = ["mean", "median"]
 #: Work of adhesion: the published work, or the work that fits all forces best at each range.
-WORKS = ["published", "fitted"]
+WORK_CHOICES = ["published", "fitted"]
 NM = {"units": "nm"}
 
 
-def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
+def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats:
     """Return the height m of the apex that gives a force.
 
     Heights below the height of the largest force do not count: there fewer points lie below the
@@ -35,7 +37,7 @@ def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
 
     Parameters
     ----------
-    share : numpy.ndarray
+    relative_force : numpy.ndarray
         Force (...) relative to 2 pi R W.
     rms_height, rho : float
         Rms height and range of adhesion in nm.
@@ -47,10 +49,10 @@ def apex_height(share: Floats, rms_height: float, rho: float) -> Floats:
     """
     highest = HIGHEST_IN_RMS * rms_height + HIGHEST_IN_RANGES * rho
     heights = np.linspace(0, highest, TABULATED_HEIGHTS)
-    shares = gaussian_share(rms_height, heights, rho)
-    falling = slice(shares.argmax(), None)
-    logarithm = -np.log(shares[falling])
-    return np.interp(-np.log(share), logarithm, heights[falling], np.nan, np.nan)
+    tabulated_forces = gaussian_share(rms_height, heights, rho)
+    falling = slice(tabulated_forces.argmax(), None)
+    logarithm = -np.log(tabulated_forces[falling])
+    return np.interp(-np.log(relative_force), logarithm, heights[falling], np.nan, np.nan)
 
 
 def standoff(
@@ -83,26 +85,37 @@ def standoff(
     computed_forces = computed_forces.transpose("surface", "statistic", "rho")
     surfaces = computed_forces["surface"].values
     ranges = computed_forces["rho"].values
-    published_forces = published.loc[surfaces, [f"{name}_force" for name in STATISTICS]].to_numpy()
+    columns = [f"{name}_force" for name in CENTRAL_VALUES]
+    published_forces = published.loc[surfaces, columns].to_numpy()
     fitted_work, _ = error_map.fit_work(
         computed_forces.isel(statistic=0).values, published_forces[:, 0]
     )
-    smooth = float(dmt_pull_off(1.0, adhesion.attrs["sphere_radius"]))
+    smooth_force = float(dmt_pull_off(1.0, adhesion.attrs["sphere_radius"]))
     works = np.stack([np.full(ranges.size, work), fitted_work])
-    required = np.empty((surfaces.size, len(STATISTICS), len(WORKS), ranges.size))
+    height_from_published = np.empty(
+        (surfaces.size, len(CENTRAL_VALUES), len(WORK_CHOICES), ranges.size)
+    )
     height_from_computed = np.empty(computed_forces.shape)
-    for row, surface in enumerate(surfaces):
-        for column, rho in enumerate(ranges):
+    for i, surface in enumerate(surfaces):
+        for k, rho in enumerate(ranges):
             rms_height = rms_heights[surface]
-            measured_shares = published_forces[row, :, None] / (smooth * works[:, column])
-            required[row, :, :, column] = apex_height(measured_shares, rms_height, rho)
-            computed_shares = computed_forces.values[row, :, column] / smooth
-            height_from_computed[row, :, column] = apex_height(computed_shares, rms_height, rho)
+            published_ratios = published_forces[i, :, None] / (smooth_force * works[:, k])
+            height_from_published[i, :, :, k] = apex_height(published_ratios, rms_height, rho)
+            computed_ratios = computed_forces.values[i, :, k] / smooth_force
+            height_from_computed[i, :, k] = apex_height(computed_ratios, rms_height, rho)
     return xr.Dataset(
         {
-            "height_from_published": (("surface", "statistic", "work_source", "rho"), required, NM),
+            "height_from_published": (
+                ("surface", "statistic", "work_source", "rho"),
+                height_from_published,
+                NM,
+            ),
             "height_from_computed": (("surface", "statistic", "rho"), height_from_computed, NM),
             "combined_rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
         },
-        {"statistic": STATISTICS, "work_source": WORKS, "rho": computed_forces["rho"]},
+        {
+            "statistic": CENTRAL_VALUES,
+            "work_source": WORK_CHOICES,
+            "rho": computed_forces["rho"],
+        },
     ).assign(adhesion[["label", "basis"]])

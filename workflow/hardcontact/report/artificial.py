@@ -8,18 +8,18 @@ import xarray as xr
 from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.report.datasets import Datasets
 
-#: Kinds of measurement, and the description of a substitute in the place of one; where a surface
-#: has fewer than another its datasets are padded.
-KINDS = ("map", "profile", "description")
-#: Share of a change from which on it counts as measured, or the rest of it as artificial.
+#: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements
+#: than another, its datasets are padded.
+MEASUREMENT_KINDS = ("map", "profile", "description")
+#: Smallest share of a change that counts as the whole change.
 NEARLY_ALL = 0.9
-#: What is known of each measurement in nm.
-LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
+#: Lengths of each measurement, in nm.
+MEASUREMENT_LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
 
 def measurements(spectra: xr.Dataset) -> xr.Dataset:
     """Return the spectra of one surface without the padding along `measurement`."""
-    return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), KINDS))
+    return spectra.isel(measurement=np.isin(spectra["kind"].values.astype(str), MEASUREMENT_KINDS))
 
 
 def reliable_measurements(spectra: xr.Dataset) -> xr.Dataset:
@@ -57,7 +57,7 @@ def parts_of_change(
 ) -> tuple[float, float]:
     """Return the change of the force by reliable and by artificial wavelengths of one surface.
 
-    Roughness is removed from the `side` on. Each change is the sum of |d ln F| over wavelengths
+    Roughness is removed on the `side`. Each change is the sum of |d ln F| over wavelengths
     between `shortest` and `longest` (nm); ln F is interpolated linearly over the logarithm of the
     cutoff.
     """

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from hardcontact.base.printing import print_share
-from hardcontact.report.figures.listing import describe
+from hardcontact.report.figures.listing import describe_figure
 
 
 class Caption(NamedTuple):
@@ -18,12 +18,26 @@ class Caption(NamedTuple):
 def caption(figure: str, configuration: Mapping[str, Any]) -> Caption:
     """Return the caption of a figure.
 
-    The CAPTION of the figure's module is a Jinja template with keys of the configuration. Raises
-    jinja2.UndefinedError if the configuration lacks a key.
+    Parameters
+    ----------
+    figure : str
+        Name of the figure. The CAPTION of its module is a Jinja template.
+    configuration : mapping
+        The user's configuration, whose keys the template uses.
+
+    Returns
+    -------
+    Caption
+        Title, first paragraph and other paragraphs, plain text.
+
+    Raises
+    ------
+    jinja2.UndefinedError
+        If the configuration lacks a key.
     """
     from jinja2 import Environment, StrictUndefined
 
-    description = describe(figure)
+    description = describe_figure(figure)
     environment = Environment(undefined=StrictUndefined)
     environment.filters["percent"] = print_share
     text = environment.from_string(description.caption).render(configuration)

@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.contact.finite_scan import LEAST_TRIED
+from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.report.artificial import measurement_name, measurements, split_measurements
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import bounds_only, number_of
@@ -151,7 +151,9 @@ def _small_scans(datasets: Datasets) -> list[dict[str, Any]]:
             "draw_size": Number("draw_size", draw_size, "nm"),
             "share": Number("share", size / draw_size),
             "ratio": bounds_only("ratio", low, high),
-            "tried": Number("tried", LEAST_TRIED if size / draw_size < LEAST_TRIED else np.nan),
+            "tried": Number(
+                "tried", SMALLEST_TESTED if size / draw_size < SMALLEST_TESTED else np.nan
+            ),
         }
     ]
 

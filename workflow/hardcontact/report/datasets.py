@@ -7,8 +7,8 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 
-#: The contact model whose force stands in the answer, where it was computed.
-PREFERRED = "plastic"
+#: The contact model whose force is the answer, if it was computed.
+PREFERRED_MODEL = "plastic"
 
 
 class Datasets(NamedTuple):
@@ -55,9 +55,9 @@ class Setting(NamedTuple):
 
 
 def preferred_model(force: xr.Dataset) -> str:
-    """Return the name of the contact model whose force stands in the answer."""
+    """Return the name of the contact model whose force is the answer."""
     models = [str(name) for name in force["contact_model"].values]
-    return PREFERRED if PREFERRED in models else models[0]
+    return PREFERRED_MODEL if PREFERRED_MODEL in models else models[0]
 
 
 def tabor_number(force: xr.Dataset) -> Number:
@@ -70,7 +70,7 @@ def forces_at_range(force: xr.Dataset) -> xr.Dataset:
 
     Raises KeyError if forces were not computed at this range.
     """
-    asked = force.attrs["range_of_adhesion"]
+    rho = force.attrs["range_of_adhesion"]
     return force.sel(contact_model=preferred_model(force)).sel(
-        rho=asked, method="nearest", tolerance=1e-6 * asked
+        rho=rho, method="nearest", tolerance=1e-6 * rho
     )

@@ -13,12 +13,12 @@ from hardcontact.report.datasets import Datasets, forces_at_range, preferred_mod
 from hardcontact.report.quantities import bounds_only, number_of
 from hardcontact.surfaces.synthesis import SIDES
 
-#: The upper end of an interval is called open where it lies this many times farther, in the
-#: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
-LOPSIDED = 2.0
+#: Largest distance of the upper end of an interval, relative to that of the lower end, in the
+#: logarithm. Beyond it the upper end is called open: few tests may scatter much more than it seems.
+MAX_LOPSIDEDNESS = 2.0
 
 
-class Row(NamedTuple):
+class AnswerRow(NamedTuple):
     """A row of the table of an answer: a number, and facts about it by their names.
 
     Facts are the `reason` of an open edge, the `measured_share` of an edge or a force that comes
@@ -47,7 +47,7 @@ def differing_sides(data: xr.Dataset) -> list[str]:
     return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
 
 
-def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
+def extrapolated_wavelengths(force: xr.Dataset, side: str) -> dict[str, Any]:
     """Return the wavelengths between which roughness is extrapolated at one side."""
     side_force = force.sel(side=side)
     start, end = (
@@ -75,7 +75,7 @@ def extrapolated_fact(
     return fact
 
 
-def force_rows(data: Datasets) -> list[Row]:
+def force_rows(data: Datasets) -> list[AnswerRow]:
     """Return the predicted forces of one surface at the configured range, and the smooth limit."""
     force, forces = data.force, forces_at_range(data.force)
     quantiles = forces["force_quantile"]
@@ -85,22 +85,22 @@ def force_rows(data: Datasets) -> list[Row]:
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     smooth = 2 * np.pi * 1e-9 * radius * work
     sources = force["extrapolation_source"]
-    continued = []
+    extrapolated_rows = []
     for side in differing_sides(force):
         fact = with_reason(extrapolated_fact(force, side, data.spectra), sources.sel(side=side))
-        continued.append(Row(fact, continuation(force, side)))
+        extrapolated_rows.append(AnswerRow(fact, extrapolated_wavelengths(force, side)))
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
     mean = number_of(forces, "force", name="force_mean", strict=False)
     bounded = np.nanmax([mean.value, mean.high]) >= forces["smooth_bound"].item()
     about = {"model": preferred_model(force), "bounded": bool(bounded)} | _origin_of_force(data)
     return [
-        Row(with_reason(mean, force["interval_source"]), about),
-        *continued,
-        Row(Number("force_median", median, "N"), {}),
-        Row(bounds_only("force_middle", lowest, highest, "N"), {"share": share}),
-        Row(Number("smooth_sphere", float(smooth), "N"), {}),
-        Row(number_of(force, "log_force_std", "1", name="force_scatter"), _scatter(force)),
-        Row(Number("range_sensitivity", _sensitivity(force)), {}),
+        AnswerRow(with_reason(mean, force["interval_source"]), about),
+        *extrapolated_rows,
+        AnswerRow(Number("force_median", median, "N"), {}),
+        AnswerRow(bounds_only("force_middle", lowest, highest, "N"), {"share": share}),
+        AnswerRow(Number("smooth_sphere", float(smooth), "N"), {}),
+        AnswerRow(number_of(force, "log_force_std", "1", name="force_scatter"), _scatter(force)),
+        AnswerRow(Number("range_sensitivity", _sensitivity(force)), {}),
     ]
 
 
@@ -112,9 +112,9 @@ def _scatter(force: xr.Dataset) -> dict[str, Any]:
 
 
 def _origin_of_force(data: Datasets) -> dict[str, Any]:
-    """Return the share of the fall of the force that reliable wavelengths cause, and its origin.
+    """Return the share of the decrease of the force that reliable wavelengths cause, its origin.
 
-    The fall is that from the force of a smooth sphere. Its origin is "measured" if artificial
+    The force decreases from that of a smooth sphere. The origin is "measured" if artificial
     wavelengths change the force by no more than the tolerance.
     """
     parts = parts_of_change(data, "small")
@@ -131,34 +131,35 @@ def _sensitivity(force: xr.Dataset) -> float:
     rho, forces = np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
     if len(rho) < 2:
         return np.nan
-    asked = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
-    return float(np.gradient(forces, rho)[asked])
+    nearest = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
+    return float(np.gradient(forces, rho)[nearest])
 
 
-def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Row]:
+def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[AnswerRow]:
     """Return the force of one surface at other pairs of range and work of adhesion.
 
     A pair is a row of resources/adhesion/pairs.csv. The logarithm of the force is interpolated over
-    that of the range; beyond the computed ranges a force is "not_computed". The configured pair
-    has no row.
+    the logarithm of the range; beyond the computed ranges a force is "not_computed". The configured
+    pair has no row.
     """
-    asked = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
-    model_forces, rows = force.sel(contact_model=preferred_model(force)), []
+    configured = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
+    model_forces = force.sel(contact_model=preferred_model(force))
+    rows = []
     ranges, forces = np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
     for pair in pairs:
         rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
-        if np.allclose(asked, (rho, work), rtol=1e-6):
+        if np.allclose(configured, (rho, work), rtol=1e-6):
             continue
         value = np.interp(np.log(rho), ranges, forces, np.nan, np.nan)
-        newton = float(np.exp(value) * work / asked[1])
-        status = "not_computed" if np.isnan(newton) else ""
+        pair_force = float(np.exp(value) * work / configured[1])
+        status = "not_computed" if np.isnan(pair_force) else ""
         about = {
             "pair": pair["pair"],
             "range": Number("range", rho, "nm"),
             "work": Number("work", work, "J m-2"),
             "share": Number("share", pair["share_of_sets"]),
         }
-        rows.append(Row(Number("force_of_pair", newton, "N", status=status), about))
+        rows.append(AnswerRow(Number("force_of_pair", pair_force, "N", status=status), about))
     return rows
 
 
@@ -167,37 +168,37 @@ def preferred_fit(fit: xr.Dataset) -> xr.Dataset:
     return fit.sel(contact_model=preferred_model(fit))
 
 
-def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[Row]:
+def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[AnswerRow]:
     """Return the force measured on one surface, and the works of adhesion that fit it.
 
     Both datasets hold this surface alone.
     """
     fit_at_range = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
     force = number_of(fit, "measured_force", source="measured", strict=False)
-    lopsided = np.log(force.high / force.value) > LOPSIDED * np.log(force.value / force.low)
+    lopsided = np.log(force.high / force.value) > MAX_LOPSIDEDNESS * np.log(force.value / force.low)
     work = number_of(
         fit_at_range, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
     )
     rows = [
-        Row(force, {"tests": int(fit["test_count"].item()), "lopsided": bool(lopsided)}),
-        Row(work, {"beyond_solids": work.value > STRONGEST_WORK}),
+        AnswerRow(force, {"tests": int(fit["test_count"].item()), "lopsided": bool(lopsided)}),
+        AnswerRow(work, {"beyond_solids": work.value > STRONGEST_WORK}),
     ]
     for side in differing_sides(fit):
         start = number_of(fit.sel(side=side), "transition", name="start")
-        continued = extrapolated_fact(fit, side, spectra, "extrapolated_work", "extrapolated_work")
-        rows.append(Row(continued, {"side": side, "start": start}))
+        work = extrapolated_fact(fit, side, spectra, "extrapolated_work", "extrapolated_work")
+        rows.append(AnswerRow(work, {"side": side, "start": start}))
     return rows
 
 
 def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
-    """Return what the forces measured on several surfaces allow together, as a status and facts.
+    """Return which ranges and works of adhesion agree with all measured forces, as facts.
 
-    The fit is a part of fit.nc of one contact model. `status` is "one_surface", "no_interval" (of a
-    surface, so that there is no region), "none" (no pair agrees with all forces) or "region";
-    `exact_pairs` is how many pairs give the forces of two surfaces by construction; `best_range`,
-    `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps` pairs of ranges
-    (nm) between which the region has none; `allows_range` is whether it has the `range` that the
-    predicted forces are of.
+    The fit is the part of fit.nc for one contact model. `status` is "one_surface", "no_interval" (a
+    surface has none, so there is no region), "none" (no pair agrees with all forces) or "region".
+    `exact_pairs` counts the pairs that give the forces of two surfaces by construction.
+    `best_range`, `best_work`, `best_error`, `region_range` and `region_work` are numbers. `gaps`
+    are pairs of ranges (nm) between which the region has a gap. `allows_range` is whether the
+    region contains the `range` of the predicted forces.
     """
     allowed = np.isfinite(fit["region"].values).all(axis=-1)
     status = "region" if allowed.any() else "none"
@@ -210,13 +211,14 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
         low, high = fit[name].values.tolist()
         numbers[name] = bounds_only(name, low, high, unit)
-    rho, asked = fit["rho"].values, fit.attrs["range_of_adhesion"]
+    rho = fit["rho"].values
+    configured_range = fit.attrs["range_of_adhesion"]
     return numbers | {
         "status": status,
         "exact_pairs": int(fit["exact_pairs"].item()),
         "gaps": _gaps(rho, allowed),
-        "range": Number("range", asked, "nm"),
-        "allows_range": bool(allowed[np.abs(rho - asked).argmin()]),
+        "range": Number("range", configured_range, "nm"),
+        "allows_range": bool(allowed[np.abs(rho - configured_range).argmin()]),
     }
 
 

@@ -16,14 +16,14 @@ import xarray as xr
 from hardcontact.band.critical_band import POOLED
 from hardcontact.base.number import Number
 from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import describe
+from hardcontact.report.figures.listing import describe_figure
 from hardcontact.report.quantities import number_of, on_scans
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.templates import rendered
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.closed_form import MANY_POINTS, SINGLE_PEAKS
 from hardcontact.theory.edge_scaling import CLOSED_FORM, FORMULA
-from hardcontact.theory.pull_off_statistics import CHANCE, held_back
+from hardcontact.theory.pull_off_statistics import CHANCE, held_out_surfaces
 
 #: Distributions that are compared with computed forces.
 DISTANCES = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
@@ -65,7 +65,7 @@ def insight_page(
         if "surface" in dataset.dims:
             labels = zip(dataset["label"].values, dataset["basis"].values, strict=True)
             bases = dict(labels) | bases
-    figure_of = {describe(figure).inputs[0]: figure for figure in figures}
+    figure_of = {describe_figure(figure).inputs[0]: figure for figure in figures}
     claims = claims.assign(open_end="", figure=claims["dataset"].map(figure_of))
     return rendered(
         "insight.html",
@@ -79,7 +79,7 @@ def insight_page(
         errors=errors,
         chance=CHANCE,
         half_factor=half_factor(datasets["closed_form"]),
-        band_edge=band_edge,
+        band_edge=edge_number,
         long_edge=long_edge,
         on_scans=on_scans,
         exp=math.exp,
@@ -87,7 +87,7 @@ def insight_page(
     )
 
 
-def band_edge(band: xr.Dataset, side: str, group: str = POOLED) -> Number:
+def edge_number(band: xr.Dataset, side: str, group: str = POOLED) -> Number:
     """Return the edge of the band at one side, for one surface or the mean over all surfaces."""
     return number_of(band.sel(side=side, group=group), "edge", "nm", "no_edge")
 
@@ -136,7 +136,7 @@ def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
     of cases, the rms error of the standard deviation of ln F, and the median Kolmogorov-Smirnov
     distances of DISTANCES.
     """
-    cases = held_back(statistics)
+    cases = held_out_surfaces(statistics)
     is_below = cases["designed_weibull_modulus"] < 1
     for modulus, in_group in (("below 1", is_below), ("above 1", ~is_below)):
         group = cases.isel(case=np.flatnonzero(in_group))

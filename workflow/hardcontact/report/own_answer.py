@@ -7,25 +7,30 @@ import numpy as np
 
 from hardcontact.base.number import Number
 from hardcontact.report.artificial import (
-    LENGTHS,
+    MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,
     split_measurements,
 )
 from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
-from hardcontact.report.force_facts import Row, fit_facts, preferred_fit
+from hardcontact.report.force_facts import AnswerRow, fit_facts, preferred_fit
 from hardcontact.report.own_figures import mean_free_heights
-from hardcontact.report.quantities import Quantity, number_of, numbers_within, quantity
+from hardcontact.report.quantities import (
+    QuantityMapping,
+    number_of,
+    numbers_within,
+    quantity_mapping,
+)
 from hardcontact.report.surface_facts import (
     answer_rows,
     next_measurements,
-    verdict,
+    surface_verdict,
 )
 from hardcontact.report.templates import rendered, rendered_lines
 
 #: Metrics of a scan, with their units.
-METRICS = {
+METRIC_UNITS = {
     "rms_height": "nm",
     "rms_gradient": "1",
     "rms_half_laplacian": "nm-1",
@@ -43,7 +48,7 @@ class OwnSurface(NamedTuple):
 
     label: str
     data: Datasets
-    rows: list[Row]
+    rows: list[AnswerRow]
     cautions: list[Caution]
     next: list[Mapping[str, Any]]
 
@@ -58,20 +63,28 @@ class OwnSurface(NamedTuple):
         topography = self.data.topography
         scans = topography.dropna("scan", subset=["rms_height"])
         rows = [
-            {name: number_of(scans.sel(scan=scan), name, unit) for name, unit in METRICS.items()}
+            {
+                name: number_of(scans.sel(scan=scan), name, unit)
+                for name, unit in METRIC_UNITS.items()
+            }
             for scan in scans["scan"].values
         ]
-        known_metrics = [name for name in METRICS if f"all_scales_{name}" in topography]
-        all_scales = {name: number_of(topography, f"all_scales_{name}", METRICS[name], strict=False)
-                      for name in known_metrics}  # fmt: skip
-        unknown = {name: Number(name, np.nan) for name in METRICS}
+        known_metrics = [name for name in METRIC_UNITS if f"all_scales_{name}" in topography]
+        all_scales = {
+            name: number_of(topography, f"all_scales_{name}", METRIC_UNITS[name], strict=False)
+            for name in known_metrics
+        }
+        unknown = {name: Number(name, np.nan) for name in METRIC_UNITS}
         return [*rows, unknown | all_scales]
 
     @property
     def scan_lengths(self) -> list[dict[str, Number]]:
         """Size, pixel size, reliable wavelengths and tip radius of each measurement."""
         return [
-            {name: number_of(measurement, name, "nm", source="file") for name in LENGTHS}
+            {
+                name: number_of(measurement, name, "nm", source="file")
+                for name in MEASUREMENT_LENGTHS
+            }
             for measurement in split_measurements(measurements(self.data.spectra))
         ]
 
@@ -90,7 +103,20 @@ class OwnAnswer(NamedTuple):
 
 
 def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
-    """Return the answer of each surface that has a band."""
+    """Return the answer of each surface that has a band.
+
+    Parameters
+    ----------
+    datasets : Datasets
+        The final datasets of the study.
+    setting : Setting
+        The settings that the datasets do not hold.
+
+    Returns
+    -------
+    OwnAnswer
+        The answers by surface.
+    """
     surfaces, adhesion = {}, {"range of adhesion", "work of adhesion"}
     # A user who gave both, or own forces, has a pair.
     asks_for_pairs = datasets.fit is None and adhesion & set(setting.of_paper)
@@ -105,21 +131,56 @@ def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
 
 
 def own_headline(answer: OwnAnswer) -> list[str]:
-    """Return the sentence on each surface with which the page begins, those of the terminal too."""
+    """Return the first sentences of the page, which the terminal also shows.
+
+    Parameters
+    ----------
+    answer : OwnAnswer
+        From `own_answer`.
+
+    Returns
+    -------
+    list of str
+        Sentences.
+    """
     surfaces = [
-        {**surface._asdict(), "basis": surface.basis, "verdict": verdict(surface.rows)}
+        {**surface._asdict(), "basis": surface.basis, "verdict": surface_verdict(surface.rows)}
         for surface in answer.surfaces.values()
     ]
     return rendered_lines("own_headline.txt", surfaces=surfaces)
 
 
 def own_warnings(answer: OwnAnswer) -> list[str]:
-    """Return the sentences on substitutes and on grave cautions that follow the headline."""
+    """Return the sentences on substitutes and on grave cautions that follow the headline.
+
+    Parameters
+    ----------
+    answer : OwnAnswer
+        From `own_answer`.
+
+    Returns
+    -------
+    list of str
+        Sentences.
+    """
     return rendered_lines("own_warnings.txt", surfaces=list(answer.surfaces.values()))
 
 
 def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
-    """Return the head of answer.json."""
+    """Return the head of answer.json.
+
+    Parameters
+    ----------
+    setting : Setting
+        The settings of the study.
+    headline : sequence of str
+        The first sentences of the page.
+
+    Returns
+    -------
+    dict
+        The entries before the list of quantities.
+    """
     return {
         "study": setting.study,
         "version": setting.citation["version"],
@@ -130,24 +191,35 @@ def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
     }
 
 
-def own_quantities(answer: OwnAnswer) -> Iterator[Quantity]:
-    """Yield every number of the page, those of the whole study first."""
+def own_quantities(answer: OwnAnswer) -> Iterator[QuantityMapping]:
+    """Yield every number of the page, those of the whole study first.
+
+    Parameters
+    ----------
+    answer : OwnAnswer
+        From `own_answer`.
+
+    Yields
+    ------
+    dict
+        A number as a mapping for answer.json.
+    """
     datasets, _, surfaces = answer
     for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
-        yield quantity(Number(name, datasets.force.attrs[name], unit, source="given"))
+        yield quantity_mapping(Number(name, datasets.force.attrs[name], unit, source="given"))
     for name in ("tolerance", "confidence"):
-        yield quantity(Number(name, datasets.edges.attrs[name], source="given"))
-    yield quantity(tabor_number(datasets.force))
+        yield quantity_mapping(Number(name, datasets.edges.attrs[name], source="given"))
+    yield quantity_mapping(tabor_number(datasets.force))
     for number in numbers_within("fit", answer.fit or {}):
-        yield quantity(number)
+        yield quantity_mapping(number)
     for name, surface in surfaces.items():
         for number in _numbers_of(surface):
-            yield quantity(number, name)
+            yield quantity_mapping(number, name)
 
 
 def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
     """Yield the numbers of one surface: answer, cautions, what to measure, scans."""
-    yield Number("answered", np.nan, status=verdict(surface.rows)["answer"])
+    yield Number("answered", np.nan, status=surface_verdict(surface.rows)["answer"])
     for row in surface.rows:
         variant = row.about.get("side") or row.about.get("pair") or ""
         name = f"{row.fact.name}_{variant}".rstrip("_")
@@ -174,7 +246,22 @@ def own_page(
     warnings: Sequence[str],
     pictures: Mapping[str, bytes],
 ) -> str:
-    """Return the page, HTML, with pictures (SVG) by the name of their figure."""
+    """Return the page.
+
+    Parameters
+    ----------
+    answer : OwnAnswer
+        From `own_answer`.
+    headline, warnings : sequence of str
+        From `own_headline` and `own_warnings`.
+    pictures : mapping of str to bytes
+        SVG by the name of the figure.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     datasets, setting, surfaces = answer
     return rendered(
         "own.html",

@@ -23,7 +23,7 @@ from hardcontact.report.artificial import (
 )
 from hardcontact.report.datasets import Datasets, preferred_model
 from hardcontact.report.figures import drawing, style, tables
-from hardcontact.report.figures.listing import KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
 #: Label and look of the curve for each side of the band.
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
@@ -39,8 +39,8 @@ FITS_ALL_COLOUR = "0.3"
 #: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
 MAX_MARKED_POINTS = 30  # on a line
-RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
-WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
+MAP_RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
+PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
 
 TableAndFigure = tuple[pd.DataFrame, Figure]
 
@@ -61,12 +61,12 @@ def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> d
         SVG by the name of the figure.
     """
     pictures = {}
-    for paths in zip(*(outputs[kind] for kind in KINDS), strict=True):
-        files = dict(zip(KINDS, paths, strict=True))
+    for paths in zip(*(outputs[kind] for kind in FILE_KINDS), strict=True):
+        files = dict(zip(FILE_KINDS, paths, strict=True))
         name = PurePath(files["svg"]).stem
         with style.print_style():
-            table, figure = FIGURES[name](datasets)
-            drawing.save(figure, table, OWN_FIGURES[name], files, RESOLUTION)
+            table, figure = OWN_DRAWINGS[name](datasets)
+            drawing.save(figure, table, OWN_FIGURES[name], files, MAP_RESOLUTION)
         pictures[name] = Path(files["svg"]).read_bytes()
     return pictures
 
@@ -168,7 +168,7 @@ def draw_forces(datasets: Datasets) -> TableAndFigure:
     models = sorted(
         map(str, force["contact_model"].values), key=lambda model: model != answer_model
     )
-    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     for surface, colour in style.colours(labels).items():
         for model, look in zip(models, MODEL_LOOKS, strict=False):
@@ -198,7 +198,7 @@ def draw_works(datasets: Datasets) -> TableAndFigure:
     names = [str(name) for name in fit["surface"].values]
     rho = fit["rho"].values
     colours = style.colours(labels)
-    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     for name in names:
         curve = fit.sel(surface=name)
@@ -218,7 +218,7 @@ def draw_works(datasets: Datasets) -> TableAndFigure:
     return _table_rows(fit, {"work_of_adhesion": "J/m2"}), figure
 
 
-FIGURES: dict[str, Callable[[Datasets], TableAndFigure]] = {
+OWN_DRAWINGS: dict[str, Callable[[Datasets], TableAndFigure]] = {
     "cutoffs": draw_cutoffs,
     "maps": draw_maps,
     "spectra": draw_spectra,
@@ -232,7 +232,7 @@ def _panels(
 ) -> tuple[Figure, Iterator[tuple[Axes, str, Datasets]]]:
     """Return a figure, and the panel (height in inches), colour and data of each surface."""
     labels = datasets.labels()
-    figure = Figure(figsize=(WIDTH, height * len(labels) + 0.4), layout="constrained")
+    figure = Figure(figsize=(PAGE_WIDTH, height * len(labels) + 0.4), layout="constrained")
     panels = figure.subplots(len(labels), squeeze=False)[:, 0]
     for axes, label in zip(panels, labels.values(), strict=True):
         axes.set_title(label, loc="left")

@@ -16,8 +16,8 @@ from hardcontact.paper.inference import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
 from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import PAPER_FIGURES, describe
-from hardcontact.report.quantities import Quantity, number_of, on_scans, quantity
+from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
+from hardcontact.report.quantities import QuantityMapping, number_of, on_scans, quantity_mapping
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.table1 import table1_rows
 from hardcontact.report.templates import rendered, rendered_lines
@@ -257,7 +257,18 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
 
 
 def paper_headline(answer: PaperAnswer) -> list[str]:
-    """Return the first sentences of the page, which the terminal also shows."""
+    """Return the first sentences of the page, which the terminal also shows.
+
+    Parameters
+    ----------
+    answer : PaperAnswer
+        From `paper_answer`.
+
+    Returns
+    -------
+    list of str
+        Sentences.
+    """
     facts = claim_facts(answer.claims)
     return rendered_lines("paper_headline.txt", answer=answer, numbers=answer.numbers, **facts)
 
@@ -265,7 +276,22 @@ def paper_headline(answer: PaperAnswer) -> list[str]:
 def paper_head(
     configuration: Mapping[str, Any], version: str, headline: Sequence[str]
 ) -> dict[str, Any]:
-    """Return the head of answer.json, with values of the user's configuration."""
+    """Return the head of answer.json.
+
+    Parameters
+    ----------
+    configuration : mapping
+        The user's configuration.
+    version : str
+        Version of the software.
+    headline : sequence of str
+        The first sentences of the page.
+
+    Returns
+    -------
+    dict
+        The entries before the list of quantities.
+    """
     contact = {"radius of the sphere": configuration["sphere"]["radius"]}
     contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
     return {
@@ -278,14 +304,25 @@ def paper_head(
     }
 
 
-def paper_quantities(answer: PaperAnswer) -> Iterator[Quantity]:
-    """Yield the numbers of the whole study, then the numbers of each substrate."""
+def paper_quantities(answer: PaperAnswer) -> Iterator[QuantityMapping]:
+    """Yield the numbers of the whole study, then the numbers of each substrate.
+
+    Parameters
+    ----------
+    answer : PaperAnswer
+        From `paper_answer`.
+
+    Yields
+    ------
+    dict
+        A number as a mapping for answer.json.
+    """
     for number in answer.numbers.values():
-        yield quantity(number)
+        yield quantity_mapping(number)
     for name, surface in answer.surfaces.items():
         for number in surface.values():
             if isinstance(number, Number):
-                yield quantity(number, name)
+                yield quantity_mapping(number, name)
 
 
 def paper_page(
@@ -297,8 +334,23 @@ def paper_page(
 ) -> str:
     """Return the page of the paper's study.
 
-    The head is that of answer.json. Figures are SVG and captions by the names of the figures; the
-    citation is CITATION.cff.
+    Parameters
+    ----------
+    answer : PaperAnswer
+        From `paper_answer`.
+    head : mapping
+        From `paper_head`.
+    figures : mapping of str to bytes
+        SVG by the name of the figure.
+    captions : mapping of str to Caption
+        Captions by the name of the figure.
+    citation : mapping
+        CITATION.cff.
+
+    Returns
+    -------
+    str
+        HTML.
     """
     return rendered(
         "paper.html",
@@ -308,7 +360,9 @@ def paper_page(
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
         chapters=[
             (heading, list(names))
-            for heading, names in groupby(PAPER_FIGURES, key=lambda name: describe(name).chapter)
+            for heading, names in groupby(
+                PAPER_FIGURES, key=lambda name: describe_figure(name).chapter
+            )
         ],
         figures=figures,
         captions=captions,

@@ -10,10 +10,10 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from hardcontact.base.number import Number, plain
-from hardcontact.base.printing import UNITS, is_boundless, print_as_paper, print_quantity
+from hardcontact.base.printing import PRINTED_UNITS, is_boundless, print_as_paper, print_quantity
 from hardcontact.base.statistics import bounds
 
-Quantity = dict[str, Any]
+QuantityMapping = dict[str, Any]
 
 #: Words in place of an unknown value, by its status.
 NO_VALUE = {
@@ -108,7 +108,7 @@ def printed(number: Number, digits: int = 3, end: str = "") -> str:
         open_end = number.status.removeprefix("interval_open_")
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
-    if number.unit in UNITS:
+    if number.unit in PRINTED_UNITS:
         return print_quantity(number.value, number.unit, number.low, number.high, digits, open_end)
     return print_as_paper(number.value, number.unit, (number.low, number.high), digits, open_end)
 
@@ -159,7 +159,7 @@ def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
     return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
 
 
-def quantity(number: Number, surface: str = "", name: str = "") -> Quantity:
+def quantity_mapping(number: Number, surface: str = "", name: str = "") -> QuantityMapping:
     """Return a number as a mapping for answer.json, with None for unknown values.
 
     Parameters
@@ -183,10 +183,25 @@ def numbers_within(prefix: str, mapping: Mapping[str, Any]) -> Iterator[Number]:
             yield Number(f"{prefix}_{key}", value)
 
 
-def answer_json(head: Mapping[str, Any], quantities: Iterable[Quantity]) -> str:
-    """Return the text of answer.json: the head, and the list, as answer.schema.json describes it.
+def answer_json(head: Mapping[str, Any], quantities: Iterable[QuantityMapping]) -> str:
+    """Return the text of answer.json, as answer.schema.json describes it.
 
-    Raises ValueError if two quantities of one surface have the same name.
+    Parameters
+    ----------
+    head : mapping
+        The entries before the list.
+    quantities : iterable of dict
+        The list of numbers.
+
+    Returns
+    -------
+    str
+        JSON.
+
+    Raises
+    ------
+    ValueError
+        If two quantities of one surface have the same name.
     """
     rows = list(quantities)
     names = [(row["surface"], row["name"]) for row in rows]

@@ -12,7 +12,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from hardcontact.base.printing import is_boundless, print_as_paper
-from hardcontact.paper.selection import NO_SCAN
+from hardcontact.paper.selection import WITHOUT_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, MIN_STABILITY, summary
 from hardcontact.report.quantities import NO_INTERVAL
 from hardcontact.report.templates import rendered
@@ -86,7 +86,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "counts": summary(claims).to_dict("records"),
         "unstable": sum(row["may_change"] for row in facts.values()),
         "without_scan": sum(
-            (row["kind"], row["verdict"], row["basis"]) == ("independent", "reproduced", NO_SCAN)
+            (row["kind"], row["verdict"], row["basis"])
+            == ("independent", "reproduced", WITHOUT_SCAN)
             for row in facts.values()
         ),
     }

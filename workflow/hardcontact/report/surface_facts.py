@@ -16,7 +16,7 @@ from hardcontact.report.artificial import (
 )
 from hardcontact.report.datasets import Datasets
 from hardcontact.report.force_facts import (
-    Row,
+    AnswerRow,
     force_rows,
     measured_rows,
     pair_rows,
@@ -28,7 +28,7 @@ from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
 #: Source of an edge by the code of `classify_edge`.
-SOURCES = {
+EDGE_SOURCES = {
     "inside": "artificial",
     "partly": "partly_artificial",
     "interval": "interval_artificial",
@@ -48,8 +48,8 @@ def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Nu
         status = "open_above" if side_edges["edge_bound_is_lower"].item() else "open_below"
         return Number(name, bound, "nm", low, high, status, source)
     scatter = side_edges["scale_ratio_interval"]
-    endless = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
-    return Number(name, edge, "nm", low, high, "not_bounded" if endless else "", source)
+    is_unbounded = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
+    return Number(name, edge, "nm", low, high, "not_bounded" if is_unbounded else "", source)
 
 
 def resolves_nothing(edges: xr.Dataset) -> bool:
@@ -61,13 +61,15 @@ def resolves_nothing(edges: xr.Dataset) -> bool:
     return [fact.status for fact in facts] == ["open_above", "open_below"]
 
 
-def edge_rows(data: Datasets) -> list[Row]:
+def edge_rows(data: Datasets) -> list[AnswerRow]:
     """Return the edges of one surface; ends of intervals at artificial wavelengths are dropped."""
     if resolves_nothing(data.edges):
-        return [Row(Number(name, np.nan, "nm", status="no_band"), {}) for name in EDGES.values()]
+        return [
+            AnswerRow(Number(name, np.nan, "nm", status="no_band"), {}) for name in EDGES.values()
+        ]
     rows, bands = [], artificial_bands(data.spectra)
     for side, side_edges in ((side, data.edges.sel(side=side)) for side in SIDES):
-        edge = edge_fact(side_edges, EDGES[side], SOURCES[classify_edge(data, side)])
+        edge = edge_fact(side_edges, EDGES[side], EDGE_SOURCES[classify_edge(data, side)])
         low, high = (
             np.nan if edge.source == "artificial" or overlaps_any(end, end, bands) else end
             for end in (edge.low, edge.high)
@@ -83,7 +85,7 @@ def edge_rows(data: Datasets) -> list[Row]:
             cutoffs = computed_cutoffs(side_edges["scale_ratio"])
             index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
             about["cutoffs"] = bounds_only("cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
-        rows.append(Row(edge, about))
+        rows.append(AnswerRow(edge, about))
     return rows
 
 
@@ -118,7 +120,7 @@ def next_measurements(data: Datasets) -> list[Mapping[str, Any]]:
     return measurements
 
 
-def answer_rows(data: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[Row]:
+def answer_rows(data: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[AnswerRow]:
     """Return the rows of one surface: edges, predicted forces and, if there are any, own forces.
 
     The `pairs` of range and work of adhesion are those of `pair_rows`.
@@ -130,16 +132,16 @@ def answer_rows(data: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list
     return [*edge_rows(data), *force_rows(data), *pair_rows(data.force, pairs), *measured]
 
 
-def verdict(rows: Sequence[Row]) -> dict[str, Any]:
-    """Return the answer of one surface in short, with intervals of which both ends are known.
+def surface_verdict(rows: Sequence[AnswerRow]) -> dict[str, Any]:
+    """Return the answer of one surface in short; intervals have both ends.
 
-    `answer` says whether the scans answer. It is "yes" if there is one force, both edges are no
-    bounds, and all three come from wavelengths at which a scan is reliable. It is "no" if none of
-    them does, if contacts touch too few places or if there is no band, else "partly". `band` is
-    "few_places" if they do, "none" if no resolved wavelength changes the force, "overlapping" if
-    the short edge is the longer one, else "found". `edges` are
-    the short and the long edge. `forces` begin with the force on the scans; forces with
-    extrapolated roughness follow where it matters and they are known.
+    `answer` says whether the scans answer the question. It is "yes" if there is one force, neither
+    edge is a bound, and all three come from wavelengths at which a scan is reliable. It is "no" if
+    none of them does, if contacts touch too few places, or if there is no band. Otherwise it is
+    "partly". `band` is "few_places" if contacts touch too few places, "none" if no resolved
+    wavelength changes the force, "overlapping" if the short edge is the longer one, and otherwise
+    "found". `edges` are the short and the long edge. `forces` begin with the force on the scans;
+    forces with extrapolated roughness follow if they matter and are known.
     """
     facts = [
         fact if np.isfinite([fact.low, fact.high]).all() else bare(fact)

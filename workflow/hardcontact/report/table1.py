@@ -11,7 +11,7 @@ import xarray as xr
 from hardcontact.base.published import rows_met
 
 #: Variables that may correspond to the paper's quantities, with their definitions.
-DEFINITIONS = {
+DEFINITIONS_IN_WORDS = {
     "height": {"rms_height": ""},
     "slope": {"rms_gradient": "gradient", "rms_profile_slope": "slope of profiles"},
     "curvature": {"rms_half_laplacian": "half the Laplacian", "rms_laplacian": "Laplacian"},
@@ -26,7 +26,7 @@ class _Quantity(NamedTuple):
     printed_unit: float = 1  # in the unit of the datasets
 
 
-QUANTITIES = (
+TABLE1_QUANTITIES = (
     _Quantity("afm_rms_height", "AFM scans: rms height (nm)"),
     _Quantity("afm_rms_slope", "AFM scans: rms slope"),
     _Quantity("afm_rms_curvature", "AFM scans: rms curvature (10⁻³ nm⁻¹)", 1e-3),
@@ -57,7 +57,7 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
     """
     surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
     rows = []
-    for quantity in QUANTITIES:
+    for quantity in TABLE1_QUANTITIES:
         values = published[published["quantity"] == quantity.name].set_index("surface")
         cells = [
             _print_published(values, str(data["surface"].item()), quantity) for data in surfaces
@@ -72,7 +72,7 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
 def _variables(quantity: str) -> Iterator[tuple[str, str]]:
     """Yield the variables of topography.nc that may be a quantity, and their definitions."""
     prefix = "all_scales_" if quantity.startswith("all_") else ""
-    for variable, definition in DEFINITIONS[quantity.rpartition("_")[-1]].items():
+    for variable, definition in DEFINITIONS_IN_WORDS[quantity.rpartition("_")[-1]].items():
         yield prefix + variable, definition
 
 
@@ -93,11 +93,11 @@ def _print_computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> 
     spread = (
         surface[f"{variable}_std"].item() / quantity.printed_unit if mean in surface else math.nan
     )
-    is_calibrated = quantity.name in rows_met(surface["table1_rows_met"].item())
+    meets_by_construction = quantity.name in rows_met(surface["table1_rows_met"].item())
     table1_variable = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix(
         "_mean"
     )
-    mark = " †" if is_calibrated and variable == table1_variable else ""
+    mark = " †" if meets_by_construction and variable == table1_variable else ""
     return _print_with_uncertainty(value, spread, decimals_of(value, spread)) + mark
 
 

@@ -15,11 +15,18 @@ import xarray as xr
 
 from hardcontact.base.published import rows_met
 from hardcontact.surfaces.height_map import DEFINITIONS, HeightMap, level, metrics
-from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, Density, Floats, spectrum_from
+from hardcontact.surfaces.spectrum import (
+    AFM_ROWS,
+    WAVEVECTORS,
+    Floats,
+    SpectrumFunction,
+    spectrum_of_dataset,
+)
 from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
 from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
-#: Ratio of metrics of isotropic surfaces to moments: height, gradient, half-Laplacian.
+#: Each metric of an isotropic surface relative to the moment (height, gradient, half-Laplacian)
+#: from which it follows.
 METRIC_PER_MOMENT = {
     "rms_height": 1.0,
     "rms_gradient": 1.0,
@@ -27,9 +34,10 @@ METRIC_PER_MOMENT = {
     "rms_half_laplacian": 1.0,
     "rms_laplacian": 2.0,
 }
-#: Bands whose amplitudes are free.
-BAND_COUNT = 3
-#: Largest ratio of the amplitude of a band to that of the longest wavelengths, or its inverse.
+#: Number of components of the gain. The amplitudes of the second and the third relative to the
+#: first are fitted; the common factor follows from the mean of the factors of the scans.
+COMPONENT_COUNT = 3
+#: Largest amplitude of a component relative to that of the longest wavelengths, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
 #: Relative error at which a target counts as met.
 TOLERANCE = 1e-9
@@ -38,13 +46,13 @@ TOLERANCE = 1e-9
 class Targets(NamedTuple):
     """The statistics that a group of scans of one surface meets."""
 
-    means: Mapping[str, float]  #: Mean height, slope and curvature, by METRICS.
+    means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
     deviation: float  #: Standard deviation of the rms heights in nm (ddof 1).
     rows: tuple[str, ...]  #: Rows of Table 1 that these targets meet.
 
 
 def scan_targets(
-    spectrum: xr.Dataset,
+    spectrum_data: xr.Dataset,
     table1: pd.DataFrame,
     constants: pd.DataFrame,
     definitions: Mapping[str, str],
@@ -52,13 +60,14 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on this study's pixels.
 
-    Scans with the paper's pixels and size get the expected moments that the spectrum states. With
-    other pixels, slope and curvature are the moments expected on these pixels; with another size,
-    all three are. The ratio of deviation to rms height is the published one.
+    Scans with the paper's pixels and size get the attribute ``expected_scan_moments`` of the
+    spectrum. With other pixels, slope and curvature are those expected on these pixels. With
+    another size, rms height, slope and curvature are. The deviation relative to the rms height is
+    the published one.
 
     Parameters
     ----------
-    spectrum : xarray.Dataset
+    spectrum_data : xarray.Dataset
         The dataset that `substitute_spectrum` returns.
     table1, constants : pandas.DataFrame
         Table 1 from `rows_of_surface`, and the constants with the paper's pixels and size, which
@@ -76,16 +85,16 @@ def scan_targets(
     if "afm_rms_height" not in table1.index:
         return None
     pixels, size = int(constants["value"]["scan_pixels"]), float(constants["value"]["scan_size"])
-    moments = np.array(spectrum.attrs["expected_scan_moments"])
+    moments = np.array(spectrum_data.attrs["expected_scan_moments"])
     same_size = math.isclose(grid.size, size)
     same_pixels = same_size and grid.pixels == pixels
-    is_same = np.array([same_size, same_pixels, same_pixels])
-    if not is_same.all():
-        density = spectrum_from(spectrum)
+    keeps_moment = np.array([same_size, same_pixels, same_pixels])
+    if not keeps_moment.all():
+        spectrum = spectrum_of_dataset(spectrum_data)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-        moments = np.where(is_same, moments, expected_moments(density, weights))
+        moments = np.where(keeps_moment, moments, expected_moments(spectrum, weights))
     height = table1.loc["afm_rms_height"]
-    calibrated = rows_met(spectrum.attrs["table1_rows_met"])
+    calibrated = rows_met(spectrum_data.attrs["table1_rows_met"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
         {
@@ -93,28 +102,32 @@ def scan_targets(
             for name, moment in zip(names, moments, strict=True)
         },
         float(moments[0] * height["uncertainty"] / height["value"]),
-        tuple(row for row, met in zip(AFM_ROWS, is_same, strict=True) if met and row in calibrated),
+        tuple(
+            row
+            for row, is_kept in zip(AFM_ROWS, keeps_moment, strict=True)
+            if is_kept and row in calibrated
+        ),
     )
 
 
-def group_heights(heights: Floats, mean: float, deviation: float) -> Floats:
+def group_heights(rms_heights: Floats, mean: float, deviation: float) -> Floats:
     """Return rms heights (scan,) in nm, shifted and stretched to a mean and a standard deviation.
 
     The standard deviation has ddof 1. The heights keep their order and relative distances. A single
     scan gets the mean.
     """
-    deviations = heights - heights.mean()
-    if len(heights) > 1:
+    deviations = rms_heights - rms_heights.mean()
+    if len(rms_heights) > 1:
         deviations *= deviation / deviations.std(ddof=1)
     return np.asarray(mean + deviations)
 
 
-def band_shares(grid: ScanGrid) -> Floats:
-    """Return the shares of amplitude of three smooth bands: (3, points of WAVEVECTORS).
+def component_shares(grid: ScanGrid) -> Floats:
+    """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
-    The shares add up to one. Each band passes into the next as sin² of the logarithm of wavelength:
-    the first from the size of a scan to its geometric mean with two pixels, the second from there
-    to two pixels.
+    The shares add up to one. Each component passes into the next as sin² of the logarithm of
+    wavelength: the first from the size of a scan to its geometric mean with two pixels, the second
+    from there to two pixels.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
@@ -123,8 +136,21 @@ def band_shares(grid: ScanGrid) -> Floats:
     return np.array([1 - long_step, long_step - short_step, short_step])
 
 
-def multiply_amplitudes(density: Density, gain: Floats) -> Density:
-    """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS."""
+def multiply_amplitudes(density: SpectrumFunction, gain: Floats) -> SpectrumFunction:
+    """Return a spectrum whose amplitudes are multiplied by a gain.
+
+    Parameters
+    ----------
+    density : callable
+        C_iso in nm⁴ of wavevectors in rad/nm.
+    gain : numpy.ndarray
+        Factors of amplitudes on WAVEVECTORS; between them they are interpolated.
+
+    Returns
+    -------
+    callable
+        C_iso in nm⁴ of wavevectors in rad/nm.
+    """
 
     def amplified_density(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
@@ -134,28 +160,33 @@ def multiply_amplitudes(density: Density, gain: Floats) -> Density:
     return amplified_density
 
 
-def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
-    """Return matrices G (names, bands, bands): metric(sum a_k h_k)² = a G a, in its unit squared.
+def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Floats:
+    """Return a matrix G for each metric (metric, component, component), in its unit squared.
 
-    The bands h_k are levelled. The names are METRICS whose square is quadratic in the heights.
+    The squared metric of the sum of a_k h_k is aᵀ G a, where h_k are the levelled components. The
+    names are `height_map.METRICS` whose square is quadratic in the heights.
     """
 
-    def squares(heights: np.ndarray) -> Floats:
-        values = metrics(replace(bands[0], heights=heights))
+    def squared_metrics(heights: np.ndarray) -> Floats:
+        values = metrics(replace(components[0], heights=heights))
         return np.array([values[name] ** 2 for name in names])
 
-    powers = [squares(band.heights) for band in bands]
-    matrices = np.zeros((len(names), len(bands), len(bands)))
-    for i in range(len(bands)):
-        matrices[:, i, i] = powers[i]
+    count = len(components)
+    squares = [squared_metrics(component.heights) for component in components]
+    matrices = np.zeros((len(names), count, count))
+    for i in range(count):
+        matrices[:, i, i] = squares[i]
         for j in range(i):
-            power_of_sum = squares(bands[i].heights + bands[j].heights)
-            matrices[:, i, j] = matrices[:, j, i] = (power_of_sum - powers[i] - powers[j]) / 2
+            square_of_sum = squared_metrics(components[i].heights + components[j].heights)
+            matrices[:, i, j] = matrices[:, j, i] = (square_of_sum - squares[i] - squares[j]) / 2
     return matrices
 
 
-def _fit_group(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return amplitudes (bands,), factors of heights (scan,), relative errors of the means (3,)."""
+def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
+    """Return amplitudes (component,), factors of heights (scan,), errors of the means (3,).
+
+    The `metric_matrices` are (scan, metric, component, component); errors are relative.
+    """
     from scipy.optimize import least_squares
 
     means = np.array(list(targets.means.values()))
@@ -163,9 +194,9 @@ def _fit_group(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Float
     def relative_errors(logs: Floats) -> tuple[Floats, Floats]:
         """Return the errors (3,), and the factors (scan,) that give scans their rms heights."""
         amplitudes = np.exp(np.append(0.0, logs))
-        values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
-        heights = values[:, 0]
-        factors = group_heights(heights, means[0], targets.deviation) / heights
+        values = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
+        rms_heights = values[:, 0]
+        factors = group_heights(rms_heights, means[0], targets.deviation) / rms_heights
         return (factors[:, None] * values).mean(axis=0) / means - 1, factors
 
     def slope_and_curvature_errors(logs: Floats) -> Floats:
@@ -173,7 +204,7 @@ def _fit_group(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Float
 
     fit = least_squares(
         slope_and_curvature_errors,
-        np.zeros(BAND_COUNT - 1),
+        np.zeros(COMPONENT_COUNT - 1),
         bounds=(-np.log(MAX_AMPLITUDE_RATIO), np.log(MAX_AMPLITUDE_RATIO)),
         xtol=1e-15,
         ftol=1e-15,
@@ -182,29 +213,30 @@ def _fit_group(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Float
     mean_errors, factors = relative_errors(fit.x)
     if factors.min() <= 0:
         raise ValueError(
-            f"expected rms heights above zero of {len(moments)} scans that are {means[0]:.3g} +- "
-            f"{targets.deviation:.3g} nm, found one below: fewer scans deviate less"
+            f"expected rms heights above zero of {len(matrices)} scans with the mean "
+            f"{means[0]:.3g} nm and the deviation {targets.deviation:.3g} nm, found one below: "
+            "fewer scans deviate less"
         )
     mean = factors.mean()
     return mean * np.exp(np.append(0.0, fit.x)), factors / mean, mean_errors
 
 
-def conditioned_group(
-    spectrum: xr.Dataset,
+def condition_group(
+    spectrum_data: xr.Dataset,
     targets: Targets | None,
-    generators: Mapping[int, Callable[[], np.random.Generator]],
+    generator_makers: Mapping[int, Callable[[], np.random.Generator]],
     grid: ScanGrid,
 ) -> xr.Dataset:
     """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
 
     Parameters
     ----------
-    spectrum : xarray.Dataset
+    spectrum_data : xarray.Dataset
         The dataset that `substitute_spectrum` returns.
     targets : Targets or None
         The targets that `scan_targets` returns; with None, gain and factors equal 1.
-    generators : mapping of int to callable
-        By number of the scan: returns a new generator that draws the scan.
+    generator_makers : mapping of int to callable
+        By number of the scan: a function that returns a new generator for this scan.
     grid : ScanGrid
         Pixels and size of the scans.
 
@@ -219,22 +251,20 @@ def conditioned_group(
     ValueError
         If an rms height would be negative.
     """
-    gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
-    calibrated = rows_met(spectrum.attrs["table1_rows_met"])
+    gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generator_makers))
+    calibrated = rows_met(spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
-        density = spectrum_from(spectrum)
-        shares = band_shares(grid)
-        moments = [
-            second_moments(
-                [
-                    level(draw_scan(draw(), multiply_amplitudes(density, share), grid))
-                    for share in shares
-                ],
-                list(targets.means),
-            )
-            for draw in generators.values()
-        ]
-        amplitudes, factors, mean_errors = _fit_group(np.array(moments), targets)
+        shares = component_shares(grid)
+        spectrum = spectrum_of_dataset(spectrum_data)
+        component_spectra = [multiply_amplitudes(spectrum, share) for share in shares]
+        matrices = []
+        for make_generator in generator_makers.values():
+            components = [
+                level(draw_scan(make_generator(), component_spectrum, grid))
+                for component_spectrum in component_spectra
+            ]
+            matrices.append(metric_matrices(components, list(targets.means)))
+        amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
         gain = amplitudes @ shares
         met_rows = {
             row
@@ -249,7 +279,7 @@ def conditioned_group(
         },
         {
             "wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"}),
-            "scan": list(generators),
+            "scan": list(generator_makers),
         },
         {"basis": "substitute", "table1_rows_met": ",".join(calibrated)},
     )

@@ -18,7 +18,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
     waves_in_bins,
 )
-from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
+from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS, Floats
 
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many waves.
@@ -78,7 +78,8 @@ def contradictions(
         difference = logs[left] - logs[right]
         variance = variances[left] + variances[right]
         half_decades = [
-            shared[start : start + HALF_DECADE] for start in range(len(shared) - HALF_DECADE + 1)
+            shared[start : start + HALF_DECADE_BINS]
+            for start in range(len(shared) - HALF_DECADE_BINS + 1)
         ]
         ranges = [
             (*_mean_difference(difference[bins], variance[bins]), bins)

@@ -11,7 +11,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.scan_heights import MAX_UNDEFINED_SHARE, PIXELS, POSITION_ROUNDING
+from hardcontact.surfaces.scan_heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITION_ROUNDING
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
@@ -151,7 +151,7 @@ def _grid_axis(positions: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDA
         return empty
     spacing = np.median(steps[steps > POSITION_ROUNDING * steps.max()])
     extent = float(np.ptp(positions))
-    if extent > spacing * PIXELS[1]:
+    if extent > spacing * PIXEL_BOUNDS[1]:
         return empty
     axis = np.linspace(positions.min(), positions.max(), round(extent / spacing) + 1)
     axis_indices = np.rint((positions - axis[0]) / extent * (len(axis) - 1)).astype(np.intp)

@@ -10,11 +10,11 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Bounds of the protrusions of a surface: the logarithms of density (1/µm²) and width (nm), and the
 #: height (in rms heights of the coating), are uniform between them. Within these bounds the rms
 #: curvature of polished UNCD stays within its uncertainty in Table 1.
-DENSITIES = (0.1, 3.0)
-HEIGHTS = (3.0, 8.0)
-WIDTHS = (30.0, 100.0)
+DENSITY_BOUNDS = (0.1, 3.0)
+HEIGHT_BOUNDS = (3.0, 8.0)
+WIDTH_BOUNDS = (30.0, 100.0)
 #: Share of the surfaces that have no protrusions.
-GAUSSIAN_SHARE = 0.25
+SHARE_WITHOUT_PROTRUSIONS = 0.25
 
 
 class Protrusions(NamedTuple):
@@ -39,7 +39,7 @@ class Protrusions(NamedTuple):
         return self.rms_slope * self.width
 
 
-class Roughness(NamedTuple):
+class PublishedRoughness(NamedTuple):
     """The published roughness of the coating and of the sphere."""
 
     rms_height: float  #: Rms height of the coating in nm.
@@ -49,30 +49,31 @@ class Roughness(NamedTuple):
 
 
 def draw_protrusions(
-    rng: np.random.Generator, roughness: Roughness, is_sphere: bool
+    rng: np.random.Generator, roughness: PublishedRoughness, on_sphere: bool
 ) -> Protrusions:
     """Draw the protrusions of a surface; density and height are 0 for a surface without any.
 
     Protrusions are drawn again until the published roughness permits them.
     """
     while True:
-        density = float(np.exp(rng.uniform(*np.log(DENSITIES))))
-        width = float(np.exp(rng.uniform(*np.log(WIDTHS))))
-        protrusions = Protrusions(density, float(rng.uniform(*HEIGHTS)), width)
-        if is_permitted(protrusions, roughness, is_sphere):
+        density = float(np.exp(rng.uniform(*np.log(DENSITY_BOUNDS))))
+        width = float(np.exp(rng.uniform(*np.log(WIDTH_BOUNDS))))
+        protrusions = Protrusions(density, float(rng.uniform(*HEIGHT_BOUNDS)), width)
+        if is_permitted(protrusions, roughness, on_sphere):
             break
-    if rng.uniform() < GAUSSIAN_SHARE:
+    if rng.uniform() < SHARE_WITHOUT_PROTRUSIONS:
         return Protrusions(0.0, 0.0, width)
     return protrusions
 
 
-def is_permitted(protrusions: Protrusions, roughness: Roughness, is_sphere: bool) -> bool:
+def is_permitted(protrusions: Protrusions, roughness: PublishedRoughness, on_sphere: bool) -> bool:
     """Return whether the published roughness permits protrusions.
 
-    On the sphere, the rms height of the protrusions alone may not exceed its rms height. A coating
-    with protrusions is scaled to its rms height, and then its slope may not exceed its rms slope.
+    The rms height of protrusions on the sphere may not exceed the published limit of the sphere. A
+    coating with protrusions is scaled back to its published rms height; its rms slope may then not
+    exceed the published slope plus its uncertainty.
     """
-    if is_sphere:
+    if on_sphere:
         return protrusions.rms_height * roughness.rms_height <= roughness.max_sphere_rms_height
     slope = np.hypot(roughness.rms_slope, protrusions.rms_slope * roughness.rms_height)
     return bool(slope / np.hypot(1, protrusions.rms_height) <= roughness.max_rms_slope)

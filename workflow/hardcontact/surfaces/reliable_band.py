@@ -24,7 +24,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.scans import Measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
+from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS, Floats
 
 #: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer
 #: waves are few, and levelling and the window change them: for self-affine surfaces without a
@@ -146,15 +146,15 @@ def _find_bins_near_peaks(log_density: Floats, variance: Floats) -> NDArray[np.b
     rise = log_density - log_density[:, None]
     error = np.sqrt(variance + variance[:, None])
     is_rise = (rise > np.log(MIN_PEAK_RISE)) & (rise > MIN_PEAK_ERRORS * error)
-    is_peak = (is_rise & (0 < distance) & (distance <= HALF_DECADE)).any(axis=0)
-    return np.asarray((is_peak & (np.abs(distance) <= HALF_DECADE)).any(axis=1))
+    is_peak = (is_rise & (0 < distance) & (distance <= HALF_DECADE_BINS)).any(axis=0)
+    return np.asarray((is_peak & (np.abs(distance) <= HALF_DECADE_BINS)).any(axis=1))
 
 
 def _count_unsmoothed(is_smoothed: NDArray[np.bool_], count: int) -> int:
     """Count the leading bins, at most `count`, whose last half decade is not smoothed."""
     # Between smoothing and noise some slopes equal those of a rough surface.
-    while is_smoothed[max(count - HALF_DECADE, 0) : count].any():
-        start = max(count - HALF_DECADE, 0)
+    while is_smoothed[max(count - HALF_DECADE_BINS, 0) : count].any():
+        start = max(count - HALF_DECADE_BINS, 0)
         count = start + int(np.argmax(is_smoothed[start:count]))
     return count
 

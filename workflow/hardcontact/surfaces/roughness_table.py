@@ -10,11 +10,22 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.origin import canonical
 from hardcontact.base.statistics import student_interval, with_interval
 from hardcontact.surfaces.height_map import METRICS, HeightMap, metrics, table1_variables
-from hardcontact.surfaces.spectrum import Floats, all_scales_moments, measured_psds, spectrum_from
+from hardcontact.surfaces.spectrum import Floats, all_scales_rms, measured_psds, spectrum_of_dataset
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
-    """Return the METRICS of a levelled scan and its PSDs, profile (nm³) and isotropic (nm⁴)."""
+    """Return the METRICS and the PSDs of a scan.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled.
+
+    Returns
+    -------
+    xarray.Dataset
+        The METRICS; ``psd_profile`` (wavevector) in nm³ and ``psd_isotropic`` (wavevector) in nm⁴.
+    """
     values = metrics(scan)
     wavevector, profile, isotropic = measured_psds(scan)
     return xr.Dataset(
@@ -83,7 +94,7 @@ def roughness_table(
     spectra : mapping
         C_iso over all scales, by surface.
     conditionings : mapping
-        Results of `conditioned_group` for the substitutes, by surface.
+        Results of `condition_group` for the substitutes, by surface.
     examples : mapping
         A levelled scan by surface; for a rough sphere it has the variable `as_scanned`.
     labels : mapping
@@ -130,8 +141,8 @@ def roughness_table(
 
 def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
     """Return spectra (surface, wavevector) and their moments over all scales."""
-    spectra = [spectrum_from(dataset) for dataset in datasets]
-    moments = np.array([all_scales_moments(spectrum) for spectrum in spectra])
+    spectra = [spectrum_of_dataset(dataset) for dataset in datasets]
+    moments = np.array([all_scales_rms(spectrum) for spectrum in spectra])
     height, gradient, half_laplacian = moments.T
     density = np.array([spectrum(wavevector) for spectrum in spectra])
     return xr.Dataset(

@@ -1,7 +1,7 @@
 """Read the bytes of a scan: any format of SurfaceTopography, or a contact.engineering container.
 
-`scans` calls this in a child process that opens no file. Late imports of readers are therefore made
-here. `SurfaceTopography.Container.IO.Schema` describes containers.
+`scans` calls this in a child process that cannot open files. Modules that readers import late are
+therefore imported here. `SurfaceTopography.Container.IO.Schema` describes containers.
 """
 
 import io
@@ -23,7 +23,7 @@ from SurfaceTopography.Support.UnitConversion import is_length_unit
 from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.plain_text import POINT_COLUMNS, ROW, readable_text
 from hardcontact.surfaces.scan_heights import (
-    MAX_OBLONGNESS,
+    MAX_ASPECT_DEVIATION,
     check_points,
     map_values,
     profile_values,
@@ -41,20 +41,22 @@ for module in IMPORTED_LATE:
     import_module(module)
 
 #: The lists of scans in containers, new and old, in the order in which they are looked for.
-LISTS = ("index.json", "meta.yml")
-#: Scans in a container: each is read in a process of its own.
+INDEX_FILES = ("index.json", "meta.yml")
+#: Largest number of scans in a container; each is read in its own process.
 MAX_SCANS = 1000
 #: Keys of the data file of a scan: the measured file, or else the processed file, whose channel is
 #: already selected and whose heights are already scaled.
 DATA_FILES = ("original", "squeezed-netcdf")
+#: Metadata that hold for the measured file only: they are ignored for the processed file.
 ORIGINAL_KEYS = ("data_source", "height_scale")
 #: Stands for a unit or an edge that is not given, for files that state none.
-NONE = "none"
+NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 METADATA_KEYS = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
-#: Spacings, in the unit of a text, below which its reader takes any line scan for uniform: it takes
-#: spacings that differ by less than 1e-6 of the unit for equal, 1 µm in a file in metres.
-COARSE_SPACING = 1e-4
+#: Mean spacing, in the unit of a text, up to which a line scan is read again without tolerance. The
+#: reader takes spacings that differ by less than 1e-6 of the unit for equal (1 µm in a file in
+#: metres), and would take such a line scan for uniform.
+MAX_TOLERATED_SPACING = 1e-4
 #: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 #: The unit of values that a header of a text states.
@@ -67,7 +69,7 @@ UNKNOWN_KINDS = {
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return under `datasets` the data files in a container, or one empty name for other files."""
+    """Return under `datasets` the data files in a container; for other files, one empty name."""
     entries = _container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -79,7 +81,7 @@ def read_measurement_fields(
     entries = _container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
-        entry = _entry_named(entries, dataset)
+        entry = _find_entry(entries, dataset)
         with zipfile.ZipFile(io.BytesIO(content)) as container:
             content = container.read(entry["file"])
     content, text_notes = readable_text(content)
@@ -92,7 +94,7 @@ def read_measurement_fields(
         ) from None
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     notes = text_notes + notes
-    topography, metadata_in_words = _topography(
+    topography, metadata_in_words = _read_topography(
         channel, entry or _user_metadata(channel, unit, edge)
     )
     if topography.unit is None:
@@ -113,9 +115,9 @@ def read_measurement_fields(
     if is_map and isinstance(reader, AscReader):
         # A text has no count of lines: it may have been cut short.
         pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
-        if abs(pixel_width / pixel_height - 1) > MAX_OBLONGNESS:
+        if abs(pixel_width / pixel_height - 1) > MAX_ASPECT_DEVIATION:
             raise RefusedFile(
-                "expected square pixels of a text, which has lost lines else, "
+                "expected square pixels in a text (with others, lines are missing), "
                 f"found {pixel_width:.6g} {topography.unit} x {pixel_height:.6g} {topography.unit}"
             )
     try:
@@ -123,8 +125,8 @@ def read_measurement_fields(
             topography, unit_in_nm(topography.unit), undefined_pixels
         )
     except RefusedFile as error:
-        two_units = "; --unit mm,nm gives positions and heights a unit each"
-        raise RefusedFile(f"{error}{two_units * (unit == topography.unit)}") from None
+        remedy = "; --unit mm,nm gives positions and heights a unit each"
+        raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
     tip_radius, tip_notes = stated_tip_radius(topography.info, entry)
     return {
         "dataset": dataset if entry or len(reader.channels) > 1 else "",
@@ -155,7 +157,7 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             if any(name.endswith("/main.xml") for name in archive.namelist()):
                 reader_names = ["X3PReader"]
-                kind_in_words = "an X3P whose files are in a folder: zip them without it"
+                kind_in_words = "an X3P with files in a folder: zip them without the folder"
     elif sum(ROW.fullmatch(line) is not None for line in lines) > len(lines) / 2:
         reader_names = ["AscReader"]
         unit = VALUE_UNIT.search("\n".join(lines))
@@ -173,15 +175,15 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
     if not zipfile.is_zipfile(io.BytesIO(content)):
         return None
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
-        name = next((name for name in LISTS if name in archive.namelist()), None)
+        name = next((name for name in INDEX_FILES if name in archive.namelist()), None)
         if name is None:
             return None
         text = archive.read(name)
     try:
-        contents = json.loads(text) if name == LISTS[0] else yaml.load(text, yaml.CFullLoader)
+        contents = json.loads(text) if name == INDEX_FILES[0] else yaml.load(text, yaml.CFullLoader)
         surfaces = contents["surfaces"]
         entries = [_entry(scan) for surface in surfaces for scan in surface["topographies"]]
-    except Exception as error:  # a list that is none may raise anything
+    except Exception as error:  # A malformed list may raise any error.
         raise RefusedFile(
             f"expected {name} that lists surfaces, their topographies and the data file of "
             f"each, found: {type(error).__name__}: {str(error)[:200]}"
@@ -204,7 +206,7 @@ def _entry(scan: dict[str, Any]) -> dict[str, Any]:
     return kept_metadata | {"name": scan.get("name") or file, "file": file}
 
 
-def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
+def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     """Return the metadata of the only scan with this name or data file."""
     named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
     if len(named_entries) != 1:
@@ -219,7 +221,8 @@ def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
     """Return the channel of a name, of the container or of the reader, and notes.
 
-    If this channel has no heights, the first channel of heights is returned.
+    A channel that the user names is refused if it has no heights. If the channel of the container
+    or of the reader has none, the first channel of heights is returned, with a note.
     """
     channels = reader.channels
     if not channels:
@@ -285,18 +288,18 @@ def _user_metadata(channel: Any, unit: str, edge: float | str) -> dict[str, Any]
     """
     metadata: dict[str, Any] = {}
     lateral, _, vertical = unit.partition(",")
-    if channel.unit is None and unit != NONE:
+    if channel.unit is None and unit != NOT_GIVEN:
         metadata["unit"] = lateral
         if vertical:
             metadata["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
     known_unit = metadata.get("unit", channel.unit)
-    if edge != NONE and channel.physical_sizes is None and known_unit:
+    if edge != NOT_GIVEN and channel.physical_sizes is None and known_unit:
         pixel = float(edge) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
         metadata["size"] = [pixel * count for count in channel.nb_grid_pts]
     return metadata
 
 
-def _topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
+def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]:
     """Return the topography of a channel, and the used metadata that its file lacks, in words."""
     is_text = isinstance(channel.reader, AscReader)
     if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
@@ -313,14 +316,15 @@ def _topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]
     if scale is not None and not 0 < scale < math.inf:
         raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
-        lacks_unit = channel.unit is None and "unit" not in metadata
+        expected, remedy = "the physical size", "gives the longer edge"
+        if channel.unit is None and "unit" not in metadata:
+            expected += " and unit"
+            remedy += ", and --unit nm the unit of the heights"
         raise RefusedFile(
-            f"expected a file that states the physical size{' and unit' * lacks_unit} of the scan, "
-            "found none: the file is damaged, or its format has none; --size 5um, or the key "
-            "scan.edge, gives the longer edge"
-            f"{', and --unit nm the unit of the heights' * lacks_unit}"
+            f"expected a file that states {expected} of the scan, found none: the file is damaged, "
+            f"or its format has none; --size 5um, or the key scan.edge, {remedy}"
         )
-    # A height scale that the file has already would calibrate it twice.
+    # Metadata that the file has already are left out: a second height scale would scale twice.
     arguments: dict[str, Any] = {}
     for argument, key in METADATA_KEYS.items():
         value = size if argument == "physical_sizes" else metadata.get(key)
@@ -328,7 +332,7 @@ def _topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]
             with suppress(MetadataAlreadyFixedByFile):
                 channel.topography(**arguments | {argument: value})
                 arguments[argument] = value
-    words = [
+    metadata_in_words = [
         f"{METADATA_KEYS[argument]} "
         + (
             " x ".join(f"{length:.6g}" for length in value)
@@ -340,7 +344,7 @@ def _topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[str]]
     topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
     if is_text_line and (
-        abs(topography.physical_sizes[0]) <= COARSE_SPACING * topography.nb_grid_pts[0]
+        abs(topography.physical_sizes[0]) <= MAX_TOLERATED_SPACING * topography.nb_grid_pts[0]
     ):
         topography = channel.reader._read(tol=0, **arguments)
-    return topography, words
+    return topography, metadata_in_words

@@ -16,14 +16,14 @@ from hardcontact.surfaces.limited_process import RefusedFile
 Floats = NDArray[np.float64]
 
 #: Pixels along an edge of a map: substitutes have no fewer, and masters at least twice as many.
-PIXELS = (16, 8192)
+PIXEL_BOUNDS = (16, 8192)
 #: Points of a line scan, as read and as resampled.
-POINTS = (16, 2**20)
+POINT_BOUNDS = (16, 2**20)
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
-LENGTHS = (1e-3, 1e7)
+LENGTH_BOUNDS = (1e-3, 1e7)
 #: Largest relative difference between the edges of a square pixel.
-MAX_OBLONGNESS = 1e-3
+MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
@@ -49,7 +49,7 @@ def split_notes(notes: Sequence[str]) -> tuple[list[str], list[str]]:
 def check_points(counts: tuple[int, ...]) -> None:
     """Refuse a map (x, y) or a line scan (n,) of too few or too many points."""
     is_map = len(counts) == 2
-    minimum, maximum = PIXELS if is_map else POINTS
+    minimum, maximum = PIXEL_BOUNDS if is_map else POINT_BOUNDS
     if not minimum <= min(counts) <= max(counts) <= maximum:
         points_in_words = "pixels along an edge" if is_map else "points along a line scan"
         raise RefusedFile(
@@ -70,7 +70,7 @@ def unit_in_nm(unit: str) -> float:
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
     """Return these fields of a `Measurement`; refuse impossible heights and pixel sizes."""
-    minimum, maximum = LENGTHS
+    minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))
     if maximum < abs(offset) < minimum / np.finfo(float).eps:
@@ -122,7 +122,7 @@ def _square_pixels(
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
         raise RefusedFile(f"expected pixels of positive edges, found edges of {edges} nm")
-    if longer <= (1 + MAX_OBLONGNESS) * edges.min():
+    if longer <= (1 + MAX_ASPECT_DEVIATION) * edges.min():
         return heights, float(edges.mean()), []
     values = heights.filled(np.nan)
     for axis, edge in enumerate(edges):
@@ -133,7 +133,7 @@ def _square_pixels(
     check_points(values.shape)
     notes = [f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"]
     width, height = edges * heights.shape
-    if abs(width / height - 1) <= MAX_OBLONGNESS:
+    if abs(width / height - 1) <= MAX_ASPECT_DEVIATION:
         # Files of Bruker state the size of the full scan, also of one with fewer lines.
         square = " x ".join(print_length(count * edges.min()) for count in heights.shape)
         notes.append(
@@ -228,4 +228,4 @@ def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
         radius = float(tip_radius["value"]) * unit_in_nm(tip_radius["unit"])
     except (LookupError, TypeError, ValueError, RefusedFile):
         return None
-    return radius if LENGTHS[0] <= radius <= LENGTHS[1] else None
+    return radius if LENGTH_BOUNDS[0] <= radius <= LENGTH_BOUNDS[1] else None

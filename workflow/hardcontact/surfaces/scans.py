@@ -46,7 +46,20 @@ class Measurement:
 def read_stored(path: str) -> Measurement:
     """Read a measurement from a netCDF file of the study.
 
-    Raises ValueError if the file cannot be read.
+    Parameters
+    ----------
+    path : str
+        The file.
+
+    Returns
+    -------
+    Measurement
+        As it was written.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read.
     """
     dataset = labelled.read(path)
     words = ("path", "dataset", "channel", "file_unit", "kind")
@@ -147,7 +160,24 @@ def flatten(
 ) -> Measurement:
     """Return a measurement whose map is levelled and has its sphere subtracted.
 
-    The radius of the sphere is in nm; None for a flat surface. A line scan keeps its heights.
+    Parameters
+    ----------
+    measurement : Measurement
+        A height map, or a line scan, which keeps its heights.
+    sphere_radius : float or None
+        Radius of the sphere in nm; None for a flat surface.
+    levelling : str
+        One of LEVELLING.
+
+    Returns
+    -------
+    Measurement
+        With the new heights.
+
+    Raises
+    ------
+    ValueError
+        If the levelling is unknown.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")

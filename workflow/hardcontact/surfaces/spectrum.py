@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
-Density = Callable[[Floats], Floats]
+SpectrumFunction = Callable[[Floats], Floats]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
 #: Edges and centres of the bins of measured PSDs: ten a decade.
@@ -33,8 +33,8 @@ BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 #: Width of these bins in ln q.
 BIN_WIDTH = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
-#: Bins in half a decade.
-HALF_DECADE = 5
+#: Number of bins in half a decade.
+HALF_DECADE_BINS = 5
 #: Fewest bins of a joined spectrum.
 MIN_BINS = 3
 #: Arguments with which SurfaceTopography measures PSDs.
@@ -89,17 +89,44 @@ class Spectrum:
 
 
 def read_spectrum(path: str) -> Spectrum:
-    """Read a spectrum from a file of the study; raises ValueError if it is unreadable."""
-    return spectrum_from(dataset.read(path))
+    """Read a spectrum from a file of the study.
+
+    Parameters
+    ----------
+    path : str
+        A dataset that `spectrum_dataset` made.
+
+    Returns
+    -------
+    Spectrum
+        C_iso in nm⁴ over wavevectors in rad/nm.
+
+    Raises
+    ------
+    ValueError
+        If the file is unreadable.
+    """
+    return spectrum_of_dataset(dataset.read(path))
 
 
-def spectrum_from(spectrum_data: xr.Dataset) -> Spectrum:
+def spectrum_of_dataset(spectrum_data: xr.Dataset) -> Spectrum:
     """Return the spectrum in a dataset that `spectrum_dataset` made."""
     return Spectrum(spectrum_data["wavevector"].values, spectrum_data["spectrum"].values)
 
 
 def spectrum_dataset(density: Floats) -> xr.Dataset:
-    """Return C_iso (nm⁴) on WAVEVECTORS as a dataset."""
+    """Return C_iso on WAVEVECTORS as a dataset.
+
+    Parameters
+    ----------
+    density : numpy.ndarray
+        C_iso (wavevector,) in nm⁴.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``spectrum`` (wavevector) in nm⁴.
+    """
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "C_iso"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
@@ -142,7 +169,7 @@ def _mark_empty_bins(density: ArrayLike) -> Floats:
     return np.where(values > 0, values, np.nan)
 
 
-def all_scales_moments(spectrum: Spectrum) -> Floats:
+def all_scales_rms(spectrum: Spectrum) -> Floats:
     """Return rms height (nm), gradient and half-Laplacian (1/nm) over all scales: (3,)."""
     wavevector = spectrum.wavevector
     squares = [
@@ -153,7 +180,10 @@ def all_scales_moments(spectrum: Spectrum) -> Floats:
 
 
 def roll_off(spectrum: Spectrum) -> float:
-    """Return the wavelength (nm) whose octave holds most of the variance of heights."""
+    """Return the wavelength (nm) at which q² C_iso, the variance of heights per ln q, is largest.
+
+    It is the roll-off of a self-affine surface.
+    """
     variance = spectrum.wavevector**2 * spectrum.density
     return float(2 * np.pi / spectrum.wavevector[variance.argmax()])
 
@@ -164,7 +194,7 @@ def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float
 
 
 def varying_hurst(
-    wavevector: Floats, plateau: float, rolloff: float, hurst: float, change: float
+    wavevector: Floats, plateau: float, rolloff: float, hurst: float, hurst_change: float
 ) -> Floats:
     """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
 
@@ -172,7 +202,7 @@ def varying_hurst(
     C_0 above it.
     """
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
-    return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - change * decades**2))
+    return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - hurst_change * decades**2))
 
 
 def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
@@ -190,7 +220,7 @@ SPECTRAL_MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
 NUMBER_COLUMNS = (
     "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
 )  # fmt: skip
-#: Rows of Table 1 that fix the spectrum of scans, and rows that fix the tail below their band.
+#: Rows of Table 1 to which the spectrum of scans, and the tail at shorter wavelengths, are fitted.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
@@ -206,22 +236,22 @@ def read_bands(path: str | Path) -> pd.DataFrame:
     return bands
 
 
-def is_calibrated(bands: pd.DataFrame) -> bool:
-    """Return whether a description leaves parameters to Table 1."""
+def needs_calibration(bands: pd.DataFrame) -> bool:
+    """Return whether a description leaves parameters to a calibration on Table 1."""
     return bool((bands.hurst.isna() & bands.model.isin(CALIBRATION_ROWS)).any())
 
 
-def power_law_continuation(longer_waves: Floats, hurst: float) -> Floats:
+def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
     """Return C_iso ∝ q^(-2-2H) below the shortest wavelength of a spectrum, without a jump.
 
-    Both spectra are C_iso in nm⁴ on WAVEVECTORS. The power law is zero at longer wavelengths.
-    Raises ValueError if the spectrum is zero everywhere.
+    The density and the result are C_iso in nm⁴ on WAVEVECTORS. The result is zero at the
+    wavelengths of the spectrum. Raises ValueError if the density is zero everywhere.
     """
-    if not longer_waves.any():
+    if not density.any():
         raise ValueError("expected roughness above a power law, found none")
-    last_index = longer_waves.nonzero()[0][-1]
+    last_index = density.nonzero()[0][-1]
     relative = WAVEVECTORS / WAVEVECTORS[last_index]
-    return np.where(relative > 1, longer_waves[last_index] * relative ** (-2 - 2 * hurst), 0.0)
+    return np.where(relative > 1, density[last_index] * relative ** (-2 - 2 * hurst), 0.0)
 
 
 def cell_shares(shortest: float) -> Floats:
@@ -230,12 +260,12 @@ def cell_shares(shortest: float) -> Floats:
     return np.asarray(np.clip(cells + 0.5, 0, 1))
 
 
-def power_law_tail(longer_waves: Floats, hurst: float, shortest: float) -> Floats:
-    """Return a power-law continuation that ends at a shortest wavelength (nm)."""
-    return power_law_continuation(longer_waves, hurst) * cell_shares(shortest)
+def power_law_tail(density: Floats, hurst: float, shortest: float) -> Floats:
+    """Return the `power_law_extrapolation` down to a shortest wavelength (nm)."""
+    return power_law_extrapolation(density, hurst) * cell_shares(shortest)
 
 
-def profile_from_isotropic_power_law(wavevector: Floats, hurst: float) -> Floats:
+def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:
     """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
 
     C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
@@ -246,14 +276,16 @@ def profile_from_isotropic_power_law(wavevector: Floats, hurst: float) -> Floats
     return np.asarray(ratio, float)
 
 
-def profile_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
+def isotropic_through_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
     """Return C_iso (nm⁴) through points of C_1D (nm³), converted with one fitted Hurst exponent."""
-    points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
-    hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
-    order = np.argsort(points)
-    points, level, position = points[order], level[order], np.log(wavevector)
-    # The first and the last segment continue beyond the points.
-    segment = np.clip(np.searchsorted(points, position) - 1, 0, len(points) - 2)
-    slope = np.diff(level)[segment] / np.diff(points)[segment]
-    density: Floats = np.exp(level[segment] + slope * (position - points[segment]))
-    return density / profile_from_isotropic_power_law(wavevector, hurst)
+    log_points, log_profile = np.log(2 * np.pi / wavelengths), np.log(profile)
+    hurst = (-np.polyfit(log_points, log_profile, 1)[0] - 1) / 2
+    order = np.argsort(log_points)
+    log_points, log_profile = log_points[order], log_profile[order]
+    log_wavevector = np.log(wavevector)
+    # The first and the last segment are extrapolated beyond the points.
+    segment = np.clip(np.searchsorted(log_points, log_wavevector) - 1, 0, len(log_points) - 2)
+    slope = np.diff(log_profile)[segment] / np.diff(log_points)[segment]
+    from_point = log_wavevector - log_points[segment]
+    profile_density: Floats = np.exp(log_profile[segment] + slope * from_point)
+    return profile_density / profile_over_isotropic(wavevector, hurst)

@@ -19,7 +19,7 @@ from hardcontact.surfaces.spectrum import (
     KNOWN_BASES,
     WAVEVECTORS,
     Floats,
-    spectrum_from,
+    spectrum_of_dataset,
 )
 
 #: Units of the attributes of a spectrum about its ends; none for a text.
@@ -148,7 +148,7 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         dataset="",
         limited_by="source",
     ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan))
-    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(substitute)(BIN_CENTRES)
+    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_of_dataset(substitute)(BIN_CENTRES)
     ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()
     shortest, longest = ends.T[..., None]
     reliable = (shortest < wavelength) & (wavelength <= longest)

@@ -9,7 +9,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from hardcontact.surfaces.height_map import HeightMap, level, skewness_and_kurtosis
 from hardcontact.surfaces.scans import Measurement
-from hardcontact.surfaces.spectrum import Density, Floats
+from hardcontact.surfaces.spectrum import Floats, SpectrumFunction
 from hardcontact.surfaces.synthesis import random_surface
 
 
@@ -32,7 +32,7 @@ def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
     return replace(surface, heights=heights, periodic=False)
 
 
-def draw_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> HeightMap:
+def draw_scan(rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid) -> HeightMap:
     """Draw a scan: the corner of a random surface with C_iso `density` in nm⁴."""
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     return cut_scan(surface, grid.pixels)
@@ -49,7 +49,7 @@ def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) ->
 
 def synthesize_scan(
     rng: np.random.Generator,
-    density: Density,
+    density: SpectrumFunction,
     grid: ScanGrid,
     factor: float = 1.0,
     *,
@@ -97,7 +97,20 @@ def synthesize_scan(
 
 
 def convert_to_measurement(synthesized: xr.Dataset, path: str) -> Measurement:
-    """Return a synthesized scan as a measurement, equal to reading its file but faster."""
+    """Return a synthesized scan as a measurement, equal to reading its file but faster.
+
+    Parameters
+    ----------
+    synthesized : xarray.Dataset
+        From `synthesize_scan`.
+    path : str
+        Its file.
+
+    Returns
+    -------
+    Measurement
+        A height map.
+    """
     heights = synthesized["heights"].values.T
     pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
     return Measurement(path, "", "Default", "nm", "map", heights, pixel_size, None, (), 0)

@@ -16,14 +16,14 @@ from hardcontact.surfaces.spectrum import (
     SPECTRAL_MODELS,
     TAIL_ROWS,
     WAVEVECTORS,
-    Density,
     Floats,
     Spectrum,
-    all_scales_moments,
+    SpectrumFunction,
+    all_scales_rms,
     cell_shares,
-    power_law_continuation,
+    isotropic_through_points,
+    power_law_extrapolation,
     power_law_tail,
-    profile_points,
     read_bands,
     spectrum_dataset,
 )
@@ -95,7 +95,7 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
-def expected_moments(density: Density, weights: Weights) -> Floats:
+def expected_moments(density: SpectrumFunction, weights: Weights) -> Floats:
     """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
     wavevector, factors = weights
     return np.sqrt(factors @ density(wavevector))
@@ -202,7 +202,7 @@ def calibrate_tail(
     """
     from scipy.optimize import brentq
 
-    _, *longer_moments = all_scales_moments(Spectrum(WAVEVECTORS, longer_waves))
+    _, *longer_moments = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
     missing_squares = [
         gradient**2 - longer_moments[0] ** 2,
         half_laplacian**2 - longer_moments[1] ** 2,
@@ -217,7 +217,7 @@ def calibrate_tail(
 
     def excess(moment: int, hurst: float, shortest: float) -> float:
         tail = power_law_tail(longer_waves, hurst, shortest)
-        added = all_scales_moments(Spectrum(WAVEVECTORS, tail))[1 + moment]
+        added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + moment]
         return float(np.log(added**2 / missing_squares[moment]))
 
     def find_hurst(shortest: float) -> float:
@@ -292,14 +292,14 @@ def spectrum_from_description(
 def _band_density(band: pd.Series, longer_waves: Floats, folder: Path) -> Floats:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
-        return power_law_continuation(longer_waves, band.hurst) * (
+        return power_law_extrapolation(longer_waves, band.hurst) * (
             cell_shares(band.shortest_nm) > 0
         )
     if band.model == "profile":
         columns = ["wavelength_nm", "c1d_nm3"]
         points = pd.read_csv(folder / band.table, usecols=columns, dtype=float)[columns]
         wavelengths, profile = points.to_numpy().T
-        model = profile_points(WAVEVECTORS, wavelengths, profile)
+        model = isotropic_through_points(WAVEVECTORS, wavelengths, profile)
     else:
         density, parameters = SPECTRAL_MODELS[band.model]
         model = density(WAVEVECTORS, *(band[name] for name in parameters))
@@ -315,7 +315,7 @@ def described_rms_height(path: str | Path, longest: float) -> float:
     no_weights = np.empty(0), np.empty((3, 0))
     density, _, _ = spectrum_from_description(path, pd.DataFrame(), no_weights)
     short_enough = 2 * np.pi / WAVEVECTORS <= longest
-    return float(all_scales_moments(Spectrum(WAVEVECTORS, density * short_enough))[0])
+    return float(all_scales_rms(Spectrum(WAVEVECTORS, density * short_enough))[0])
 
 
 def substitute_spectrum(

@@ -11,11 +11,11 @@ import numpy as np
 
 from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Density
+from hardcontact.surfaces.spectrum import SpectrumFunction
 
 
 def random_surface(
-    rng: np.random.Generator, pixels: int, pixel_size: float, density: Density
+    rng: np.random.Generator, pixels: int, pixel_size: float, density: SpectrumFunction
 ) -> HeightMap:
     """Return a Gaussian random surface with a power spectral density, of mean zero, in float32.
 
@@ -37,25 +37,34 @@ def random_surface(
 
 
 def small_scale_master(
-    rng: np.random.Generator, stitched: HeightMap, pixels: int, transition: float, density: Density
+    rng: np.random.Generator,
+    stitched: HeightMap,
+    pixels: int,
+    transition: float,
+    density: SpectrumFunction,
 ) -> HeightMap:
     """Return a mirror-stitched scan with artificial roughness below the transition wavelength (nm).
 
-    The scan is interpolated to pixels x pixels. A random surface replaces its wavelengths below the
-    transition. C_iso of the random surface follows the density below the transition and is constant
-    above it. Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
+    The scan loses its wavelengths below the transition and is interpolated to pixels x pixels. A
+    random surface is added, whose C_iso follows the density below the transition and keeps its
+    value at the transition above it. Source: the paper, section Determining the Most Relevant
+    Length-scales of Roughness.
     """
-    band = lowpass(stitched, transition)
-    limit = 2 * np.pi / transition
+    long_waves = lowpass(stitched, transition)
+    transition_wavevector = 2 * np.pi / transition
     master = random_surface(
-        rng, pixels, stitched.size / pixels, lambda q: density(np.maximum(q, limit))
+        rng, pixels, stitched.size / pixels, lambda q: density(np.maximum(q, transition_wavevector))
     )
-    master.heights[...] += interpolate(band, pixels).heights
+    master.heights[...] += interpolate(long_waves, pixels).heights
     return replace(master, basis=stitched.basis)
 
 
 def large_scale_master(
-    rng: np.random.Generator, stitched: HeightMap, tiles: int, transition: float, density: Density
+    rng: np.random.Generator,
+    stitched: HeightMap,
+    tiles: int,
+    transition: float,
+    density: SpectrumFunction,
 ) -> HeightMap:
     """Return a mirror-stitched scan with artificial roughness above the transition wavelength (nm).
 
@@ -63,19 +72,22 @@ def large_scale_master(
     density, replaces the wavelengths above the transition. Source: as for `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
-    band = lowpass(repeated, transition)
-    limit = 2 * np.pi / transition * (1 + 1e-12)
-    added = random_surface(
-        rng, band.pixels, band.pixel_size, lambda q: np.where(q <= limit, density(q), 0.0)
+    long_waves = lowpass(repeated, transition)
+    transition_wavevector = 2 * np.pi / transition * (1 + 1e-12)
+    artificial = random_surface(
+        rng,
+        long_waves.pixels,
+        long_waves.pixel_size,
+        lambda q: np.where(q <= transition_wavevector, density(q), 0.0),
     )
-    change = replace(band, heights=added.heights - band.heights)
+    change = replace(long_waves, heights=artificial.heights - long_waves.heights)
     heights = repeated.heights + interpolate(change, repeated.pixels).heights
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: Function that makes the master of a side, and the key of its size in the scales.
-SYNTHESIS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
-SIDES = tuple(SYNTHESIS)
+#: By side: the function that makes the master, and the key of `scales` that holds its size.
+MASTER_MAKERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
+SIDES = tuple(MASTER_MAKERS)
 
 
 def synthesize_master(
@@ -83,14 +95,14 @@ def synthesize_master(
     rng: np.random.Generator,
     stitched: HeightMap,
     scales: Mapping[str, Any],
-    density: Density,
+    density: SpectrumFunction,
 ) -> HeightMap:
     """Return the periodic master of a side.
 
     Parameters
     ----------
     side : str
-        A key of SYNTHESIS.
+        One of SIDES.
     rng : numpy.random.Generator
         Source of the artificial roughness.
     stitched : HeightMap
@@ -105,5 +117,5 @@ def synthesize_master(
     HeightMap
         The master.
     """
-    synthesize, size = SYNTHESIS[side]
-    return synthesize(rng, stitched, scales[size], scales["transition"], density)
+    make_master, size_key = MASTER_MAKERS[side]
+    return make_master(rng, stitched, scales[size_key], scales["transition"], density)

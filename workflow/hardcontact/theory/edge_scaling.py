@@ -21,20 +21,19 @@ from hardcontact.base.statistics import (
     with_interval,
 )
 from hardcontact.contact.all_surfaces import (
-    CONTACT_AXES,
     Described,
     Parts,
     stacked_forces,
     with_names,
 )
-from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.contact.contact import CONTACT_AXES, Contact, contact_of_area
 from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.edge_formulas import formula_edges
 
 #: Lengths that may set an edge: sqrt(R), sqrt(rho) and sqrt(F/H), with the axis of the grid.
-LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
+SCALED_LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
 #: Predictions with which computed edges of designed surfaces are compared.
 FORMULA, CLOSED_FORM = "formula", "closed form"
 
@@ -91,9 +90,10 @@ def edge_scaling(
     xarray.Dataset
         By (side, surface, radius, area, rho): ``edge`` in nm, NaN if it is open, with its interval
         over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface, exponent_of) by
-        least squares of ln(edge) against the logarithms of LENGTHS, without open edges, with
+        least squares of ln(edge) against the logarithms of SCALED_LENGTHS, without open edges, with
         intervals by the jackknife over realizations. ``attraction_width`` (radius, rho), sqrt(2 R
-        rho) in nm. The variables of `regime_coordinates`.
+        rho) in nm.
+        The variables of `regime_coordinates`.
     """
     edges = _edges(scaling, tolerance, sampling)
     formula = _formula_edges(spectra, scaling, contact.work, tolerance)
@@ -179,7 +179,7 @@ def _exponents(
     dims = ("side", "surface", "exponent_of")
     variables = with_interval("exponent", dims, exponent, interval, attributes, sampling.confidence)
     coordinates = {name: edge[name] for name in ("side", "surface")}
-    return xr.Dataset(variables, coordinates | {"exponent_of": list(LENGTHS)})
+    return xr.Dataset(variables, coordinates | {"exponent_of": list(SCALED_LENGTHS)})
 
 
 def _fit_all_exponents(scaling: xr.Dataset, edge: xr.DataArray) -> Floats:
@@ -207,8 +207,10 @@ def _fit_exponents(edge: Floats, radius: Floats, rho: Floats, contact_area: Floa
     design = np.stack(
         [np.ones(is_closed.sum()), *(length[is_closed] for length in lengths)], axis=-1
     )
-    if len(design) <= len(LENGTHS) + 1 or np.linalg.matrix_rank(design) <= len(LENGTHS):
-        return np.full(len(LENGTHS), np.nan)
+    if len(design) <= len(SCALED_LENGTHS) + 1 or np.linalg.matrix_rank(design) <= len(
+        SCALED_LENGTHS
+    ):
+        return np.full(len(SCALED_LENGTHS), np.nan)
     return np.asarray(np.linalg.lstsq(design, edge[is_closed])[0][1:])
 
 

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import constants, special
 
-from hardcontact.contact.force_curves import on_fine_grid
+from hardcontact.contact.force_curves import interpolate_to_ranges
 
 Floats = NDArray[np.float64]
 
@@ -182,5 +182,5 @@ def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> F
     """
     values = np.asarray(forces, float)
     if law.exponential:
-        return on_fine_grid(values, ranges, np.asarray(rho, float))
+        return interpolate_to_ranges(values, ranges, np.asarray(rho, float))
     return np.asarray(values @ work_shares(law, rho, ranges).T)

@@ -37,7 +37,7 @@ def scan_range_forces(
     substrate: HeightMap,
     sphere: HeightMap | None,
     contact: Contact,
-    reach: float,
+    law_window: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
     """Return the mean plastic pull-off force on a stitched scan by range of adhesion.
@@ -50,7 +50,7 @@ def scan_range_forces(
         Roughness of the sphere; None for a smooth sphere.
     contact : Contact
         The sphere, its load and the contacts.
-    reach : float
+    law_window : float
         Edge in nm of the window that attracts, as for `range_forces`.
     ranges : sequence of float
         Ranges of adhesion in nm.
@@ -60,7 +60,7 @@ def scan_range_forces(
     xarray.Dataset
         ``pull_off_force`` (rho) in N at 1 J/m².
     """
-    forces = range_forces(bodies(substrate, sphere, contact), contact, reach, ranges)
+    forces = range_forces(bodies(substrate, sphere, contact), contact, law_window, ranges)
     return xr.Dataset(
         {"pull_off_force": ("rho", forces.mean(axis=(1, 2)), FORCE)},
         range_axis(ranges),
@@ -72,7 +72,7 @@ def filtered_range_forces(
     master: HeightMap,
     filters: Filters,
     contact: Contact,
-    reach: float,
+    law_window: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
     """Return the mean plastic pull-off forces of a smooth sphere by cutoff and range.
@@ -83,7 +83,7 @@ def filtered_range_forces(
         Periodic surface.
     filters : Filters
         The cutoffs of one side.
-    contact, reach, ranges : Contact, float, sequence of float
+    contact, law_window, ranges : Contact, float, sequence of float
         As for `scan_range_forces`.
 
     Returns
@@ -93,13 +93,15 @@ def filtered_range_forces(
     """
 
     def mean_forces(surface: HeightMap) -> Floats:
-        forces = range_forces(bodies(surface, None, contact), contact, reach, ranges)
+        forces = range_forces(bodies(surface, None, contact), contact, law_window, ranges)
         return np.asarray(forces.mean(axis=(1, 2)))
 
     return forces_at_cutoffs(master, filters, mean_forces, range_axis(ranges))
 
 
-def range_forces(pair: Bodies, contact: Contact, reach: float, ranges: Sequence[float]) -> Floats:
+def range_forces(
+    pair: Bodies, contact: Contact, law_window: float, ranges: Sequence[float]
+) -> Floats:
     """Return the plastic pull-off force of every contact by range of adhesion.
 
     Parameters
@@ -108,7 +110,7 @@ def range_forces(pair: Bodies, contact: Contact, reach: float, ranges: Sequence[
         Substrate and sphere.
     contact : Contact
         Its load gives the number of contact pixels.
-    reach : float
+    law_window : float
         Edge in nm of the window that attracts; the window is at least that of the contact. Power
         laws reach far.
     ranges : sequence of float
@@ -123,7 +125,7 @@ def range_forces(pair: Bodies, contact: Contact, reach: float, ranges: Sequence[
     rhos = np.asarray(ranges, float)
     contact_pixels = contact.pixels(pixel_size)
     contacts = all_lowest_gaps(pair, contact_pixels)
-    window = max(window_pixels(reach, pixel_size), pair.geometry.window)
+    window = max(window_pixels(law_window, pixel_size), pair.geometry.window)
     totals = contact_pixels + _sums_outside_contact(pair, window, contacts, rhos)
     return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 

@@ -21,7 +21,7 @@ from hardcontact.surfaces.spectrum import (
     MIN_BINS,
     WAVEVECTORS,
     Spectrum,
-    all_scales_moments,
+    all_scales_rms,
 )
 from hardcontact.theory.closed_form import (
     ClosedForm,
@@ -41,7 +41,7 @@ from hardcontact.theory.prediction_errors import (
     table_coordinates,
     validated_ranges,
 )
-from hardcontact.theory.pull_off_statistics import force_statistics
+from hardcontact.theory.pull_off_statistics import predict_statistics
 
 #: Smallest accepted rms height in nm: a tenth of an atom.
 MIN_RMS_HEIGHT = 0.01
@@ -97,7 +97,7 @@ def prediction(
         If `trim_spectrum` refuses the spectrum.
     """
     waves = trim_spectrum(spectrum, name)
-    height, gradient, _ = all_scales_moments(waves)
+    height, gradient, _ = all_scales_rms(waves)
     longest, shortest = 2 * np.pi / waves.wavevector[[0, -1]]
     smooth = smooth_force(contact)
     inputs = [
@@ -136,7 +136,7 @@ def prediction(
         *inputs,
         _force_number("pull_off_force", form, point, validated),
         *extrapolated,
-        Number("force_scatter", force_statistics(waves, contact).spread),
+        Number("force_scatter", predict_statistics(waves, contact).spread),
         Number("force_ratio", form.force / smooth),
         Number("closest_approach", form.closest_approach, "nm"),
         Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),
@@ -189,7 +189,7 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
             f"{name}: expected wavelengths of {print_length(minimum)} to {print_length(maximum)}, "
             f"found {shortest:.3g} nm to {longest:.3g} nm: is the unit right?"
         )
-    height = all_scales_moments(rough)[0]
+    height = all_scales_rms(rough)[0]
     if not MIN_RMS_HEIGHT <= height <= longest:
         raise ValueError(
             f"{name}: expected densities of an rms height of {print_length(MIN_RMS_HEIGHT)} to "

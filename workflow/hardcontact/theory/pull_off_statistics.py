@@ -120,7 +120,7 @@ class ForceStatistics:
         return np.asarray(np.exp(high))
 
 
-def force_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
+def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     """Return the distribution of the pull-off force of a sphere over places of a Gaussian surface.
 
     Only the wavelengths of the spectrum count. The mean is that of `closed_form`.
@@ -252,7 +252,7 @@ def over_scans(spectrum: Spectrum, contact: Contact, deviation: float) -> ForceS
     """
     factors = [max(1 + deviation * node, 0.0) for node in NODES]
     scans = [
-        force_statistics(Spectrum(spectrum.wavevector, spectrum.density * factor**2), contact)
+        predict_statistics(Spectrum(spectrum.wavevector, spectrum.density * factor**2), contact)
         for factor in factors
     ]
     weights = [weight * scan.weights for weight, scan in zip(WEIGHTS, scans, strict=True)]
@@ -300,7 +300,7 @@ def force_scatter(
     for surface, spectrum in spectra.items():
         deviation = deviations[surface]
         for rho in ranges:
-            places = force_statistics(spectrum, replace(contact, range=rho))
+            places = predict_statistics(spectrum, replace(contact, range=rho))
             scans = places
             if deviation:
                 scans = over_scans(spectrum, replace(contact, range=rho), deviation)
@@ -335,12 +335,25 @@ def force_scatter(
 def with_comparison(
     scatter: xr.Dataset, inference: xr.Dataset, pull_off: pd.DataFrame, table: pd.DataFrame
 ) -> xr.Dataset:
-    """Return `force_scatter` beside published and computed spreads, and the errors of the law.
+    """Return the predicted scatter of forces beside published and computed scatter.
 
-    Inference and published statistics are those of the paper's study: ``published_log_force_std``
-    and ``computed_log_force_std`` with its interval (surface), NaN where there is none. The table
-    is that of designed surfaces in `resources/validation`: ``designed_<column>`` (case) of what
-    tells the error of the law.
+    Parameters
+    ----------
+    scatter : xarray.Dataset
+        From `force_scatter`.
+    inference : xarray.Dataset
+        inference.nc.
+    pull_off : pandas.DataFrame
+        From `published.pull_off`.
+    table : pandas.DataFrame
+        Designed surfaces of `resources/validation/statistics.csv`.
+
+    Returns
+    -------
+    xarray.Dataset
+        `scatter` with ``published_log_force_std`` (surface) and ``computed_log_force_std``
+        (surface) with its interval, NaN if there is none; ``designed_<column>`` (case) for the
+        columns that give the error of the law.
     """
     plastic, name = {"contact_model": "plastic", "pair": "published"}, "lognormal_shape"
     names = {name: "computed_log_force_std", f"{name}_interval": "computed_log_force_std_interval"}
@@ -363,7 +376,7 @@ def with_comparison(
     )
 
 
-def held_back(statistics: xr.Dataset) -> xr.Dataset:
+def held_out_surfaces(statistics: xr.Dataset) -> xr.Dataset:
     """Return the designed surfaces that tell the error of the law.
 
     They are Gaussian, were not looked at while it was made, and are touched above LEAST_LEVEL.

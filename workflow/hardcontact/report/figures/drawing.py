@@ -22,7 +22,7 @@ from matplotlib.lines import Line2D
 from hardcontact.base import dataset, published
 from hardcontact.base.whole_file import whole_file
 from hardcontact.report.figures import style
-from hardcontact.report.figures.listing import KINDS
+from hardcontact.report.figures.listing import FILE_KINDS
 
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
@@ -84,7 +84,7 @@ def save(
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:
-        paths = {kind: stack.enter_context(whole_file(outputs[kind])) for kind in KINDS}
+        paths = {kind: stack.enter_context(whole_file(outputs[kind])) for kind in FILE_KINDS}
         table.to_csv(paths["csv"], index=False, float_format="%.8g", lineterminator="\n")
         metadata = {"Title": title}
         figure.savefig(

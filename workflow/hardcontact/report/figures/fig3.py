@@ -15,7 +15,7 @@ from scipy.stats import lognorm
 
 from hardcontact.base.printing import print_formatted
 from hardcontact.base.statistics import lognormal_shape
-from hardcontact.contact.force_curves import at_range
+from hardcontact.contact.force_curves import interpolate_to_range
 from hardcontact.paper.inference import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
@@ -40,8 +40,8 @@ LINEAR_BINS = 24
 BINS_PER_DECADE = 8
 AT_PUBLISHED: style.Look = {"color": "0.4", "alpha": 0.55}
 AT_FIT: style.Look = {"edgecolor": "0.2", "linewidth": 1.2}
-PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0}
-COMPUTED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
+PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 1.0}
+COMPUTED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 1.0, "ls": "--"}
 QUANTITIES = {  # computed variable, unit
     "lognormal_shape": ("lognormal_shape", "1"),
     "lognormal_median": ("lognormal_median", "N"),
@@ -76,7 +76,7 @@ def draw(
     }
     forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
     forces_of_all = {
-        name: at_range(forces, float(pair["range_of_adhesion"]))
+        name: interpolate_to_range(forces, float(pair["range_of_adhesion"]))
         * (float(pair["work_of_adhesion"]) / work)
         for name, pair in pairs.items()
     }

@@ -30,7 +30,7 @@ parameters.csv and pull_off.csv of resources/paper.
 """
 
 MEGAPASCAL = 1e6
-MAP_PIXELS = 640  # along an edge of the map of the pressure
+DRAWN_MAP_PIXELS = 640  # along an edge of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 PUBLISHED_MEAN: style.Look = {"lw": 1.0, "ls": ":"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
@@ -58,7 +58,7 @@ def draw(
     _draw_pressure(pressure, contact)
     distances, contact_forces = contact["separation"].values, contact["force"].values
     separation.axhline(0, color="0.7", lw=0.6)
-    separation.plot(distances, contact_forces / style.MICRONEWTON, color=style.PUBLISHED)
+    separation.plot(distances, contact_forces / style.MICRONEWTON, color=style.PUBLISHED_COLOUR)
     separation.set(xlabel="separation (nm)", ylabel="force (µN)")
     separation.locator_params(nbins=5)
     curve = tables.quantity_rows("a", "force", "N", x=distances, value=contact_forces)
@@ -98,17 +98,19 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     """Map the largest PRESSURE_DECADES of the adhesive pressure (MPa) around the apex.
 
-    The map has at most MAP_PIXELS along an edge, each with the largest pressure of the pixels that
-    it covers. A finer map looks the same and takes gigabytes to draw.
+    The map has at most DRAWN_MAP_PIXELS along an edge, each with the largest pressure of the pixels
+    that it covers. A finer map looks the same and takes gigabytes to draw.
     """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
-    covered_pixels = -(-pressure.sizes["x"] // MAP_PIXELS)
+    covered_pixels = -(-pressure.sizes["x"] // DRAWN_MAP_PIXELS)
     pressure = pressure.coarsen(x=covered_pixels, y=covered_pixels, boundary="trim").max()
     top = pressure.max().item()
     bottom = top / 10**PRESSURE_DECADES
     x, y = pressure["x"].values / 1000, pressure["y"].values / 1000
     clipped = pressure.clip(min=bottom).values
-    image = axes.pcolormesh(x, y, clipped, norm=LogNorm(bottom, top), cmap="magma", **style.PIXELS)
+    image = axes.pcolormesh(
+        x, y, clipped, norm=LogNorm(bottom, top), cmap="magma", **style.PIXEL_LOOK
+    )
     reach = 1.05 * style.mask_half_width(pressure > bottom) / 1000
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x (µm)", ylabel="y (µm)")
     axes.set_aspect("equal")

@@ -81,7 +81,9 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
 def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
     """Map the depth (nm) of one contact in the sphere, with the two lines of panels b and c."""
     depths = contact["indentation"].transpose("y", "x")
-    image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTH_COLOURS, **style.PIXELS)
+    image = axes.pcolormesh(
+        depths["x"], depths["y"], depths, cmap=DEPTH_COLOURS, **style.PIXEL_LOOK
+    )
     axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
     axes.axhline(0, color=LINE_COLOURS["x"], lw=0.8)
     axes.axvline(0, color=LINE_COLOURS["y"], lw=0.8)
@@ -124,7 +126,7 @@ def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series)
         label = f"computed, {_print_preload(values['preload'])}"
         axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
     label = f"published, {_print_preload(published[PRELOAD])}"
-    axes.axvline(published[constant], color=style.PUBLISHED, lw=1.0, ls="--", label=label)
+    axes.axvline(published[constant], color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
     axes.set(xlabel=quantity, ylim=(0, 1))
     axes.set_xlim(left=0)
     published_size = {"preload": published[PRELOAD], "value": published[constant]}

@@ -17,27 +17,27 @@ TITLE = "Fig. 6: the length scales that matter"
 CHAPTER = "6. Scales"
 CAPTION = """\
 Mean pull-off force without all roughness (a) below a short, (b) above a long cutoff, relative to
-that with all roughness. Middle: change of the force; black: mean over all substrates. Lower: the
-cutoff at which the change exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
-1.8 µm. Hatched: artificial roughness.
+the force with all roughness. Middle: change of the force; black: mean over all substrates. Lower:
+the cutoff at which the change exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm
+and 1.8 µm. Hatched: artificial roughness.
 
-Lines and symbols: mean over realizations; a realization is one random surface of the spectrum.
-Bars: its {{ inference.confidence | percent }} interval, at most to a decade beyond all values.
-Intervals know the realizations on one set of scans alone; those of many sets stand in the figure
-of the sets. Grey: the change that counts as none. An edge lies between two cutoffs computed, or
-between the first of them and the end of the unfiltered spectrum. An arrow says that it lies beyond
-the last cutoff computed. Hatched: wavelengths below {{ scales.small.transition }} and above
-{{ scales.large.transition }}, where roughness made from the spectrum replaces that of the scan, as
-in the paper. Long edges above {{ scales.large.transition }} rest on it alone. Drawn from
-scales.nc, band.nc and resources/paper/parameters.csv.
+Lines and symbols: mean over realizations; a realization is one master. Bars: its
+{{ inference.confidence | percent }} interval, cut off a decade beyond all values. Intervals
+describe how realizations on one set of scans differ. The figure of the sets has intervals over
+many sets of scans. Grey: changes below the tolerance. An edge lies between two computed cutoffs,
+or between the first cutoff and the end of the unfiltered spectrum. An arrow marks an edge beyond
+the last computed cutoff. Hatched: wavelengths below {{ scales.small.transition }} and above
+{{ scales.large.transition }}, where artificial roughness replaces the roughness of the scan, as in
+the paper. Long edges above {{ scales.large.transition }} come from artificial roughness alone.
+Drawn from scales.nc, band.nc and resources/paper/parameters.csv.
 """
 
-PUBLISHED: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
+PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
 COLUMNS = [
     "side", "group", "label", "basis", "origin", "quantity", "cutoff_wavelength",
     *tables.VALUE_COLUMNS, "beyond",
 ]  # fmt: skip
-ENDS = ["value", "low", "high"]
+NUMBER_COLUMNS = ["value", "low", "high"]
 
 
 def draw(
@@ -46,14 +46,17 @@ def draw(
     """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
 
     The table has `ratio` and `change`, its distance from one, against `cutoff_wavelength` (nm), and
-    the critical wavelengths. Numbers beyond the last cutoff computed are empty, and `beyond` has
-    their names.
+    the critical wavelengths. Numbers beyond the last computed cutoff are empty; the column `beyond`
+    lists which of value, low and high these are.
     """
     figure = drawing.create(6.2, band)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
     frames = []
-    edges = {side: tables.published_edge(published_constants, side) for side in style.REMOVED}
-    for letter, (side, edge), column in zip("ab", edges.items(), grid.T, strict=True):
+    published_edges = {
+        side: tables.published_edge(published_constants, side) for side in style.REMOVED_TITLES
+    }
+    for letter, side, column in zip("ab", published_edges, grid.T, strict=True):
+        published_edge = published_edges[side]
         side_band = band.sel(side=side)
         curves = {
             name: tables.value_and_interval(side_band, f"scale_{name}").dropna(
@@ -63,6 +66,7 @@ def draw(
         }
         end_cutoff = last_cutoff(side_band["scale_ratio"], side)
         critical = tables.number_rows(tables.value_and_interval(side_band, "edge"))
+        # A missing edge is drawn at the last cutoff, and empty in the table.
         critical["value"] = critical["value"].fillna(end_cutoff)
         _draw_ratios(column[0], curves["ratio"], band.attrs["scale_tolerance"])
         _draw_changes(column[1], curves["change"], band)
@@ -70,14 +74,16 @@ def draw(
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "small" else (transition, np.inf)
         for axes in column:
-            axes.axvline(edge, zorder=1, **PUBLISHED)
+            axes.axvline(published_edge, zorder=1, **PUBLISHED_LINE)
             axes.label_outer()
             style.shade_artificial(axes, [artificial])
-        style.label_panel(column[0], letter, style.REMOVED[side])
+        style.label_panel(column[0], letter, style.REMOVED_TITLES[side])
         for name, curve in curves.items():
             rows = tables.computed_rows(curve, quantity=name, unit="1", side=side)
             frames.append(rows.rename(columns={"surface": "group"}))
-        published = pd.DataFrame([{"group": POOLED, "origin": "published", "value": edge}])
+        published = pd.DataFrame(
+            [{"group": POOLED, "origin": "published", "value": published_edge}]
+        )
         rows = pd.concat([_edge_rows(critical, end_cutoff), published])
         frames.append(rows.assign(quantity="edge", unit="nm", side=side))
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
@@ -85,16 +91,17 @@ def draw(
         for axes in row:
             style.label_logarithmic(axes.yaxis, digits=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
-    style.legend_above(figure, _legend_handles(band, *edges.values()))
+    style.legend_above(figure, _legend_handles(band, *published_edges.values()))
     figure.align_ylabels(grid[:2, 0])
     return tables.label_rows(frames, band, COLUMNS, "group"), figure
 
 
 def _edge_rows(critical: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
-    """Return the rows without their numbers at the last cutoff, which `beyond` names."""
-    is_beyond = np.isclose(critical[ENDS], end_cutoff)
-    names = [", ".join(np.array(ENDS)[row]) for row in is_beyond]
-    return critical.assign(**critical[ENDS].mask(is_beyond), beyond=names, origin="computed")
+    """Return the rows with empty numbers at the last cutoff, and their names in `beyond`."""
+    is_beyond = np.isclose(critical[NUMBER_COLUMNS], end_cutoff)
+    names = [", ".join(np.array(NUMBER_COLUMNS)[row]) for row in is_beyond]
+    numbers = critical[NUMBER_COLUMNS].mask(is_beyond)
+    return critical.assign(**numbers, beyond=names, origin="computed")
 
 
 def _looks(band: xr.Dataset) -> dict[str, style.Look]:
@@ -131,9 +138,9 @@ def _draw_critical(
     looks = _looks(side_band)
     labels = side_band["label"].to_series().to_dict() | {POOLED: "mean of all"}
     arrow = ">" if side_band["side"].item() == "small" else "<"
-    ends = critical.set_index("group")[ENDS]
+    numbers = critical.set_index("group")[NUMBER_COLUMNS]
     for row_number, (group, look) in enumerate(looks.items()):
-        value, low, high = ends.loc[[group]].to_numpy()[0]
+        value, low, high = numbers.loc[[group]].to_numpy()[0]
         axes.plot([low, high], [row_number] * 2, color=look["color"], lw=1.4)
         if np.isclose([value, low, high], end_cutoff).any():
             axes.plot(
@@ -154,7 +161,7 @@ def _legend_handles(band: xr.Dataset, short: float, long: float) -> list[Artist]
         Line2D([], [], lw=1.8, label="mean change of all", **_looks(band)[POOLED]),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(color="0.88", lw=0, label=f"change below {tolerance}"),
-        Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED),
-        Patch(label="artificial roughness", **style.ARTIFICIAL),
+        Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED_LINE),
+        Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
         Line2D([], [], ls="none", marker=">", ms=5, color="0.3", label="beyond the last cutoff"),
     ]

@@ -31,7 +31,7 @@ resources/paper/parameters.csv.
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
-ERROR_COLOURS = {"published": style.PUBLISHED, "computed": "0.55"}
+ERROR_COLOURS = {"published": style.PUBLISHED_COLOUR, "computed": "0.55"}
 QUANTITIES = {  # panel, origin
     "published_mean_force": ("a", "published"),
     "computed_mean_force": ("a", "computed"),

@@ -107,7 +107,12 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
         contact = surface_data.where(surface_data > 0)
         norm = LogNorm(ticks[0], ticks[-1])
         image = axes.pcolormesh(
-            contact["x"], contact["y"], contact, norm=norm, cmap=PRESSURE_COLOURS, **style.PIXELS
+            contact["x"],
+            contact["y"],
+            contact,
+            norm=norm,
+            cmap=PRESSURE_COLOURS,
+            **style.PIXEL_LOOK,
         )
         axes.set(facecolor=NO_CONTACT_COLOUR, aspect="equal", xlabel="x (nm)")
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))

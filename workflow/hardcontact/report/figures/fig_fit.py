@@ -82,7 +82,7 @@ def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -
     style.draw_fit(axes, fit, "error")
     axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
     position: Any = {"transform": axes.get_yaxis_transform(), "va": "bottom"}
-    axes.text(0.02, threshold, f"paper: below {threshold:g}", **position, **style.NOTE)
+    axes.text(0.02, threshold, f"paper: below {threshold:g}", **position, **style.NOTE_LOOK)
     axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
     errors = [*set_errors, best["low"], best["value"], threshold]
     axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
@@ -99,7 +99,7 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     error = fit["mean_relative_error"].transpose("work", "rho_fine")
     rho, work = fit["rho_fine"].values, fit["work"].values / style.MILLIJOULE
     norm = LogNorm(vmax=max(1.0, 3 * error.min().item()))
-    image = axes.pcolormesh(rho, work, error.values, norm=norm, cmap="cividis", **style.PIXELS)
+    image = axes.pcolormesh(rho, work, error.values, norm=norm, cmap="cividis", **style.PIXEL_LOOK)
     threshold = fit.attrs["error_threshold"]
     if (error < threshold).any():
         axes.contour(rho, work, error.values, levels=[threshold], colors="white", linewidths=1.0)

@@ -27,7 +27,7 @@ that decays steadily is a mixture of the forces of exponential laws (Eq. 1). Dra
 """
 
 # Tol's muted scheme, whose colours no surface has; Eq. 1 is published, thus black.
-COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933", "#44AA99")
+COLOURS = (style.PUBLISHED_COLOUR, "#332288", "#882255", "#999933", "#44AA99")
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 MARKERS = ("o", "s", "^", "D", "v")
 LOOKS: dict[str, style.Look] = {

@@ -1,4 +1,6 @@
-"""Fits of range and work of adhesion without each surface in turn."""
+"""Fits of range and work of adhesion with one surface left out at a time."""
+
+from typing import NamedTuple
 
 import pandas as pd
 import xarray as xr
@@ -22,10 +24,21 @@ uncertainty. A fit of two numbers to three forces has one force left to test it.
 forces has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
 """
 
-PANELS = {  # by variable: title, unit as printed, unit drawn, unit of the table, published constant
-    "range_of_adhesion": ("range ρ", "nm", 1.0, "nm", "range_of_adhesion"),
-    "work_of_adhesion": ("work $W$", "mJ/m²", style.MILLIJOULE, "J/m2", "work_of_adhesion"),
-    "best_error": ("mean relative error", "1", 1.0, "1", "error_threshold"),
+
+class Panel(NamedTuple):
+    """A panel of the figure, which shows one fitted variable."""
+
+    title: str
+    printed_unit: str
+    scale: float  #: The printed unit in the unit of the table.
+    table_unit: str
+    constant: str  #: The published constant.
+
+
+PANELS = {
+    "range_of_adhesion": Panel("range ρ", "nm", 1.0, "nm", "range_of_adhesion"),
+    "work_of_adhesion": Panel("work $W$", "mJ/m²", style.MILLIJOULE, "J/m2", "work_of_adhesion"),
+    "best_error": Panel("mean relative error", "1", 1.0, "1", "error_threshold"),
 }
 COLUMNS = [
     "panel", "left_out", "label", "basis", "origin", "over", "quantity", *tables.VALUE_COLUMNS,
@@ -37,21 +50,21 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work and (c) error of the fits to all surfaces and to all but one.
 
-    The table has the median `over` "sets" with the ends of SHARE_OF_SETS, and the fit to the
-    study's own "scans". `left_out` is "none" or a surface.
+    The table has the median `over` "sets" with the ends of the central `tables.SHARE_OF_SETS`, and
+    the fit to the study's own "scans". `left_out` is "none" or a surface.
     """
     fits = leave_one_out.sel(contact_model=PLASTIC)
     figure = drawing.create(2.6, leave_one_out)
     panels = figure.subplots(1, len(PANELS), sharey=True)
     frames = []
     for letter, axes, name in zip("abc", panels, PANELS, strict=True):
-        title, printed_unit, unit, table_unit, constant = PANELS[name]
+        title, printed_unit, scale, table_unit, constant = PANELS[name]
         published = tables.published_rows(published_constants, {constant: table_unit}, letter)
-        value, low, high = published[["value", "low", "high"]].iloc[0] / unit
+        value, low, high = published[["value", "low", "high"]].iloc[0] / scale
         axes.axvspan(low, high, color="0.85", lw=0)
         axes.axvline(value, **style.PUBLISHED_RANGE)
         set_fits = tables.summarize_sets(fits[f"set_{name}"])
-        _draw_rows(axes, set_fits / unit, fits[name] / unit)
+        _draw_rows(axes, set_fits / scale, fits[name] / scale)
         axes.set(xscale="log", xlabel=title if printed_unit == "1" else f"{title} ({printed_unit})")
         style.label_logarithmic(axes.xaxis, digits=(1, 3))
         style.label_panel(axes, letter, title)

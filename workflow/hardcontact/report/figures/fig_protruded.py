@@ -15,8 +15,8 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "If one coating or the sphere had rare protrusions"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Mean and median force on one coating with rare protrusions, on the coating (dots) or on the
-sphere (triangles). (b, c) Best range ρ and work of adhesion W of sets of scans with such
+(a) Mean and median force on one coating if the coating (dots) or the sphere (triangles) has rare
+protrusions. (b, c) Best range ρ and work of adhesion W of sets of scans with such
 protrusions. Filled: mean and median force are within a factor of two of the published ones. Black:
 published.
 
@@ -26,13 +26,13 @@ Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm². 
 heights of the coating high (colour) and 30 to 100 nm wide. A quarter of the variants has none
 (dark). (b) The coating is scaled to its rms height of Table 1, and its rms slope stays within its
 uncertainty there. (c) All coatings feel the protrusions of the sphere, whose rms height stays
-below the published 1 nm. The factor of two is the only condition; it is not on ρ or W. Sets that
+below the published 1 nm. The factor of two is the only condition; ρ and W are free. Sets that
 meet it and lie near the published pair are consistent with the paper, but do not test it. Drawn
 from protruded.nc, protruded_sphere.nc and resources/paper/parameters.csv and pull_off.csv.
 """
 
 HEIGHT_COLOURS = "viridis"
-#: Panel and symbol of the bearer of the protrusions.
+#: Panel and symbol by the body with protrusions.
 PANELS = {"coating": "b", "sphere": "c"}
 SYMBOLS = {"coating": "o", "sphere": "^"}
 COLUMNS = [
@@ -69,7 +69,8 @@ def draw(
         *(Line2D([], [], ls="none", marker=symbol, color="0.4", label=f"on the {name} (a)")
           for name, symbol in SYMBOLS.items()),
         Line2D([], [], ls="none", marker="o", color="0.4", label="forces agree (b, c)"),
-        Line2D([], [], ls="none", marker="o", mfc="none", color="0.4", label="they differ (b, c)"),
+        Line2D([], [], ls="none", marker="o", mfc="none", color="0.4",
+               label="forces differ (b, c)"),
         Line2D([], [], ls="none", marker="s", color="black", label="published"),
     ]  # fmt: skip
     style.legend_above(figure, handles, max_columns=5)

@@ -35,11 +35,11 @@ band.nc and resources/paper/parameters.csv.
 """
 
 BASELINE = "baseline"
-FULL = "the study itself"
+STUDY_ITSELF = "the study itself"
 STUDY_GAP = 0.4  # rows between the baseline and the study itself
 GROUP_GAP = 0.4  # rows between groups of variants
 VARIANT_LOOK: style.Look = {"color": "0.15", "marker": "o"}
-STUDY_LOOK: style.Look = {"color": style.FIT, "marker": "D", "markerfacecolor": "white"}
+STUDY_LOOK: style.Look = {"color": style.FIT_COLOUR, "marker": "D", "markerfacecolor": "white"}
 MINIMUM_LOOK: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
 WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
 MISSING_NOTE: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
@@ -77,7 +77,7 @@ def draw(
         "abcd", panels, QUANTITIES.items(), strict=True
     ):
         variants = _results(robustness, name)
-        study_results = _results(study, name).assign(label=FULL)
+        study_results = _results(study, name).assign(label=STUDY_ITSELF)
         published = tables.published_rows(published_constants, {name: unit}, letter)
         computed_rows = [variants.assign(quantity=name), study_results.assign(quantity=name)]
         _draw_published(axes, published.iloc[0], printed_unit)
@@ -156,7 +156,9 @@ def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
     return [
         Line2D([], [], lw=1.2, label=variants, **VARIANT_LOOK),
         Line2D([], [], ls="none", label="other minima of the error", **MINIMUM_LOOK),
-        Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY_LOOK),
+        Line2D(
+            [], [], lw=1.2, label=f"{STUDY_ITSELF}, all of its contacts and pixels", **STUDY_LOOK
+        ),
         Line2D([], [], lw=0.6, ls=":", color="0.15", label=str(baseline)),
         Line2D([], [], lw=1.0, ls="--", color="0.4", label="published"),
         Patch(color="0.85", lw=0, label="its uncertainty"),

@@ -34,7 +34,7 @@ resources/paper/parameters.csv.
 
 EDGE_LABELS = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
-PUBLISHED: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 0.8, "ls": "--", "zorder": 1}
 #: Edges of designed surfaces.
 SIDE_LOOKS = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
 #: Names of published spectra on the map.
@@ -73,7 +73,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     ):
         _draw_edges(axes, section.sel(side=side), abscissa)
         published = tables.published_edge(published_constants, side)
-        axes.axhline(published, **PUBLISHED)
+        axes.axhline(published, **PUBLISHED_LINE)
         axes.set_ylabel(EDGE_LABELS[side])
         style.label_panel(axes, letter, f"F/H = {section['area']:g} nm²; lines: formula")
         edge_variables = ((letter, name, "nm") for name in ("edge", "formula_edge"))
@@ -93,7 +93,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
         tables.variable_rows(held_out, ("c", "designed_computed_over_predicted", "1")),
         tables.variable_rows(scaling, *map_variables),
     ]
-    line = Line2D([], [], label="published edge", **PUBLISHED)
+    line = Line2D([], [], label="published edge", **PUBLISHED_LINE)
     style.legend_above(figure, [*style.surface_handles(scaling, ls="none"), line], 5)
     return tables.tidy_table(frames, scaling, *FURTHER_COLUMNS), figure
 
@@ -158,7 +158,7 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     for name, label in NITRIDES.items():
         coating = scaling.sel(designed=name)
         x, y = coating["designed_rms_height_over_range"].item(), coating["designed_level"].item()
-        axes.plot(x, y, "x", color=style.PUBLISHED, ms=5)
+        axes.plot(x, y, "x", color=style.PUBLISHED_COLOUR, ms=5)
         axes.annotate(label, (x, y), (-3, 4), textcoords="offset points", ha="right", fontsize=7)
     axes.set(xscale="log", xlim=(0.2, 300), ylim=(-0.5, 5))
     axes.set(xlabel="$\\sigma/\\rho$", ylabel="level of closest approach $t = m/\\sigma$")

@@ -31,7 +31,7 @@ scan_size.nc.
 
 FURTHER_COLUMNS = ("scan_size", "rho", "predicted", "mirrored", "status")  # columns
 MICROMETRE = 1000  # nm
-SCAN_LINE: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+SCAN_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 0.8, "ls": "--", "zorder": 1}
 
 
 def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:

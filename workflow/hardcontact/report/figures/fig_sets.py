@@ -66,10 +66,10 @@ def draw(
         style.draw_published_range(axes, published_constants)
         axes.set(xscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, digits=(1, 3))
-    for letter, axes, side in zip("cd", ratios, style.REMOVED, strict=True):
+    for letter, axes, side in zip("cd", ratios, style.REMOVED_TITLES, strict=True):
         rows = _draw_ratios(axes, sets.sel(side=side))
         axes.axvline(tables.published_edge(published_constants, side), **style.PUBLISHED_RANGE)
-        style.label_panel(axes, letter, style.REMOVED[side])
+        style.label_panel(axes, letter, style.REMOVED_TITLES[side])
         frames.append(rows.assign(panel=letter, side=side))
     style.end_near_values([ratios[0]])
     ratios[0].set_ylabel("pull-off force / unfiltered")

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.report.figures import drawing, style, tables
-from hardcontact.theory.pull_off_statistics import CHANCE, LEAST_LEVEL, held_back
+from hardcontact.theory.pull_off_statistics import CHANCE, LEAST_LEVEL, held_out_surfaces
 
 TITLE = "How pull-off forces scatter"
 CHAPTER = "8. What decides the band"
@@ -34,7 +34,7 @@ frame. Drawn from statistics.nc.
 #: Look and label of each distribution, by its name in the dataset.
 DISTANCES: dict[str, tuple[style.Look, str]] = {
     "law": ({"color": "black", "marker": "o"}, "predicted"),
-    "lognormal_fitted": ({"color": style.FIT, "marker": "^"}, "log-normal, fitted"),
+    "lognormal_fitted": ({"color": style.FIT_COLOUR, "marker": "^"}, "log-normal, fitted"),
     "weibull": ({"color": "0.6", "marker": "s"}, "Weibull of modulus k"),
 }
 #: Look and label of each spread of a coating.
@@ -53,16 +53,16 @@ def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     figure, ((spreads, distances), (coatings,)) = drawing.create_rows(
         5.2, statistics, (1.2, (1, 1)), (1, (1,))
     )
-    held_out_surfaces = held_back(statistics)
+    held_out = held_out_surfaces(statistics)
     section = statistics.sel(rho=statistics.attrs["reference_rho"])
     _draw_spreads(spreads, statistics)
-    _draw_distances(distances, held_out_surfaces)
+    _draw_distances(distances, held_out)
     _draw_coatings(coatings, section)
     spread_names = ("designed_log_force_std", "designed_predicted_log_force_std")
     frames = [
         tables.variable_rows(statistics, *(("a", name, "1") for name in spread_names)),
         tables.variable_rows(
-            held_out_surfaces, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)
+            held_out, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)
         ),
         tables.variable_rows(section, *(("c", name, "1") for name in SPREADS)),
         tables.variable_rows(section, ("c", "published_log_force_std", "1")).assign(
@@ -100,18 +100,12 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     style.label_panel(axes, "a", "scatter over places")
 
 
-def _draw_distances(axes: Axes, held_out_surfaces: xr.Dataset) -> None:
+def _draw_distances(axes: Axes, held_out: xr.Dataset) -> None:
     """Draw the distance of the forces on surfaces held out from each distribution."""
     for name, (look, label) in reversed(DISTANCES.items()):
-        distance = held_out_surfaces[f"designed_distance_{name}"]
-        axes.plot(
-            held_out_surfaces["designed_weibull_modulus"],
-            distance,
-            ls="none",
-            ms=3,
-            label=label,
-            **look,
-        )
+        distance = held_out[f"designed_distance_{name}"]
+        modulus = held_out["designed_weibull_modulus"]
+        axes.plot(modulus, distance, ls="none", ms=3, label=label, **look)
     axes.axhline(CHANCE, color="0.4", lw=0.8, ls=":")
     axes.set(xscale="log", yscale="log", ylim=(0.004, 1.2))
     axes.set(xlabel="modulus k = ρm/σ²", ylabel="largest difference of probabilities")
@@ -137,10 +131,12 @@ def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
             if curve["high"].item() > highest:
                 axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)
         published = surface_data["published_log_force_std"].item()
-        axes.plot([position - 0.3, position + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
+        axes.plot(
+            [position - 0.3, position + 0.3], [published] * 2, color=style.PUBLISHED_COLOUR, lw=1.6
+        )
     axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
     axes.set_xticks(range(section.sizes["surface"]), section["label"].values)
-    handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published")]
+    handles = [Line2D([], [], color=style.PUBLISHED_COLOUR, lw=1.6, label="published")]
     marks: style.Look = {"color": "0.3", "marker": "o", "ls": "none"}
     handles += [Line2D([], [], **marks | marker, label=label) for marker, label in SPREADS.values()]
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5))

@@ -2,7 +2,7 @@
 
 A figure is a module with the same name. It has a `TITLE`, the `CHAPTER` of the report, a `CAPTION`
 and a function `draw`, which returns the table of the figure and the drawing. The arguments of
-`draw` are its inputs: final datasets, or published tables (keys of `config.patterns.PUBLISHED`).
+`draw` are its inputs: final datasets, or keys of `config.patterns.PUBLISHED_TABLES`.
 """
 
 import ast
@@ -46,7 +46,7 @@ OWN_FIGURES = {
     "works": "Work of adhesion that fits measured forces",
 }
 #: Files of each figure.
-KINDS = ("pdf", "png", "svg", "csv")
+FILE_KINDS = ("pdf", "png", "svg", "csv")
 
 
 class Description(NamedTuple):
@@ -58,10 +58,20 @@ class Description(NamedTuple):
     inputs: tuple[str, ...]
 
 
-def describe(name: str) -> Description:
+def describe_figure(name: str) -> Description:
     """Return the description of a figure, read from the source of its module.
 
     An import of the module would import matplotlib, which takes too long before the first job.
+
+    Parameters
+    ----------
+    name : str
+        Name of the figure.
+
+    Returns
+    -------
+    Description
+        Title, chapter, caption and inputs.
     """
     source = Path(__file__).with_name(f"{name}.py").read_text("utf-8")
     constants: dict[str, str] = {}

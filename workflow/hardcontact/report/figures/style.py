@@ -24,9 +24,9 @@ from hardcontact.report.figures.tables import SHARE_OF_SETS
 
 # The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
 # for the sphere, its black for published and pooled values; its yellow is too pale for thin lines.
-SUBSTRATES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-SPHERE = "#7F7F7F"
-PUBLISHED = "#000000"
+SUBSTRATE_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+SPHERE_COLOUR = "#7F7F7F"
+PUBLISHED_COLOUR = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
 MAX_AXIS_MARGIN = 10.0  # factor between the values and the ends of a logarithmic axis
@@ -38,21 +38,21 @@ MILLIJOULE = 1e-3
 Look = dict[str, Any]  # of an artist, as matplotlib takes it
 
 #: Look of artificial wavelengths in every figure.
-ARTIFICIAL: Look = {"facecolor": "#FBF4E6", "edgecolor": "#EADBBB", "hatch": "//", "lw": 0.0}
+ARTIFICIAL_LOOK: Look = {"facecolor": "#FBF4E6", "edgecolor": "#EADBBB", "hatch": "//", "lw": 0.0}
 #: Title of the panel with the cutoffs of each side of the band.
-REMOVED = {
+REMOVED_TITLES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
-FIT = "#6A3D9A"  # no surface has this colour
-FIT_STAR: Look = {"marker": "*", "color": FIT, "mec": "white", "mew": 0.6, "ms": 11}
-FIT_RING: Look = {"marker": "o", "mfc": "white", "mec": FIT, "mew": 1.4, "ms": 5}
+FIT_COLOUR = "#6A3D9A"  # no surface has this colour
+FIT_STAR: Look = {"marker": "*", "color": FIT_COLOUR, "mec": "white", "mew": 0.6, "ms": 11}
+FIT_RING: Look = {"marker": "o", "mfc": "white", "mec": FIT_COLOUR, "mew": 1.4, "ms": 5}
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
-NOTE: Look = {"fontsize": 7, "color": "0.35"}  # text within a panel
+NOTE_LOOK: Look = {"fontsize": 7, "color": "0.35"}  # text within a panel
 TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis
 #: Maps of pixels become images, in the PDF too.
-PIXELS: Look = {"shading": "nearest", "rasterized": True}
+PIXEL_LOOK: Look = {"shading": "nearest", "rasterized": True}
 
 RC: dict[Any, Any] = {
     "font.family": "DejaVu Sans",  # ships with matplotlib: the same bytes on every machine
@@ -81,8 +81,8 @@ print_style = partial(mpl.rc_context, RC)
 def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
     """Return the colour of each surface, in the order of substrates; grey for the sphere."""
     substrates = [str(name) for name in surfaces if str(name) != sphere]
-    pairs = dict(zip(substrates, cycle(SUBSTRATES), strict=False))
-    return pairs if sphere is None else {**pairs, sphere: SPHERE}
+    pairs = dict(zip(substrates, cycle(SUBSTRATE_COLOURS), strict=False))
+    return pairs if sphere is None else {**pairs, sphere: SPHERE_COLOUR}
 
 
 def looks(substrates: Iterable[str]) -> dict[str, Look]:
@@ -168,7 +168,7 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     low, high = axes.get_xlim()
     for shortest, longest in bands:
         if longest > low and shortest < high:
-            axes.axvspan(max(shortest, low), min(longest, high), zorder=-1, **ARTIFICIAL)
+            axes.axvspan(max(shortest, low), min(longest, high), zorder=-1, **ARTIFICIAL_LOOK)
     axes.set_xlim(low, high)
 
 
