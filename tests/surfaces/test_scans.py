@@ -307,7 +307,7 @@ def test_radius_in_a_stylus_file(tmp_path):
 
 
 def write_in_folder(path):
-    """Write an X3P whose files are in a folder."""
+    """Write an X3P with files in a folder."""
     map_of(heights(20, 20)).to_x3p(str(path.with_suffix(".whole")))
     with (
         zipfile.ZipFile(path.with_suffix(".whole")) as source,
@@ -320,7 +320,7 @@ def write_in_folder(path):
 @pytest.mark.parametrize(
     ("write", "message_parts"),
     [
-        (write_in_folder, ["an X3P whose files are in a folder", "X3PReader: ", "main.xml"]),
+        (write_in_folder, ["an X3P with files in a folder", "X3PReader: ", "main.xml"]),
         (lambda path: path.write_bytes(b"DSCOMPRESSED" + bytes(600)), ["without compression"]),
         (lambda path: path.write_bytes(b"DIGITAL SURF" + bytes(600)), ["SURReader: "]),
     ],

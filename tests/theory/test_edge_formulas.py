@@ -19,7 +19,7 @@ from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import edge_formulas as formulas
 from hardcontact.theory.closed_form import edges, gaussian_share
-from hardcontact.theory.prediction_errors import FOUND, validation
+from hardcontact.theory.prediction_errors import EDGE_FOUND, validation
 from hardcontact.theory.summits import Approaches, closest_approaches, moment, rough_waves
 
 HURST, ROLL_OFF = 0.8, 1000.0
@@ -137,7 +137,7 @@ def test_the_table_has_the_edges_of_the_formulas_and_they_hold_out_of_sample():
     recomputed = pd.DataFrame(validate_edges.rows(3)).set_index("surface")
     pd.testing.assert_frame_equal(table.loc[recomputed.index], recomputed, rtol=1e-3)
     for name, max_error in (("short_edge", 1.3), ("long_edge", 1.5)):
-        held_out = validation()[validation()[f"{name}_status"] == FOUND]
+        held_out = validation()[validation()[f"{name}_status"] == EDGE_FOUND]
         formula = table[name][held_out["surface"].astype(str)].to_numpy()
         assert np.exp(np.median(abs(np.log(held_out[name] / formula)))) < max_error
 

@@ -32,7 +32,7 @@ REASONS = {
     "claims": "claims are statements of the paper about its own surfaces",
     "figures": "the figures are the paper's; those of own surfaces are in the answer",
     "insight": "its parts are made of substitutes for the paper's surfaces",
-    "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
+    "pages": "the pages report on the paper's statements; own surfaces are in the answer",
 }
 
 #: Chapters of the report that are written beforehand, one Markdown file each in workflow/report.

@@ -16,11 +16,11 @@ from hardcontact.config.variants import Variant, study_contact, surface_variants
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
-#: protrusions in one job: more of them leave the jobs there are as they are.
+#: protrusions in one job. Jobs stay as they are if a study has more of them.
 CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 8
 #: Hardness (Pa) at which a single pixel carries any load: the contact is rigid.
 RIGID = 1e15
-#: A range of adhesion (nm) that is short beside the published one.
+#: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
 #: Sections with realizations of their own of the masters of variants.
 VARIED = ("sets", "robustness")

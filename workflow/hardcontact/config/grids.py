@@ -16,16 +16,16 @@ REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each.
 CONTACT_PIXELS = 2**26
-#: Largest difference in height over the range of adhesion: exponentials overflow beyond 700.
+#: Largest difference in height relative to the range of adhesion: exponentials overflow beyond 700.
 RELIEF_OVER_RANGE = 500.0
-#: Largest penetration over the range of adhesion, for a smooth sphere: its force sums lose as many
-#: digits as the exponential of this has.
+#: Largest penetration relative to the range of adhesion, for a smooth sphere: its force sums lose
+#: as many digits as the exponential of this has.
 PENETRATION_OVER_RANGE = 25.0
-#: Bytes a pixel of a master at the peak of its synthesis and of its filters: three maps in float32,
-#: or the transform of one in single precision and two maps. 13.2 were measured at 8192²
+#: Bytes per pixel of a master at the peak of its synthesis and of its filters: three maps in
+#: float32, or the transform of one in single precision and two maps. 13.2 were measured at 8192²
 #: without the writing of the file, which may hold one more map.
 BYTES_A_PIXEL = 17.0
-#: Further megabytes: Python, its packages, the scan, blocks of rows in double precision.
+#: Megabytes of Python, its packages, the scan, and blocks of rows in double precision.
 BASE_MEGABYTES = 500
 
 
@@ -84,9 +84,9 @@ def memory_limit(key: str, pixels: int, available: int) -> Limit:
 
 
 def master_megabytes(pixels: int, minimum: int) -> int:
-    """Return the memory of a job that makes a master, or filters it and presses a sphere on it.
+    """Return the memory (10^6 bytes) of a job that makes a master, or filters and presses it.
 
-    In units of 10^6 bytes, given the pixels along an edge and the minimum for smaller masters.
+    It depends on the pixels along an edge of the master; smaller masters take the minimum.
     """
     return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 

@@ -14,7 +14,7 @@ from hardcontact.config.configuration import get_key
 _READING = ("scan.undefined_pixels", "scan.unit", "scan.edge")
 _MEASURED = (*_READING, "scan.levelling", "scans")
 _SUBSTITUTES = ("seed", "scans", "scan.pixels", "scan.size")
-#: What every scan depends on, measured or substitute, and all that is computed from scans.
+#: Keys on which every scan, measured or substitute, and everything computed from scans depend.
 SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
 _CONTACTS = (*SCAN_KEYS, "contact.window", "contact.count")
 _POOL = (

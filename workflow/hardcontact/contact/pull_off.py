@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 
 #: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
 NEWTON_PER_JOULE_M2_NM = 1e-9
-#: J/m², of all stored forces: they are proportional to it.
+#: Work of adhesion (J/m²) of all stored forces, which are proportional to it.
 WORK_OF_ADHESION = 1.0
 #: Attributes of a stored force.
 FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
@@ -49,9 +49,9 @@ def pull_off_force(
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
-    The sums and the ranges of adhesion rho, in nm as the pixel size, broadcast; W is in J/m².
-    Raises ValueError if a sum exceeds the range of floats: the highest point outside the window
-    stands many hundred rho above the contact.
+    Sums and ranges of adhesion broadcast. Ranges and pixel size are in nm, the work of adhesion in
+    J/m². Raises ValueError if a sum exceeds the range of floats, because the highest point outside
+    the window lies many hundred rho above the contact.
     """
     if not np.isfinite(total).all():
         raise ValueError(
@@ -63,10 +63,11 @@ def pull_off_force(
 
 
 def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
-    """Return the sum (...) of exp(-gap/rho) where 1 (rigid contact) to k pixels touch.
+    """Return the sum (...) of exp(-gap/rho) if 1 (rigid contact) to k pixels touch.
 
-    At this approach every gap is larger by the same length than at that of `outside_sum` (...), of
-    `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch.
+    The gaps (..., k) are in nm and ascending. If all their pixels touch, the sum over other pixels
+    is `outside_sum` (...), from `outside_sums`. If fewer touch, all gaps are larger by the same
+    length.
     """
     approach = gaps[..., contact_pixels - 1]
     opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
@@ -78,7 +79,7 @@ def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho:
 def contacts_and_totals(
     bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats
 ) -> tuple[Contacts, Floats]:
-    """Return the contacts of the most pixels, and totals (count, rho, contact, contact)."""
+    """Return the contacts with the most pixels, and totals (count, rho, contact, contact)."""
     contacts = all_lowest_gaps(bodies, max(counts))
     gaps = _gaps(contacts)
     sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))

@@ -14,8 +14,8 @@ from hardcontact.own.inventory import Entry, entries_by_surface
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import draw_size
 
-#: Pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
-RESOLVED = 32
+#: Fewest pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
+MIN_RADIUS_PIXELS = 32
 #: Scans of one surface on the same pixels.
 Group = list[Entry]
 
@@ -67,17 +67,17 @@ def contact_scans(
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
-    enough = LARGE_ENOUGH * max(draw_sizes.values())
+    large_enough = LARGE_ENOUGH * max(draw_sizes.values())
     selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():
-        group = _best_group(surface_groups, math.sqrt(2 * probe.radius * probe.range), enough)
+        interaction_radius = math.sqrt(2 * probe.radius * probe.range)
+        group = _best_group(surface_groups, interaction_radius, large_enough)
         reason = "no others can be used"
         if len(surface_groups) > 1:
-            reason = (
-                "they come nearest to" if group[0].size < enough else "the smallest of at least"
-            )
-            reason += f" {print_length(enough)}, four times sqrt(2 R sigma/t)"
+            is_small = group[0].size < large_enough
+            reason = "they come nearest to" if is_small else "the smallest of at least"
+            reason += f" {print_length(large_enough)}, four times sqrt(2 R sigma/t)"
         selected += group
         reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
     if sphere is not None:
@@ -107,7 +107,7 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
                     group.append(entry)
     refuse_lines(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
-        f"{low:g} to {high:g} nm, found none; of line scans alone `hardcontact predict` tells "
+        f"{low:g} to {high:g} nm, found none; for line scans alone, `hardcontact predict` gives "
         "force and band"
         for surface, surface_groups in groups.items()
         if not surface_groups
@@ -115,7 +115,7 @@ def _groups(entries: Sequence[Entry]) -> dict[str, list[Group]]:
     return groups
 
 
-def _best_group(groups: list[Group], interaction: float, enough: float) -> Group:
+def _best_group(groups: list[Group], interaction_radius: float, large_enough: float) -> Group:
     """Return the group of scans of one surface on which contacts are made.
 
     The interaction radius, and the size at which a scan is large enough, are in nm.
@@ -124,10 +124,10 @@ def _best_group(groups: list[Group], interaction: float, enough: float) -> Group
     def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
         size, pixel_size, count = group[0].size, group[0].pixel_size, len(group)
         blind = all(entry.is_blind for entry in group)
-        if interaction < RESOLVED * pixel_size:  # Then the finest pixels.
+        if interaction_radius < MIN_RADIUS_PIXELS * pixel_size:  # Then the finest pixels.
             return blind, True, False, pixel_size, -count, -size
-        small = size < enough
-        return blind, False, small, -size if small else size, -count, pixel_size
+        is_small = size < large_enough
+        return blind, False, is_small, -size if is_small else size, -count, pixel_size
 
     return min(groups, key=rank)
 
@@ -140,13 +140,13 @@ def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: floa
 
     def rank(group: Group) -> tuple[bool, bool, int, float]:
         scan = group[0]
-        large = any(
+        is_too_large = any(
             2 * max(scan.size, substrate.size) / min(scan.pixel_size, substrate.pixel_size)
             > MAP_PIXELS
             for substrate in substrates
         )
         matches = all(same_grid(scan.grid, substrate.grid) for substrate in substrates)
-        return large or scan.size > radius, not matches, -len(group), -scan.size
+        return is_too_large or scan.size > radius, not matches, -len(group), -scan.size
 
     return min(groups, key=rank)
 

@@ -1,4 +1,4 @@
-"""The contents of the files of own surfaces: one entry a topography, and unreadable members."""
+"""The contents of the files of own surfaces: one entry per topography, and unreadable members."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -78,7 +78,7 @@ class Entry:
 
     @property
     def name(self) -> str:
-        """The file, without its folder, and of a container the data file in it."""
+        """The file without its folder, and for a container the data file in it."""
         file = PurePath(self.source.path).name
         return f"{file}/{self.dataset}" if self.dataset else file
 
@@ -138,8 +138,8 @@ def inventory(
         entries += file_entries
         # A member that cannot be used stops nothing: the user cannot take it out.
         (unreadable if file_entries else problems).extend(faults)
-    # A scan that counts twice makes intervals too narrow. Formats round differently: twins have the
-    # same pixels, and size and roughness that agree within 1e-4.
+    # The same scan twice makes intervals too narrow. Formats round differently: twins have equal
+    # pixels, and sizes and roughness that agree within 1e-4.
     for entry, twin in combinations(entries, 2):
         is_twin = (entry.kind, entry.pixels) == (twin.kind, twin.pixels) and np.allclose(
             (entry.size, entry.rms_height, entry.peak_to_valley),

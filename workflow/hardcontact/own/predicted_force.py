@@ -37,7 +37,7 @@ from hardcontact.theory.summits import draw_size
 
 #: The contact model of the filtered masters.
 PLASTIC = "plastic"
-#: Of the forces of single contacts.
+#: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 NEWTON = {"units": "N"}
 
@@ -116,7 +116,7 @@ class ScanForces(NamedTuple):
 
     mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
     delete_one: np.ndarray  #: (part, rho) logarithms of the mean of all parts but one.
-    scan_parts: list[ScanParts]  #: (rho,) they correlate the more the longer the range.
+    scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
 
 
 def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
@@ -252,7 +252,7 @@ def _surface_force(
                 {"units": "1"},
             ),
             "touched_places": ((), places, {"units": "1"}),
-            "correlation_of_parts": ((), scan_parts.shared, {"units": "1"}),
+            "correlation_of_parts": ((), scan_parts.mean_correlation, {"units": "1"}),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
     )
@@ -279,10 +279,8 @@ def extrapolated_force(
             "log_unfiltered_force_shift",
             confidence,
         )
-        interval, end = (
-            logarithmic_interval(force, half),
-            float(master_forces.forces.unfiltered_wavelength),
-        )
+        interval = logarithmic_interval(force, half)
+        end = float(master_forces.forces.unfiltered_wavelength)
         return xr.Dataset(
             with_interval("extrapolated_force", (), force, interval, attributes, confidence)
             | {
@@ -327,9 +325,10 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
 
     A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
     long waves bend the surface, the integral is 2 pi R W/sqrt(D) with D = det(1 - R Hess h) at the
-    point of contact: more than 2 pi R W in a dale. When the point of contact moves, the apex moves
-    D times as far. The mean force over positions of the apex is therefore the mean of 2 pi R W
-    sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one. Short waves
+    point of contact: more than 2 pi R W in a valley. When the point of contact covers an area, the
+    apex covers D times this area. The mean force over positions of the apex is therefore the mean
+    of 2 pi R W sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one.
+    Short waves
     lower the force, since their peaks keep the bodies apart. Pixels raise it by the factor 1 +
     A_pix/(12 R rho), since the highest pixel is not the highest point. The mean force is therefore
     at most 2 pi R W. In plastic contact, the area F/H touches at zero gap and adds W/rho times this
@@ -351,6 +350,6 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     }.items():
         for variable in (name, f"{name}_interval"):
             value = force[variable]
-            # An interval without ends stays one.
+            # An unbounded interval stays unbounded.
             bounded[variable] = value.where((value <= limit) | ~np.isfinite(value), limit)
     return force.assign(bounded)

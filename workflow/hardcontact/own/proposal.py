@@ -25,12 +25,12 @@ from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS
 
-#: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
-#: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
+#: The shortest wave that is kept of a scan, in pixels, and the longest, relative to its size. As in
+#: the paper: 20 nm and 1000 nm on scans of 2500 nm with 512 pixels.
 TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4
 #: The share of the force on a smooth sphere that the window should hold.
 MIN_WINDOW_SHARE = 0.99
-#: The range of adhesion over the shortest, and the longest over it, that forces are computed at.
+#: The range of adhesion relative to the shortest computed range, and the longest relative to it.
 RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
@@ -38,9 +38,9 @@ FINEST_PIXEL_SIZE = 0.15
 CONTACT_COUNTS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take.
 CONTACT_SECONDS = 2.0
-#: Seconds a contact pixel and image of the cell in the window, and a tile in the window (measured).
+#: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
 SECONDS_A_PIXEL, SECONDS_A_TILE = 4e-7, 4e-8
-#: The least ratio of neighbouring cutoffs: forces in between are as good interpolated.
+#: The smallest ratio of neighbouring cutoffs: between closer ones, forces can be interpolated.
 MIN_CUTOFF_RATIO = 1.15
 #: Share of undefined pixels from which the user is told how they are filled.
 MANY_UNDEFINED = 0.05
@@ -52,14 +52,18 @@ class Effort(NamedTuple):
     pixels: int  #: along an edge of masters, if scans do not have more
     cutoffs: int  #: on each side
     realizations: int  #: masters of each side
-    fewest: int  #: masters of each side whose contacts take long
+    slow_realizations: int  #: masters of each side if contacts take long
     contacts: int  #: along an edge of the array
     ranges: int  #: of adhesion
 
 
 #: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
-FULL_EFFORT = Effort(pixels=4096, cutoffs=14, realizations=5, fewest=3, contacts=20, ranges=12)
-QUICK_EFFORT = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ranges=5)
+FULL_EFFORT = Effort(
+    pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts=20, ranges=12
+)
+QUICK_EFFORT = Effort(
+    pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts=8, ranges=5
+)
 
 
 class Choice(NamedTuple):
@@ -106,8 +110,8 @@ def propose(
     ValueError
         If surfaces have no height map, with a line for each, or scans too different for one study.
     """
-    summits = draw_sizes(entries, sphere, probe)
-    scans, reasons = contact_scans(entries, sphere, probe, summits)
+    sizes = draw_sizes(entries, sphere, probe)
+    scans, reasons = contact_scans(entries, sphere, probe, sizes)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
@@ -135,7 +139,7 @@ def propose(
     cautions += [
         f"{entry.name}: {line}" for entry in entries for line in split_notes(entry.notes)[1]
     ]
-    cautions += _contact_cautions(substrates, probe.range, contact, contact_reasons, summits)
+    cautions += _contact_cautions(substrates, probe.range, contact, contact_reasons, sizes)
     cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]
     cautions += entry_contradiction_lines(entries)
     cautions += [
@@ -179,7 +183,7 @@ def _contact_cautions(
     usual_range: float,
     contact: Contact,
     reasons: Mapping[str, str],
-    summits: Mapping[str, float],
+    draw_size_of: Mapping[str, float],
 ) -> Iterator[str]:
     """Yield cautions about contacts on these scans, as sentences for the user."""
     if contact.range > usual_range:
@@ -193,20 +197,20 @@ def _contact_cautions(
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
             "show too little of what the sphere feels, and forces come out too low"
         )
-    largest = max(scan.pixel_size for scan in substrates) ** 2
-    if contact.area < largest:
+    largest_pixel = max(scan.pixel_size for scan in substrates) ** 2
+    if contact.area < largest_pixel:
         yield (
             f"the preload is carried by {contact.area:.3g} nm², less than a pixel of the scans "
-            f"({largest:.3g} nm²): one pixel touches, and hardness and preload do not matter "
+            f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
             "on the scans"
         )
-    for surface, draw_width in summits.items():
+    for surface, draw_size in draw_size_of.items():
         size = min(scan.size for scan in substrates if scan.source.surface == surface)
-        low, high = finite_scan_ratio(size, draw_width)
+        low, high = finite_scan_ratio(size, draw_size)
         if high > 1:
             yield (
                 f"{surface}: the sphere finds its highest points within some "
-                f"{print_length(LARGE_ENOUGH * draw_width)}, the scans are {print_length(size)} "
+                f"{print_length(LARGE_ENOUGH * draw_size)}, the scans are {print_length(size)} "
                 f"wide: forces on such scans come out {low:g} to {high:g} times too high"
             )
 
@@ -221,7 +225,7 @@ def _choices(
     """Yield the choices of one effort, within the limits of the checks."""
     small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
     count, slow = _count(substrates, contact, small_pixels, effort.contacts)
-    masters = effort.fewest if slow else effort.realizations
+    masters = effort.slow_realizations if slow else effort.realizations
     surfaces = [scan.source.surface for scan in substrates]
     most_scans = max(map(surfaces.count, surfaces))
     if effort is QUICK_EFFORT:

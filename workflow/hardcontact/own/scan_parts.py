@@ -5,7 +5,7 @@ of each scan: contacts of a mirrored scan are grouped by their quarter. Quarters
 independent. A contact feels the surface around it with the weight exp(-r²/(2 R rho)), since the
 paraboloid r²/2R enters Eq. 3 of the paper, and contacts of different quarters feel the same peaks.
 R, rho and the size of the scan give this correlation, which corrects the variance. If the contacts
-touch fewer places than there are quarters, some quarters are one draw, and there is no interval.
+touch fewer places than there are quarters, some quarters share a place, and there is no interval.
 """
 
 from collections.abc import Callable, Sequence
@@ -41,7 +41,7 @@ class ScanParts:
     #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
     part_of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
-    scans: int  #: The scans they are parts of.
+    scans: int  #: Number of these scans.
     places: float = np.inf  #: The fewest places that the contacts of a scan touch.
 
     @property
@@ -50,12 +50,12 @@ class ScanParts:
         return self.scans < ENOUGH_SCANS
 
     @property
-    def touches_few(self) -> bool:
+    def touches_few_places(self) -> bool:
         """Whether the contacts of a scan touch fewer places than it has quarters."""
         return self.conditional and self.places * self.scans < len(self.correlation)
 
     @property
-    def shared(self) -> float:
+    def mean_correlation(self) -> float:
         """Mean correlation of two parts."""
         count = len(self.correlation)
         return float((self.correlation.sum() - count) / max(count * (count - 1), 1))
@@ -69,12 +69,13 @@ class ScanParts:
         The factor returned corrects both. Satterthwaite's degrees of freedom for the correlation
         matrix C are (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN if these parts give no interval.
         """
-        count, shared = len(self.correlation), self.shared
-        if count < 2 or shared > SAME_CORRELATION or self.touches_few:
+        count = len(self.correlation)
+        correlation = self.mean_correlation
+        if count < 2 or correlation > SAME_CORRELATION or self.touches_few_places:
             return np.nan, np.nan
         centred = (np.eye(count) - 1 / count) @ self.correlation
         freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
-        return (1 + (count - 1) * shared) / (1 - shared), float(freedom)
+        return (1 + (count - 1) * correlation) / (1 - correlation), float(freedom)
 
     @property
     def source(self) -> str:
@@ -84,9 +85,9 @@ class ScanParts:
         """
         if not self.conditional:
             return "scans"
-        if len(self.correlation) < 2 or self.shared > SAME_CORRELATION:
+        if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
             return "none"
-        return "few_places" if self.touches_few else "quarters"
+        return "few_places" if self.touches_few_places else "quarters"
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
@@ -105,7 +106,7 @@ def parts_of_scans(
     scan_of_map: np.ndarray,
     quarters: np.ndarray,
     size: float,
-    reach: float,
+    weight_deviation: float,
     places: float = np.inf,
 ) -> ScanParts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
@@ -118,7 +119,7 @@ def parts_of_scans(
         (contact_y, contact_x) The quarter of each contact, from `quarters_of_contacts`.
     size : float
         Edge of a scan in nm.
-    reach : float
+    weight_deviation : float
         sqrt(R rho) in nm, the deviation of the weight with which a contact feels the surface.
     places : float
         The fewest places that the contacts of a scan touch.
@@ -134,21 +135,22 @@ def parts_of_scans(
         return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), places)
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
-    correlation = _correlation_of_quarters(size, reach)[np.ix_(numbers, numbers)]
+    correlation = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
     return ScanParts(part_of_contact, np.kron(np.eye(len(scans)), correlation), len(scans), places)
 
 
-def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
+def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray:
     """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
 
     Along one axis, the contacts of one half feel the surface with the indicator of this half,
-    smoothed by a Gaussian of the deviation s = `reach`. This weight is
+    smoothed by a Gaussian of the deviation s = `weight_deviation`. This weight is
     1/2 ± sum_k a_k cos(k pi x/L) exp(-(k pi s/L)²/2) over odd k, where a_k = ±2/(k pi) are the
     Fourier coefficients of a step. Uncorrelated roughness therefore gives the covariance
     1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2: plus of a half with itself, minus with the other half.
     """
     order = np.arange(1, 2000, 2)
-    step = 2 / (np.pi * order) ** 2 * np.exp(-((np.pi * order * reach / size) ** 2))
+    decay = np.exp(-((np.pi * order * weight_deviation / size) ** 2))
+    step = 2 / (np.pi * order) ** 2 * decay
     covariance_ratio = (0.25 - step.sum()) / (0.25 + step.sum())
     halves = np.array([[1.0, covariance_ratio], [covariance_ratio, 1.0]])
     return np.kron(halves, halves)

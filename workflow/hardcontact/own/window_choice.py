@@ -13,14 +13,14 @@ from hardcontact.config.limits import penetration_depth
 from hardcontact.contact.contact import Contact
 from hardcontact.own.inventory import Entry
 
-#: The sphere above its apex at the edge of the window, over the range of adhesion (14 in the paper)
-#: and over the rms height.
+#: Height of the sphere above its apex at the edge of the window, relative to the range of adhesion
+#: (14 in the paper) and to the rms height.
 RANGES_IN_WINDOW, RMS_IN_WINDOW = 14, 4
-#: The most images of a scan, mirrored, along an edge of the window: all hold the same summits.
-IMAGES = 10
-#: The longest range of adhesion that is proposed unasked, in nm: the longest of the paper's study.
+#: Largest number of mirrored scans along an edge of the window: all have the same summits.
+MAX_IMAGES = 10
+#: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
 LONGEST_RANGE = 40.0
-#: Edge of the large-scale master over that of a scan, and over the window.
+#: Edge of the large-scale master relative to that of a scan, and to the window.
 MASTER_SCANS, MASTER_WINDOWS = 8, 1.6
 
 
@@ -34,9 +34,9 @@ def choose_window(
     """Return the probe with a window, and with a longer range of adhesion if the scans need it.
 
     `scans` includes the scans of the sphere, `substrates` does not; masters have at most
-    `max_pixels` along an edge. Also returns the shortest range
-    (nm) that the scans permit, and the reasons for window and range by key. The limits of the study
-    refuse a range that stays too short.
+    `max_pixels` along an edge. Also returns the shortest range (nm) that the scans permit, and the
+    reasons for window and range by key. The limits of the study refuse a range that stays too
+    short.
     """
     window, _ = _window(scans, probe.radius, probe.range)
     shortest, reason = _shortest_range(scans, substrates, probe, window, max_pixels)
@@ -64,7 +64,10 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
             f"at its edge the sphere is {height_words} above its apex",
         ),
         (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
-        (2 * IMAGES * smallest, f"{IMAGES} mirrored scans, which all have the same summits"),
+        (
+            2 * MAX_IMAGES * smallest,
+            f"{MAX_IMAGES} mirrored scans, which all have the same summits",
+        ),
     )
     digit = 10.0 ** (math.floor(math.log10(edge)) - 2)
     return float(f"{math.floor(edge / digit) * digit:.3g}"), reason

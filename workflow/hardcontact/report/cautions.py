@@ -22,11 +22,11 @@ from hardcontact.theory.hard_contact import HARD
 
 Caution = Mapping[str, Any]
 
-#: Least share of the force on a smooth sphere in a window without a caution.
+#: Smallest share of the force on a smooth sphere in a window without a caution.
 MIN_WINDOW_SHARE = 0.99
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10
-#: Pixels in the shortest wavelength of a scan.
+#: Number of pixels in the shortest wavelength of a scan.
 MIN_WAVELENGTH_PIXELS = 2
 #: Largest ratio of added power to the power in the scans without a caution.
 MAX_POWER_RATIO = 2.0
@@ -240,8 +240,8 @@ def _extrapolations(datasets: Datasets) -> list[dict[str, Any]]:
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
     shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
     hurst = spectra["tail_hurst"].item()
-    errors = NormalDist().inv_cdf((1 + datasets.edges.attrs["confidence"]) / 2)
-    half_width = errors * spectra["tail_hurst_error"].item()
+    quantile = NormalDist().inv_cdf((1 + datasets.edges.attrs["confidence"]) / 2)
+    half_width = quantile * spectra["tail_hurst_error"].item()
     low, high = max(hurst - half_width, 0.0), min(hurst + half_width, 1.0)
     tail = {
         "code": "tail",

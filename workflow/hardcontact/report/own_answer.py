@@ -225,19 +225,19 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
         name = f"{row.fact.name}_{variant}".rstrip("_")
         yield row.fact._replace(name=name)
         yield from numbers_within(name, row.about)
-    for place, caution in enumerate(surface.cautions, start=1):
-        yield Number(f"caution_{place}", np.nan, status=caution["code"])
+    for number, caution in enumerate(surface.cautions, start=1):
+        yield Number(f"caution_{number}", np.nan, status=caution["code"])
         yield from numbers_within(caution["code"], caution)
     for measurement in surface.next:
         yield from numbers_within(f"{measurement['edge']}_{measurement['code']}", measurement)
     for name in ("scan_size", "pixel_size"):
         yield number_of(surface.data.topography, name, "nm", source="file")
     *scans, all_scales = surface.roughness
-    for place, metrics in enumerate(scans, start=1):
-        yield from numbers_within(f"scan_{place}", metrics)
+    for number, metrics in enumerate(scans, start=1):
+        yield from numbers_within(f"scan_{number}", metrics)
     yield from numbers_within("all_scales", all_scales)
-    for place, lengths in enumerate(surface.scan_lengths, start=1):
-        yield from numbers_within(f"measurement_{place}", lengths)
+    for number, lengths in enumerate(surface.scan_lengths, start=1):
+        yield from numbers_within(f"measurement_{number}", lengths)
 
 
 def own_page(
@@ -273,7 +273,7 @@ def own_page(
         left_out=setting.left_out,
         tolerance=float(datasets.edges.attrs["tolerance"]),
         confidence=float(datasets.edges.attrs["confidence"]),
-        surfaces=[_shown(surface) for surface in surfaces.values()],
+        surfaces=[_page_facts(surface) for surface in surfaces.values()],
         contact=setting.contact,
         of_paper=setting.of_paper,
         tabor=tabor_number(datasets.force),
@@ -283,8 +283,8 @@ def own_page(
     )
 
 
-def _shown(surface: OwnSurface) -> dict[str, Any]:
-    """Return what the page shows of one surface."""
+def _page_facts(surface: OwnSurface) -> dict[str, Any]:
+    """Return the facts about one surface for the template of the page."""
     data = surface.data
     heights = mean_free_heights(data.topography)
     lengths = zip(split_measurements(measurements(data.spectra)), surface.scan_lengths, strict=True)

@@ -31,9 +31,9 @@ from hardcontact.theory.closed_form import (
 )
 from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, UNKNOWN
 from hardcontact.theory.prediction_errors import (
-    FOUND,
+    EDGE_FOUND,
     INSIDE,
-    NONE,
+    NO_EDGE,
     OUTSIDE,
     VALIDATED_QUANTITIES,
     is_validated,
@@ -141,9 +141,15 @@ def prediction(
         Number("closest_approach", form.closest_approach, "nm"),
         Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),
         *(
-            Number(end, edge, "nm", *_validated_interval(end, edge, point, validated), status=FOUND)
+            Number(
+                end,
+                edge,
+                "nm",
+                *_validated_interval(end, edge, point, validated),
+                status=EDGE_FOUND,
+            )
             if math.isfinite(edge)
-            else Number(end, edge, "nm", status=NONE)
+            else Number(end, edge, "nm", status=NO_EDGE)
             for end, edge in ends
         ),
         *checks,
@@ -264,7 +270,9 @@ def _extrapolated_numbers(
         for end, edge in zip(
             VALIDATED_QUANTITIES[1:], edges(extrapolated, contact, tolerance), strict=True
         ):
-            yield Number(f"extrapolated_{end}", edge, "nm", status=FOUND if edge > 0 else NONE)
+            yield Number(
+                f"extrapolated_{end}", edge, "nm", status=EDGE_FOUND if edge > 0 else NO_EDGE
+            )
         yield Number("extrapolated_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
         yield Number("extrapolated_rolloff", rolloff, "nm")
         yield Number("extrapolated_hurst", hurst, status=ended_by)

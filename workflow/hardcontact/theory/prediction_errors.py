@@ -48,7 +48,7 @@ FITTED_POINTS = 40
 #: Statuses: inside or outside the validated ranges; whether missing waves matter; whether an edge
 #: exists; whether the bodies are practically rigid.
 INSIDE, OUTSIDE = "inside", "outside"
-FOUND, NONE = "found", "none"
+EDGE_FOUND, NO_EDGE = "found", "none"
 
 
 @cache
@@ -71,7 +71,7 @@ def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
     for name in VALIDATED_QUANTITIES:
         error = held_out[name] / held_out[f"predicted_{name}"]
         if f"{name}_status" in held_out:
-            error = error.where(held_out[f"{name}_status"] == FOUND)
+            error = error.where(held_out[f"{name}_status"] == EDGE_FOUND)
         held_out[f"{name}_error"] = error
     return held_out
 
