@@ -16,13 +16,13 @@ TITLE = "Fig. 4: forces against the range of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
 (a) One contact at the published range ρ and work of adhesion W: its adhesive pressure, and its
-force against separation. (b) Mean pull-off force relative to that on the reference substrate, and
-(c) mean pull-off force at the published W, against ρ. Dotted: published mean forces.
-Dashed: the published range.
+force against separation. (b) Mean pull-off force relative to the reference substrate, and (c) mean
+pull-off force at the published W, against ρ. Dotted: published mean forces. Dashed: the published
+range.
 
 Contact is plastic. The map in (a) shows the largest pressure in each pixel. Curves in (b, c) are
 means over the study's scans. Bars: {{ inference.confidence | percent }} intervals of these means
-over scans, drawn to a decade beyond all values at most. Bands: 90 % of many sets of substitute
+over scans, drawn to at most one decade beyond all values. Bands: 90 % of many sets of substitute
 scans; a set is as good as the study's scans. Cross in (b): the ρ that fits all published ratios
 best, with its interval over scans. Open symbols in (c): forces at the ρ and W that fit the
 published means best. Drawn from contact.nc, inference.nc and sets.nc; published values from

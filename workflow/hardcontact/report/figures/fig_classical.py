@@ -19,13 +19,13 @@ roughness of Table 1, from AFM scans alone (filled) or from all scales (open). (
 relative error of each model, its work of adhesion fitted to the published (black) or the computed
 forces (grey).
 
-Computed forces are of plastic contact at the published range and work of adhesion, models at the
+Computed forces: plastic contact at the published range and work of adhesion. Models: at the
 published work. Bars of published forces: their rounding. Bars of computed forces:
 {{ inference.confidence | percent }} interval over scans. Bars of models: what the printed
 uncertainties of Table 1 allow, {{ inference.confidence | percent }}. Bars too long for a panel end
 at its frame. Horizontal lines repeat the published forces. Symbols in the grey strip of (a): less
-than 1 pN. Grey strip of (b): errors below the paper's threshold. The table says what each model
-calls roughness and what its formula was checked against. Drawn from classical.nc and
+than 1 pN. Grey strip of (b): errors below the paper's threshold. The table has the definition of
+roughness of each model and the check of its formula. Drawn from classical.nc and
 resources/paper/parameters.csv.
 """
 

@@ -19,8 +19,8 @@ many points do.
 normally distributed. All points that do not touch give exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force
 on a smooth surface. The closed form corrects this for rough summits, and adds the summits that
 touch and the plastic contact area. Bars in (a): {{ inference.confidence | percent }} intervals
-over the surfaces. In (b) the closest approach is that expected from the spectrum (solid) or that
-computed (dashed); grey: within a factor of two. Drawn from closed_form.nc.
+over the surfaces. In (b) the closest approach is expected from the spectrum (solid) or computed
+(dashed); grey: within a factor of two. Drawn from closed_form.nc.
 """
 
 #: Where closest approach comes from: its line, and as it is printed.

@@ -17,12 +17,12 @@ Share of the contact area whose pressure exceeds the hardness. (c) Peak pressure
 hardness (solid) and the peak on a smooth sphere (dashed). (d) Change of the pull-off force from
 rigid to elastic bodies.
 
-In (b-d) each dot is one contact. The contacts of one scan stand in one column. The bar is the
-median over all contacts of a substrate. Published values: in (b) "in most of the contact area"
-(grey), in (c) 135 MPa for the smooth sphere (Hertz), in (d) "virtually indistinguishable". All
-pressures are those at the pixels of the scans; shorter waves have higher slopes and pressures.
-Grey in (a): no contact. Pressures beyond the scale have the colours of its ends. Forces of (d) are
-at the published range and work of adhesion. Drawn from elastic.nc.
+In (b-d) each dot is one contact. The contacts of one scan form one column. The bar is the median
+over all contacts of a substrate. Published values: in (b) "in most of the contact area" (grey), in
+(c) 135 MPa for the smooth sphere (Hertz), in (d) "virtually indistinguishable". All pressures are
+computed on the pixels of the scans; shorter waves have higher slopes and pressures. Grey in (a):
+no contact. Pressures beyond the scale have the colours of its ends. Forces of (d) are at the
+published range and work of adhesion. Drawn from elastic.nc.
 """
 
 GIGAPASCAL = 1e9

@@ -14,8 +14,8 @@ the roughness has. The pressure is E* h'/1.67: E* is the contact modulus, h' the
 longer waves. Above the black line contacts yield.
 
 The study takes every contact as plastic: its area is preload over hardness. On a surface whose
-curve is below 1 at the pixels of its scans, only shorter waves make contacts yield. They do where
-the curve passes 1. Below 1 nm these are waves of a few atoms. Drawn from elastic_limit.nc.
+curve is below 1 at the pixels of its scans, only shorter waves make contacts yield. Contacts yield
+where the curve exceeds 1. Below 1 nm these are waves of a few atoms. Drawn from elastic_limit.nc.
 """
 
 MIN_INDEX = 0.01  # that is drawn

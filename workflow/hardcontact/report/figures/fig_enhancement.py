@@ -15,15 +15,15 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "The short edge with and without plasticity and a long range"
 CHAPTER = "6. Scales"
 CAPTION = """\
-Force without roughness below a cutoff, relative to that with all roughness. Contact is rigid (a,
-b) or plastic (c, d), at a short (a, c) or the published (b, d) range of adhesion ρ. Below: the
+Force without roughness below a cutoff, relative to the force with all roughness. Contact is rigid
+(a, b) or plastic (c, d), at a short (a, c) or the published (b, d) range of adhesion ρ. Below: the
 short edge of the critical band, where the force has changed by {{ scales.tolerance | percent }}.
 
 Dashed: 43 nm, published. The paper argues that a long range and plasticity enhance each other, so
 that shorter wavelengths do not matter. A rigid sphere touches in one pixel. Bars:
-{{ inference.confidence | percent }} interval over realizations, random surfaces of one spectrum.
-Arrows: no edge above the shortest cutoff. Contacts and pixels are those of the sets of
-substitutes. Drawn from enhancement.nc and resources/paper/parameters.csv.
+{{ inference.confidence | percent }} interval over realizations. Arrows: no edge above the shortest
+cutoff. Contacts and pixels are those of the sets of substitutes. Drawn from enhancement.nc and
+resources/paper/parameters.csv.
 """
 
 COLUMNS = [

@@ -24,8 +24,8 @@ Contact is plastic, in (a) also rigid. Vertical line and brackets in (a):
 {{ inference.confidence | percent }} interval of the least error over scans. Grey dots: best fit of
 each of many sets of substitute scans; a set is as good as the study's scans. The verdicts take the
 spread of these fits as interval. White dots in (b): fits to samples of the mean forces, drawn from
-the scatter of the scans. White line: where the error is below the paper's threshold, if it is
-anywhere. Bars at the black point: published uncertainty. Drawn from inference.nc, sets.nc and
+the scatter of the scans. White line: around errors below the paper's threshold, if there are any.
+Bars at the black point: published uncertainty. Drawn from inference.nc, sets.nc and
 resources/paper/parameters.csv.
 """
 

@@ -17,7 +17,7 @@ CHAPTER = "3. Adhesion"
 CAPTION = """\
 Each set holds substitute scans as good as the study's. (a) Range of adhesion ρ that fits the
 published forces best. (b) Best ρ and work of adhesion W of each set; star: the study's own. (c, d)
-Pull-off force without roughness below or above a cutoff, relative to that with all roughness;
+Pull-off force without roughness below or above a cutoff, relative to the force with all roughness;
 bands: 90 % of the sets.
 
 Each set has as many scans as the study, drawn at random from a pool. Its rms heights have the mean

@@ -18,11 +18,11 @@ heights. (a) At the published work of adhesion W; (b) at the W that fits the fou
 at each range ρ. Solid: from mean forces; dashed: from median forces. Vertical line: the published
 range.
 
-The height is that of the apex above the mean planes. The rms height is that of sphere and
-substrate together. At zero the substitute lets the sphere as close as the measured surface did.
-Above zero the measured surface holds the sphere off, as rare high protrusions would. Both heights
-follow from Eq. 2 for a Gaussian surface, so that the formula's error cancels in part. Contact is
-plastic. Drawn from standoff.nc and resources/paper/parameters.csv.
+Heights of the apex are above the mean planes. The rms height combines sphere and substrate. At
+zero, substitute and measured surface keep the sphere at the same height. Above zero, the measured
+surface keeps it higher, as rare high protrusions would. Both heights follow from Eq. 2 for a
+Gaussian surface, so that the formula's error cancels in part. Contact is plastic. Drawn from
+standoff.nc and resources/paper/parameters.csv.
 """
 
 TITLES = {"published": "published $W$", "fitted": "$W$ that fits best at each ρ"}

@@ -26,9 +26,9 @@ at while the prediction was made; only these are in (b). Crosses in (a): skewed 
 plane, left out of (b). Dotted in (b): one in twenty samples of 400 from the predicted distribution
 exceeds it. (c) is at a range of {{ scales.range }} in plastic contact. Rms heights of scans are
 taken to differ by the uncertainties of Table 1. Black lines in (c): √(2 ln(mean/median)) of the
-published forces, as only their mean and median are published. Crosses: the same of the prediction.
-Bars: {{ inference.confidence | percent }} intervals over scans; an arrow where they leave the
-frame. Drawn from statistics.nc.
+published forces, as only their mean and median are published. Crosses: the same for the
+prediction. Bars: {{ inference.confidence | percent }} intervals over scans; an arrow where they
+leave the frame. Drawn from statistics.nc.
 """
 
 #: Look and label of each distribution, by its name in the dataset.
