@@ -17,19 +17,19 @@ TITLE = "Fig. 6: the length scales that matter"
 CHAPTER = "6. Scales"
 CAPTION = """\
 Mean pull-off force without all roughness (a) below a short, (b) above a long cutoff, relative to
-the force with all roughness. Middle: change of the force; black: mean over all substrates. Lower:
-the cutoff at which the change exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm
-and 1.8 µm. Hatched: artificial roughness.
+that with all roughness. Middle: change of the force; black: mean over all substrates. Lower: the
+cutoff at which the change exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
+1.8 µm. Hatched: artificial roughness.
 
-Lines and symbols: mean over realizations; a realization is one master. Bars: its
-{{ inference.confidence | percent }} interval, cut off a decade beyond all values. Intervals
-describe how realizations on one set of scans differ. The figure of the sets has intervals over
-many sets of scans. Grey: changes below the tolerance. An edge lies between two computed cutoffs,
-or between the first cutoff and the end of the unfiltered spectrum. An arrow marks an edge beyond
-the last computed cutoff. Hatched: wavelengths below {{ scales.small.transition }} and above
-{{ scales.large.transition }}, where artificial roughness replaces the roughness of the scan, as in
-the paper. Long edges above {{ scales.large.transition }} come from artificial roughness alone.
-Drawn from scales.nc, band.nc and resources/paper/parameters.csv.
+Lines and symbols: mean over realizations, each a scan with artificial roughness added.
+Bars: its {{ inference.confidence | percent }} interval, at most to a decade beyond all values.
+Intervals show how realizations on one set of scans differ. The figure of the sets has intervals
+over many sets. Grey: changes up to the tolerance. An edge lies between two computed cutoffs, or
+between the first of them and the end of the unfiltered spectrum. An arrow shows that it lies
+beyond the last computed cutoff. Hatched: wavelengths below {{ scales.small.transition }} and above
+{{ scales.large.transition }}, where roughness made from the spectrum replaces that of the scan, as
+in the paper. Long edges above {{ scales.large.transition }} come from this artificial roughness
+alone. Drawn from scales.nc, band.nc and resources/paper/parameters.csv.
 """
 
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
