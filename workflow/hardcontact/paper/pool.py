@@ -41,9 +41,9 @@ class PoolSettings(TypedDict):
 class PoolSources(NamedTuple):
     """Spectrum, targets, rms heights and settings of the scans of a pool."""
 
-    density: Spectrum  #: C_iso of the substrate.
+    spectrum: Spectrum  #: C_iso of the substrate.
     targets: Targets
-    heights: Floats  #: From `pool_heights`.
+    rms_heights: Floats  #: From `pool_heights`.
     settings: PoolSettings
 
 
@@ -126,14 +126,14 @@ def height_weights(heights: Floats, targets: Floats) -> Floats:
     Parameters
     ----------
     heights : numpy.ndarray
-        Ascending heights (amplitude,) in nm.
+        Ascending heights (rms_height_of_force,) in nm.
     targets : numpy.ndarray
         Heights (target,) in nm of the interpolation.
 
     Returns
     -------
     numpy.ndarray
-        Weights (target, amplitude).
+        Weights (target, rms_height_of_force).
     """
     from scipy.interpolate import make_interp_spline
 
@@ -172,14 +172,14 @@ def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
 
 def _pool_scan(number: int, sources: PoolSources) -> xr.Dataset:
     """Return the forces and the roughness of one scan."""
-    density, _, heights, settings = sources
+    spectrum, _, rms_heights, settings = sources
     rng = generator(settings["seed"], settings["surface"], number, "pool")
-    scan = level(draw_scan(rng, density, settings["scan"]))
-    return forces_at_heights(scan, heights, settings["contact"], settings["ranges"])
+    scan = level(draw_scan(rng, spectrum, settings["scan"]))
+    return forces_at_heights(scan, rms_heights, settings["contact"], settings["ranges"])
 
 
 def forces_at_heights(
-    scan: HeightMap, heights: Floats, contact: Contact, ranges: Sequence[float]
+    scan: HeightMap, rms_heights: Floats, contact: Contact, ranges: Sequence[float]
 ) -> xr.Dataset:
     """Return the forces on a levelled scan at several rms heights, and its roughness.
 
@@ -187,7 +187,7 @@ def forces_at_heights(
     ----------
     scan : HeightMap
         Levelled scan.
-    heights : numpy.ndarray
+    rms_heights : numpy.ndarray
         Rms heights in nm.
     contact : Contact
         Contact with a smooth sphere.
@@ -202,11 +202,11 @@ def forces_at_heights(
     """
     roughness = metrics(scan)
     forces = []
-    for height in heights:
-        scaled = replace(scan, heights=height / roughness["rms_height"] * scan.heights)
+    for rms_height in rms_heights:
+        scaled = replace(scan, heights=rms_height / roughness["rms_height"] * scan.heights)
         pair = bodies(mirror_stitch(scaled), None, contact)
         forces.append(pull_off_of_pair(pair, contact, ranges)["pull_off_force"])
-    axis = xr.DataArray(heights, dims="rms_height_of_force", name="rms_height_of_force")
+    axis = xr.DataArray(rms_heights, dims="rms_height_of_force", name="rms_height_of_force")
     height_forces = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     return xr.Dataset(
@@ -220,7 +220,7 @@ def forces_at_heights(
             for name, (unit, long_name) in METRICS.items()
         },
         {
-            "rms_height_of_force": ("rms_height_of_force", heights, {"units": "nm"}),
+            "rms_height_of_force": ("rms_height_of_force", rms_heights, {"units": "nm"}),
             "contact_y": range(contact.count),
             "contact_x": range(contact.count),
         },
