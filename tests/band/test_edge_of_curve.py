@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.band.critical_band import Curve, describe_edge
+from hardcontact.band.critical_band import RatioCurve, describe_edge
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
 UNKNOWN = [np.nan] * 3
@@ -13,13 +13,13 @@ def edge(side, value, lowest=UNKNOWN, highest=UNKNOWN, cell=5000.0):
     """The edge of a curve of changes, in the order of growing effect."""
     cutoffs = CUTOFFS if side == "small" else CUTOFFS[::-1]
     values = np.array([value, lowest, highest])
-    return describe_edge(Curve(side, cell, cutoffs, values, (-np.inf, 0.1)))
+    return describe_edge(RatioCurve(side, cell, cutoffs, values, (-np.inf, 0.1)))
 
 
 def edge_of_ratios(side, cutoffs, ratio, low, high):
     """The edge of one surface, whose ratios have a sign."""
     limits = (np.log(0.9), np.log(1.1))
-    return describe_edge(Curve(side, 1e6, cutoffs, np.log([ratio, low, high]), limits))
+    return describe_edge(RatioCurve(side, 1e6, cutoffs, np.log([ratio, low, high]), limits))
 
 
 def test_a_ratio_that_passes_through_one_between_cutoffs_leaves_where_it_is_known_to():

@@ -17,7 +17,7 @@ import numpy as np
 import pandas as pd
 from scipy.stats import qmc
 
-from hardcontact.band.critical_band import Curve, describe_edge, logarithmic_limits
+from hardcontact.band.critical_band import RatioCurve, describe_edge, logarithmic_limits
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact, contact_of_area
@@ -164,7 +164,7 @@ def edge(
     order = slice(None) if side == "small" else slice(None, None, -1)
     curve = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[:, order]
     limits = logarithmic_limits(TOLERANCE)
-    one = describe_edge(Curve(side, size, cutoffs[order], curve, limits))
+    one = describe_edge(RatioCurve(side, size, cutoffs[order], curve, limits))
     known = one["edge_status"] == "found"
     bound = "at least" if one["edge_bound_is_lower"] else "at most"
     return {

@@ -6,7 +6,8 @@ import xarray as xr
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
-from hardcontact.paper.inference import PLASTIC, Pair, Published
+from hardcontact.contact.contact import PLASTIC
+from hardcontact.paper.inference import Pair, Published
 from hardcontact.paper.leave_one_out import leave_one_out_fits
 from hardcontact.paper.protruded_sets import empty_protruded, judge_protruded
 from hardcontact.paper.standoff import standoff

@@ -250,7 +250,7 @@ def _critical_wavelengths(
     return wavelengths
 
 
-class Curve(NamedTuple):
+class RatioCurve(NamedTuple):
     """A measure of the change of the force on one side, zero without a filter."""
 
     side: str  #: small: wavelengths below the cutoff are removed; large: wavelengths above it.
@@ -264,7 +264,7 @@ class Curve(NamedTuple):
     limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
 
 
-def describe_edge(curve: Curve) -> dict[str, Any]:
+def describe_edge(curve: RatioCurve) -> dict[str, Any]:
     """Return the edge of a curve with its interval and status.
 
     An edge is a `critical_wavelength` between two computed cutoffs. The edge is open if the curve
@@ -323,7 +323,7 @@ def describe_edge(curve: Curve) -> dict[str, Any]:
     }
 
 
-def _index_of_first_outside(curve: Curve, highest: np.ndarray, lowest: np.ndarray) -> int:
+def _index_of_first_outside(curve: RatioCurve, highest: np.ndarray, lowest: np.ndarray) -> int:
     """Return the index of the first cutoff at which the curve is outside its limits.
 
     The number of cutoffs if the curve is never outside. The highest values are compared with the

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+#: The contact model on which the conclusions of the paper are based.
+PLASTIC = "plastic"
 #: Axes of the array of contacts.
 CONTACT_AXES = ("contact_y", "contact_x")
 #: Dimensions of single contacts, and of the scans of the sphere with which they are made.

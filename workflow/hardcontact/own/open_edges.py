@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.band.critical_band import Curve, describe_edge, logarithmic_limits
+from hardcontact.band.critical_band import RatioCurve, describe_edge, logarithmic_limits
 from hardcontact.base.statistics import with_interval
 from hardcontact.own.master_forces import (
     MasterForces,
@@ -122,7 +122,7 @@ def edges_of_curves(curves: xr.Dataset, limits: tuple[float, float]) -> dict[str
         curve = curve.sortby("cutoff_wavelength", ascending=side == "small")
         values = np.vstack([curve.logarithm.values, curve.logarithm_interval.values.T])
         cutoffs = curve.cutoff_wavelength.values
-        edges.append(describe_edge(Curve(side, float(curve.cell), cutoffs, values, limits)))
+        edges.append(describe_edge(RatioCurve(side, float(curve.cell), cutoffs, values, limits)))
     return {
         name: (
             (*dimensions, *dimensions_added),

@@ -20,9 +20,9 @@ from hardcontact.base.statistics import (
     percentile_interval,
     with_interval,
 )
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.own.predicted_force import (
-    PLASTIC,
     ScanForces,
     fewest_places,
     forces_of_scans,

@@ -11,7 +11,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
-from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.master_forces import (
@@ -35,8 +35,6 @@ from hardcontact.theory.hard_contact import tabor
 from hardcontact.theory.pull_off_statistics import force_scatter
 from hardcontact.theory.summits import draw_size
 
-#: The contact model of the filtered masters.
-PLASTIC = "plastic"
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 NEWTON = {"units": "N"}

@@ -21,8 +21,6 @@ from hardcontact.contact.force_curves import (
 )
 from hardcontact.paper import error_map
 
-#: The contact model on which the conclusions of the paper are based.
-PLASTIC = "plastic"
 #: Pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 

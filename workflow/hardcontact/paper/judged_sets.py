@@ -32,12 +32,12 @@ MAX_DRAWS = 1000
 #: Metrics that do not change with the height of a scan.
 HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
 #: Variables of the inference of a set that sets.nc contains.
-INFERENCE_VARIABLES = [
+SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
     "minimum_error", "mean_force", "ratio",
 ]  # fmt: skip
 #: Variables of the critical band of a set that sets.nc contains.
-BAND_VARIABLES = ["scale_ratio", "scale_change", "edge"]
+SET_BAND_VARIABLES = ["scale_ratio", "scale_change", "edge"]
 
 
 class Sources(NamedTuple):
@@ -284,7 +284,7 @@ def judge_sets(
     Returns
     -------
     xarray.Dataset
-        By set: ``value`` (claim), INFERENCE_VARIABLES (contact_model, ...) and BAND_VARIABLES
+        By set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_BAND_VARIABLES
         (side, ...). ``sphere_factor`` (contact_model, surface, rho), NaN for a surface without a
         pool.
     """
@@ -296,8 +296,8 @@ def judge_sets(
         claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
         variables = [
             claims,
-            datasets["inference"][INFERENCE_VARIABLES],
-            datasets["band"][BAND_VARIABLES],
+            datasets["inference"][SET_FIT_VARIABLES],
+            datasets["band"][SET_BAND_VARIABLES],
         ]
         sets.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(

@@ -26,7 +26,7 @@ from hardcontact.theory.edge_scaling import CLOSED_FORM, FORMULA
 from hardcontact.theory.pull_off_statistics import CHANCE, held_out_surfaces
 
 #: Distributions that are compared with computed forces.
-DISTANCES = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
+DISTRIBUTIONS = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
 
 
 def insight_page(
@@ -134,7 +134,7 @@ def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
 
     The first row is for a modulus below 1, the second for a modulus above 1. A row has the number
     of cases, the rms error of the standard deviation of ln F, and the median Kolmogorov-Smirnov
-    distances of DISTANCES.
+    distances of DISTRIBUTIONS.
     """
     cases = held_out_surfaces(statistics)
     is_below = cases["designed_weibull_modulus"] < 1
@@ -143,6 +143,6 @@ def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
         ratio = np.log(group["designed_log_force_std"] / group["designed_predicted_log_force_std"])
         row = {"modulus": modulus, "cases": group.sizes["case"]}
         row["error"] = Number("error", float(np.expm1(np.sqrt((ratio**2).mean()))))
-        for name in DISTANCES:
+        for name in DISTRIBUTIONS:
             row[name] = Number(name, group[f"designed_distance_{name}"].median().item())
         yield row

@@ -31,7 +31,7 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
     "large": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
 }
 #: Looks of curves: the contact model of the answer first, then other models.
-MODEL_LOOKS: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
+MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "profile": "#882255", "description": "#999933"}
 UNRELIABLE_LOOK: style.Look = {"color": "#999999"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
@@ -171,7 +171,7 @@ def draw_forces(datasets: Datasets) -> TableAndFigure:
     figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     for surface, colour in style.colours(labels).items():
-        for model, look in zip(models, MODEL_LOOKS, strict=False):
+        for model, look in zip(models, MODEL_LINES, strict=False):
             curve = force.sel(surface=surface, contact_model=model)
             ends = [end / style.MICRONEWTON for end in bounds(curve, "force")]
             look = look | {"color": colour, "label": f"{labels[surface]}, {model}"}

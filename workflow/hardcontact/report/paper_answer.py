@@ -12,7 +12,7 @@ import xarray as xr
 from hardcontact.band.critical_band import POOLED, edges_or_last_cutoffs
 from hardcontact.base.number import Number
 from hardcontact.base.statistics import bounds
-from hardcontact.paper.inference import PLASTIC
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
 from hardcontact.report.captions import Caption

@@ -15,8 +15,8 @@ from scipy.stats import lognorm
 
 from hardcontact.base.printing import print_formatted
 from hardcontact.base.statistics import lognormal_shape
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_range
-from hardcontact.paper.inference import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fig. 3: distribution of the pull-off forces"

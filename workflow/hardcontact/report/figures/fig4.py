@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.base.printing import print_share
-from hardcontact.paper.inference import PLASTIC
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fig. 4: forces against the range of adhesion"

@@ -30,7 +30,7 @@ PRESSURE_COLOURS = "RdBu_r"  # white at the hardness
 PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
 NO_CONTACT_COLOUR = "0.75"
 MOST_SHARE = 0.5  # share of the contact area that the paper calls "most"
-LEVELS = {  # attribute: origin, label, line
+PRESSURE_LEVELS = {  # attribute: origin, label, line
     "hardness": ("given", "hardness", "-"),
     "hertz_peak_pressure": ("computed", "smooth sphere (Hertz)", "--"),
 }
@@ -58,7 +58,7 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     style.label_panel(shares, "b", "pressure above hardness")
 
     _draw_contacts(peaks, elastic["peak_pressure"] / GIGAPASCAL)
-    for name, (_, label, dashes) in LEVELS.items():
+    for name, (_, label, dashes) in PRESSURE_LEVELS.items():
         level = elastic.attrs[name] / GIGAPASCAL
         peaks.axhline(level, color="black", lw=0.9, ls=dashes, label=label)
     peaks.set(yscale="log", ylabel="peak pressure (GPa)")
@@ -90,7 +90,7 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             "b", "share_above_hardness", "1", "published", low=MOST_SHARE, high=1.0
         )
     )
-    for name, (origin, _, _) in LEVELS.items():
+    for name, (origin, _, _) in PRESSURE_LEVELS.items():
         frames.append(tables.quantity_rows("c", name, "Pa", origin, value=elastic.attrs[name]))
     return tables.tidy_table(frames, elastic, "scan", "contact"), figure
 

@@ -10,7 +10,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from hardcontact.base.printing import print_formatted
-from hardcontact.paper.inference import PLASTIC
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fit of range and work of adhesion"
@@ -29,7 +29,7 @@ Bars at the black point: published uncertainty. Drawn from inference.nc, sets.nc
 resources/paper/parameters.csv.
 """
 
-MODELS: dict[str, style.Look] = {
+MODEL_LOOKS: dict[str, style.Look] = {
     "plastic": {"color": "black", "ls": "-"},
     "rigid": {"color": "0.45", "ls": "--"},
 }
@@ -71,10 +71,10 @@ def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -
     set_errors = set_fits["best_error"].values
     axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **set_look)
     frames = [tables.quantity_rows("a", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
-    for model in [name for name in MODELS if name in inference["contact_model"]]:
+    for model in [name for name in MODEL_LOOKS if name in inference["contact_model"]]:
         curve = inference["best_error_by_range"].sel(contact_model=model)
         ranges = curve["rho_fine"].values
-        axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODELS[model])
+        axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODEL_LOOKS[model])
         name = f"least_error_{model}"
         frames.append(tables.quantity_rows("a", name, "1", x=ranges, value=curve.values))
     best = tables.value_and_bounds(fit, "best_error")

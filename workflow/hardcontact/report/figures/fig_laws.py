@@ -29,10 +29,10 @@ that decays steadily is a mixture of the forces of exponential laws (Eq. 1). Dra
 # Tol's muted scheme, whose colours no surface has; Eq. 1 is published, thus black.
 COLOURS = (style.PUBLISHED_COLOUR, "#332288", "#882255", "#999933", "#44AA99")
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
-MARKERS = ("o", "s", "^", "D", "v")
+LAW_MARKERS = ("o", "s", "^", "D", "v")
 LOOKS: dict[str, style.Look] = {
     law.name: {"color": colour, "marker": marker}
-    for law, colour, marker in zip(LAWS, cycle(COLOURS), cycle(MARKERS), strict=False)
+    for law, colour, marker in zip(LAWS, cycle(COLOURS), cycle(LAW_MARKERS), strict=False)
 }
 GAPS = np.geomspace(0.1, 300.0, 200)  # nm
 PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa

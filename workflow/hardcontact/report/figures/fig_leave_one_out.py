@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.paper.inference import PLASTIC
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.report.figures import drawing, style, tables
 

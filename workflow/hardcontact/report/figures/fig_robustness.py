@@ -52,7 +52,7 @@ QUANTITIES = {
     "edge_large": ("nm", 1000, "long edge", "$λ_L$ (µm)"),
 }
 #: Values of a quantity at all local minima of the error of the fit.
-MINIMA = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}
+MINIMUM_VARIABLES = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}
 
 
 def draw(
@@ -81,12 +81,12 @@ def draw(
         published = tables.published_rows(published_constants, {name: unit}, letter)
         computed_rows = [variants.assign(quantity=name), study_results.assign(quantity=name)]
         _draw_published(axes, published.iloc[0], printed_unit)
-        if name in MINIMA:
-            minima = _other_minima(robustness, MINIMA[name])
+        if name in MINIMUM_VARIABLES:
+            minima = _other_minima(robustness, MINIMUM_VARIABLES[name])
             row = minima["variant"].map(dict(zip(variants["variant"], row_positions, strict=True)))
             axes.plot(minima["value"] / printed_unit, row, ls="none", **MINIMUM_LOOK)
-            computed_rows.append(minima.assign(quantity=MINIMA[name]))
-        note = "not affected" if name in MINIMA else "never reached"
+            computed_rows.append(minima.assign(quantity=MINIMUM_VARIABLES[name]))
+        note = "not affected" if name in MINIMUM_VARIABLES else "never reached"
         columns = ["value", "low", "high"]
         _draw_results(axes, variants[columns] / printed_unit, row_positions, note, VARIANT_LOOK)
         _draw_results(axes, study_results[columns] / printed_unit, [-STUDY_GAP], note, STUDY_LOOK)
@@ -94,7 +94,9 @@ def draw(
         axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
         axes.set(xscale="log", xlabel=axis)
         axes.tick_params(axis="y", length=0)
-        style.label_logarithmic(axes.xaxis, digits=(1, 3) if name in MINIMA else (1, 2, 3, 5))
+        style.label_logarithmic(
+            axes.xaxis, digits=(1, 3) if name in MINIMUM_VARIABLES else (1, 2, 3, 5)
+        )
         style.label_panel(axes, letter, title)
         frames.append(pd.concat(computed_rows).assign(panel=letter, origin="computed", unit=unit))
         frames.append(published)
@@ -106,7 +108,7 @@ def draw(
 
 def _results(data: xr.Dataset, name: str) -> pd.DataFrame:
     """Return a row for each variant, or one for the study, with a quantity and its interval."""
-    if name not in MINIMA:
+    if name not in MINIMUM_VARIABLES:
         name, _, side = name.rpartition("_")
         data = data.sel(side=side)
     values = tables.value_and_interval(data, name)

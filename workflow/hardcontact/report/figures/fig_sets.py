@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 from hardcontact.band.critical_band import last_cutoff
 from hardcontact.base.printing import print_share
-from hardcontact.paper.inference import PLASTIC
+from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Many sets of substitutes"
