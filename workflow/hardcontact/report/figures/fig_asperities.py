@@ -23,8 +23,8 @@ Contact is plastic; contacts are a sample on all scans. Pixels that touch at an 
 belong to one patch. Dotted: half of the force; the paper says that on MCD and NCD most of it comes
 from one or two asperities. The circle of (d) is about the centre of force. Black lines in (d): the
 same diameter for a smooth sphere on a plane (solid), and √(2Rρ) (dash-dotted). The paper compares
-√(2Rρ), the radius within which the sphere attracts, with the long critical wavelength. Grey line
-and band: this wavelength as computed for all substrates at the range of Fig. 6, with its
+√(2Rρ), the interaction radius, with the long edge of the critical band. Grey line and band: this
+edge as computed for all substrates at the range of Fig. 6, with its
 {{ inference.confidence | percent }} interval. Drawn from asperities.nc, band.nc and
 resources/paper/parameters.csv.
 """

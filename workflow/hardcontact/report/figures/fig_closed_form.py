@@ -12,8 +12,8 @@ CHAPTER = "8. What decides the band"
 CAPTION = """\
 The mean pull-off force of a random surface from its power spectrum alone. (a) Computed forces
 (symbols), the closed form (solid) and its part from all points that do not touch (dotted). (b)
-Closed form relative to computed force. (c) (σ/ρ)/(m/σ): above one single peaks attract, below one
-many points do.
+Closed form relative to computed force. (c) Freezing 1/k = σ²/(ρm): above one single peaks attract,
+below one many points do.
 
 σ is the rms height, ρ the range of adhesion, m the height of closest approach. Heights are
 normally distributed. All points that do not touch give exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force
@@ -53,7 +53,7 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         regimes.plot(rho, surface_data["all_scales_freezing"], **look)
     forces.set(ylabel="pull-off force (µN)", yscale="log", ylim=(1e-3, None))
     errors.set(ylabel="closed form / computed", yscale="log", ylim=(0.3, 3))
-    regimes.set(ylabel="(σ/ρ) / (m/σ)", yscale="log")
+    regimes.set(ylabel="freezing 1/k", yscale="log")
     for axes in panels:
         axes.set(xscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)

@@ -17,7 +17,7 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "How far the results depend on choices"
 CHAPTER = "7. Robustness"
 CAPTION = """\
-(a) Range of adhesion, (b) work of adhesion, (c) short and (d) long critical wavelength of all
+(a) Range of adhesion, (b) work of adhesion, (c) short and (d) long edge of the band of all
 substrates, each with one choice changed. Variants have fewer contacts and pixels than the study.
 Compare them with the top row and its dotted line, the study's own choices at this smaller size.
 Diamond: the study itself. Dashed: published.
@@ -28,7 +28,7 @@ sphere in Fig. 6, the preload, the hardness. Heights of the study are Gaussian. 
 the rms height of each scan, by a construction that was fitted to one public AFM scan of UNCD.
 Small open circles: other local minima of the error, to which a fit may jump. Bars:
 {{ inference.confidence | percent }} intervals over scans (a, b) or realizations, random surfaces
-of one spectrum (c, d). An interval that ends at the largest or smallest range computed is open
+of one spectrum (c, d). An interval that ends at the longest or shortest computed range is open
 there. Grey: the published uncertainty. "Not affected": the choice concerns Fig. 6 alone. "Never
 reached": the force stays within the band at all cutoffs. Drawn from robustness.nc, inference.nc,
 band.nc and resources/paper/parameters.csv.

@@ -16,18 +16,18 @@ TITLE = "Scaling of the band: surface, attraction or contact?"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
 (a) Short edge of the critical band against the range of adhesion ρ. (b) Long edge against the
-reach √(2Rρ) of the attraction, R the radius of the sphere. Lines: the formulas; dashed: the
+interaction radius √(2Rρ), R the radius of the sphere. Lines: the formulas; dashed: the
 published edges. (c) Computed edges relative to the formulas on designed random surfaces. (d)
 Surfaces where many points or single peaks attract.
 
-(a, b) One line a sphere; bars: {{ inference.confidence | percent }} intervals over realizations,
+(a, b) One line per sphere; bars: {{ inference.confidence | percent }} intervals over realizations,
 random surfaces of one spectrum. Where no cutoff changes the force by more than the tolerance of
-Fig. 6, no edge is shown. F/H, preload over hardness, is the contact area. (c) Surfaces held out:
+Fig. 6, no edge is shown. A, preload over hardness, is the contact area. (c) Surfaces held out:
 not used to make the formulas. Open: a bound, the last cutoff; grey: within a factor of two. (d) σ
 is the rms height, m the height of closest approach over the mean plane. Line: σ/ρ = m/σ, where
 many points (left) give way to single peaks; grey: the transition. Coloured marks: the study's
 surfaces at the paper's sphere, range and load. Pale: the designed surfaces. Crosses: two chromium
-nitride coatings, from published spectra. The area of a mark is √(F/H) over the roll-off λ_r. λ_r
+nitride coatings, from published spectra. The area of a mark is √A relative to the roll-off λ_r. λ_r
 is the wavelength whose octave holds most of the variance of heights. Drawn from scaling.nc and
 resources/paper/parameters.csv.
 """
@@ -75,7 +75,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
         published = tables.published_edge(published_constants, side)
         axes.axhline(published, **PUBLISHED_LINE)
         axes.set_ylabel(EDGE_LABELS[side])
-        style.label_panel(axes, letter, f"F/H = {section['area']:g} nm²; lines: formula")
+        style.label_panel(axes, letter, f"A = {section['area']:g} nm²; lines: formula")
         edge_variables = ((letter, name, "nm") for name in ("edge", "formula_edge"))
         frames.append(tables.variable_rows(scaling.sel(side=[side]), *edge_variables))
         frames.append(
@@ -139,7 +139,7 @@ def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
 
 
 def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
-    """Draw all surfaces over sigma/rho and t; marks have the area sqrt(F/H) over the roll-off."""
+    """Draw all surfaces over sigma/rho and t; marks have the area sqrt(A) over the roll-off."""
     levels = np.geomspace(0.1, 300, 200)
     axes.plot(levels, levels, color="0.4", lw=0.8)
     axes.fill_between(

@@ -20,8 +20,9 @@ Dashed: the scans of the paper.
 
 Windows are levelled, mirrored and brought into contact as the paper does with its scans. Computed
 once, with the settings of the paper (resources/validation). The rule is a power law of 2√(2Rσ) and
-of the roll-off, each over the side of the scan, and of σ/ρ. σ is the rms height, R the radius of
-the sphere and ρ the range of adhesion. The rule was fitted to other random self-affine surfaces.
+of the roll-off, each relative to the side of the scan, and of σ/ρ. σ is the rms height, R the
+radius of the sphere and ρ the range of adhesion. The rule was fitted to other random self-affine
+surfaces.
 The long edge is the wavelength above which removing roughness changes the mean force by 10 %.
 Bars: 95 % intervals over realizations, random surfaces of one spectrum. An interval without an end
 reaches to the shortest cutoff or the longest wave. An edge without a value stands at its bound.
