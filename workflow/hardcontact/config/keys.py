@@ -77,8 +77,8 @@ class ScanKeys(Keys):
     """Scans.
 
     A measured scan has the pixels and the size of its file. Spectra are calibrated at the geometry
-    of the scans of Table 1 (512 pixels, 2500 nm), regardless of these keys; scans of other pixels
-    keep its rms heights.
+    of the scans of Table 1 (512 pixels, 2500 nm), regardless of these keys. Scans with other pixels
+    keep the rms heights of Table 1.
     """
 
     pixels: ScanPixels = key(512, "Methods")
@@ -89,14 +89,14 @@ class ScanKeys(Keys):
     """Measured scans with undefined pixels: `refuse` them, or fill the pixels with a `harmonic`
     function."""
     unit: Annotated[str, UNIT] = "none"
-    """Unit of length of all measured scans whose files state none; two, such as `mm,nm`, are of
-    positions and of heights; `none`: these are refused."""
+    """Unit of length of all measured scans whose files state none; two, such as `mm,nm`, for
+    positions and for heights; `none`: such files are refused."""
     edge: LengthOrNone = key("none")
-    """The longer edge of all measured scans whose files state no size; `none`: these are
+    """The longer edge of all measured scans whose files state no size; `none`: such files are
     refused."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first, or
-    subtract a `quadratic` polynomial, such as the bow of a scanner."""
+    """For measured scans: subtract the mean `plane`, align the `lines` of the scan first, or
+    subtract a `quadratic` polynomial (the bow of a scanner)."""
 
 
 class ContactKeys(Keys):
@@ -126,7 +126,7 @@ class AdhesionKeys(Keys):
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
     )
-    """Ranges of adhesion ρ that forces are computed at, ascending; between them forces are
+    """Ranges of adhesion ρ at which forces are computed, ascending; between them forces are
     interpolated."""
 
 
@@ -143,7 +143,7 @@ class SmallScaleKeys(Keys):
     """Masters of small scales."""
 
     pixels: MasterPixels = key(8192, "Determining the Most Relevant Length-scales")
-    """Pixels along an edge of the small-scale master, whose edge is two scans: 0.610 nm a pixel
+    """Pixels along an edge of the small-scale master, which is two scans long: 0.610 nm per pixel
     (0.625 nm in the paper)."""
     transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
@@ -159,8 +159,8 @@ class LargeScaleKeys(Keys):
     pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
     """Pixels along an edge that forces are computed on at large scales."""
     tiles: TileCount = key(4, "Determining the Most Relevant Length-scales: 20 µm")
-    """Stitched scans along an edge of the large-scale master; the printed pixels, 8192 of 4.883 nm,
-    would be 8."""
+    """Stitched scans along an edge of the large-scale master; 8 would give the printed 8192 pixels
+    of 4.883 nm."""
     transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
@@ -179,10 +179,10 @@ class ScalesKeys(Keys):
     range: Range = key("5.6 nm", "Determining the Most Relevant Length-scales")
     """Range of adhesion of Fig. 6, and of the predicted force; always among those computed."""
     tolerance: Fraction = key(0.1, "Determining the Most Relevant Length-scales")
-    """Relative change of the force that counts as none."""
+    """Relative change of the force up to which the force counts as unchanged."""
     realizations: Realizations = 5
-    """Masters of each substrate and side; realization k is built on scan k, from the first again
-    when scans are used up."""
+    """Masters of each substrate on each side of the band. Realization k is built on scan k; after
+    the last scan the first follows again."""
     sphere_roughness: bool = key(False, "not stated")
     """`true`: the sphere has the roughness of its first scan."""
     small: SmallScaleKeys = SmallScaleKeys()
@@ -198,8 +198,8 @@ class ElasticKeys(Keys):
     """
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, drawn at random; at most `contact.count` squared, which solves
-    all."""
+    """Contacts solved on each scan, drawn at random; at most `contact.count` squared, all
+    contacts."""
 
 
 class IndentKeys(Keys):
@@ -208,7 +208,7 @@ class IndentKeys(Keys):
     surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere (Fig. 5a)."""
     preloads: SomeForces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
-    """Loads, ascending; the contact drawn is that of median depth at the largest."""
+    """Loads, ascending; figures show the contact of median depth at the largest load."""
 
 
 class AsperitiesKeys(Keys):
@@ -241,15 +241,15 @@ class SetLargeScaleKeys(Keys):
 class SetsKeys(Keys):
     """Sets.
 
-    Many equally good sets of substitute scans, drawn from a pool, in place of the one set of the
-    study. Each claim reports the number of sets in which it holds. Robustness is computed at the
-    same size. A larger `pool` and more realizations add scans and masters; existing ones stay.
+    Sets are as good as the substitute scans of the study, and are drawn from a pool. Each claim
+    reports the share of sets in which it holds. Robustness is computed at the same size. A larger
+    `pool` and more realizations add scans and masters; existing ones stay.
     """
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
-    """Sets drawn."""
+    """Number of sets."""
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
-    """Independent scans of each substrate that sets are drawn from."""
+    """Number of independent scans of each substrate from which sets are drawn."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
     """Number of rms heights at which the forces of each scan of the pool are computed; between
     them forces are interpolated."""
@@ -259,7 +259,7 @@ class SetsKeys(Keys):
     count: Count = 10
     """Contacts along an edge of the array."""
     realizations: Realizations = 20
-    """Masters of each substrate and side that bands are drawn from."""
+    """Masters of each substrate on each side, from which bands are drawn."""
     small: SetSmallScaleKeys = SetSmallScaleKeys()
     large: SetLargeScaleKeys = SetLargeScaleKeys()
 
@@ -270,17 +270,16 @@ class HeightsKeys(Keys):
     surface: SurfaceId = "polished_uncd"
     """Substrate whose substitutes get other heights."""
     skewness: Skewnesses = [-1, -0.5, 0.5, 1]
-    """Other skewness of its heights; one that it has already is not made again."""
+    """Other skewnesses of its heights; one that it has already is left out."""
 
 
 class RobustnessKeys(Keys):
     """Robustness.
 
-    The headline numbers under one other choice at a time, with the contacts, pixels and cutoffs of
-    `sets` and one scan of the sphere, the first; the row "as the study" makes the study's own
-    choices at this size. The other reading of curvature in Table 1 and the other value of
-    `scales.sphere_roughness` have a row without a key. Measured surfaces keep their scans in every
-    row.
+    The main numbers are computed again with one other choice at a time. Contacts, pixels and
+    cutoffs are those of `sets`, and the sphere has its first scan alone. The row "as the study" has
+    the study's own choices at this size. The other reading of curvature in Table 1 and the other
+    value of `scales.sphere_roughness` have a row without a key. Measured surfaces keep their scans.
     """
 
     preloads: Forces = key(["5 uN", "20 uN"], "`5 uN`: Methods; `20 uN`: The Role of Plasticity")
@@ -289,7 +288,7 @@ class RobustnessKeys(Keys):
     """Other hardnesses, ascending."""
     heights: HeightsKeys = HeightsKeys()
     realizations: Realizations = 3
-    """Masters of each substrate and side, the first of those of `sets`."""
+    """Masters of each substrate on each side: the first of those of `sets`."""
 
 
 class LawSmallScaleKeys(Keys):
@@ -334,11 +333,11 @@ class ScalingKeys(Keys):
     """Edges of the band over sphere, range and contact area."""
 
     radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
-    """Radii of the spheres that edges of the band are found for, ascending."""
+    """Radii of the spheres for which edges of the band are found, ascending."""
     ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
-    """Ranges of adhesion that edges are found for, ascending."""
+    """Ranges of adhesion for which edges are found, ascending."""
     preloads: SomeForces = key(["1.25 uN", "10 uN", "80 uN"])
-    """Preloads that edges are found for, ascending; over the hardness they are the contact
+    """Preloads for which edges are found, ascending; divided by the hardness they are the contact
     areas."""
     small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
     large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
@@ -348,21 +347,20 @@ class InsightKeys(Keys):
     """Insight.
 
     The chapter of `snakemake insight` goes beyond the paper: the causes of the critical band, and
-    the limits of the method. `laws.nc` uses `small`, `large` and `window`; `scaling.nc` uses
-    `scaling` and `small.pixels`; both and `closed_form.nc` use `count` and `realizations`;
-    `closed_form.nc` and `statistics.nc` use all other keys.
+    the limits of the method. `closed_form.nc` uses `count`, `realizations`, `ranges`, `pixels` and
+    `sizes`. `statistics.nc` uses `ranges`. `laws.nc` uses `count`, `realizations`, `window`,
+    `small` and `large`. `scaling.nc` uses `count`, `realizations`, `small.pixels` and `scaling`.
     """
 
     realizations: Realizations = 3
-    """Number, for each substrate, of random surfaces of each size that are compared with the closed
-    form, and of scans with masters for other laws. Also the number of surfaces in repeated
-    contact."""
+    """Number of random surfaces of each size for the closed form, and of scans with masters for
+    other laws, for each substrate. Also the number of surfaces in repeated contact."""
     count: Count = 8
     """Contacts along an edge of the array."""
     ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
     """Ranges of adhesion, ascending; `scales.range` is always one of them."""
     pixels: Pixels = 1024
-    """Pixels along an edge of the random surfaces beside the closed form."""
+    """Pixels along an edge of the random surfaces that are compared with the closed form."""
     sizes: Lengths = key(["5000 nm", "20000 nm"])
     """Edges of these surfaces, ascending; repeated contact is on the largest."""
     window: Length = key("80 um")
@@ -388,20 +386,20 @@ class StudyKeys(Keys):
     scans: ScanNumbers = key("all")
     """Numbers of the scans used, e.g. `[1, 2]`."""
     published: Literal["paper", "none"] = "paper"
-    """Published numbers that the study is compared with: those of the `paper`, or `none` in a study
-    of own surfaces, which makes what its scans and forces allow and needs nothing of the paper."""
+    """Published numbers that the study is compared with: those of the `paper`, or `none` for own
+    surfaces. Such a study makes what its scans and forces allow."""
     forces: TablePath = "none"
     """With `published: none`: path of a table of pull-off forces measured on these surfaces, or
     `none`."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
-    """With `published: paper`: substrate that ratios of forces are taken to."""
+    """With `published: paper`: substrate in the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
     """Every random number follows from it and from the names of what it is for."""
     effort: Literal["full", "quick"] = "full"
     """`quick`: the keys under `quick` replace those above, for a first answer."""
     quick: dict[Any, Any] = {}
-    """Keys as at the top, which count with `effort: quick`. The names of `study` and `store` then
-    end with `-quick`."""
+    """Keys as at the top, used with `effort: quick`. The names of `study` and `store` then end with
+    `-quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
     contact: ContactKeys = ContactKeys()
