@@ -58,11 +58,11 @@ class SurfaceRow(Keys):
     ]
     """Id of the surface, which names it everywhere."""
     label: Annotated[str, LABEL]
-    """Its name in figures, the same in all rows of a surface."""
+    """Name of the surface in figures, the same in all rows of a surface."""
     scan: Annotated[str, Matching("[1-9][0-9]{0,3}", "the number of the scan, 1 to 9999")]
-    """Number of the scan, each once a surface."""
+    """Number of the scan, each once for a surface."""
     source: Literal["measured", "substitute"]
-    """The same in all rows of a surface."""
+    """Whether the scans are measured, the same in all rows of a surface."""
     path: Annotated[
         str,
         Matching(
@@ -70,20 +70,20 @@ class SurfaceRow(Keys):
             "the path of a scan, or of the description of a substitute, without {, }, < and >",
         ),
     ]
-    """From the top folder; `measured`: the scan's file; `substitute`: the description of the
-    surface (`resources/README.md`), the same in all rows of a surface."""
+    """Path from the top folder: for `measured` the file of the scan, for `substitute` the
+    description of the surface (`resources/README.md`), the same in all rows."""
     dataset: Annotated[
         str, Matching(".{0,1000}", "the name of one scan of a container, of a channel, or nothing")
     ]
-    """Of a contact.engineering container (`.zip`): which of its scans, by name or data file; of any
-    other file the channel, or nothing for the file's own choice."""
+    """For a contact.engineering container (`.zip`): one of its scans, by name or data file. For any
+    other file: the channel, or nothing for the file's own choice."""
     use: Literal["", "contact", "spectrum"] = ""
-    """Optional; of measured scans: `contact`, height maps on which contacts are made, all of a
-    surface on the same pixels, or `spectrum`, scans of other sizes and line scans, which only enter
-    the spectrum; empty: `contact`."""
+    """Optional, for measured scans. `contact` (also if empty): height maps on which contacts are
+    made, all of a surface on the same pixels. `spectrum`: scans of other sizes and line scans,
+    which only enter the spectrum."""
     tip_radius: Annotated[str, TIP_RADIUS] = ""
-    """Optional; radius of the tip that measured the scan, such as `10 nm`; it counts before what
-    the file states."""
+    """Optional; radius of the tip that measured the scan, such as `10 nm`. It replaces what the
+    file states."""
 
 
 class Selection:
