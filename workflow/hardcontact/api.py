@@ -395,7 +395,8 @@ def predict(
     check_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
-    joined_scans, skewness = None, 0.0
+    joined_scans = None
+    skewness = 0.0
     if isinstance(spectrum, HeightMap):
         skewness = metrics(spectrum)["skewness"]
         scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))

@@ -12,7 +12,8 @@ from hardcontact.theory.law_forces import MIXED_RANGES, filtered_range_forces, s
 
 with job(snakemake) as job:
     params = job.parameters
-    surface, number = params["surface"], params["scan"]
+    surface = params["surface"]
+    number = params["scan"]
     scan = read_height_map(job.input.scan)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
     contact = Contact(radius=params["radius"], **params["contact"])

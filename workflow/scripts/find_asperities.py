@@ -9,7 +9,8 @@ from hardcontact.contact.geometry import read_bodies, sampled_contacts
 with job(snakemake) as job:
     params = job.parameters
     settings = params["asperities"]
-    surface, scan = params["surface"], params["scan"]
+    surface = params["surface"]
+    scan = params["scan"]
     contact = Contact(radius=params["radius"], **params["contact"])
     rng = generator(params["seed"], surface, scan, "contacts for asperities")
     job.write(

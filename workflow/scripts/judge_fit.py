@@ -15,7 +15,8 @@ from hardcontact.paper.standoff import standoff
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
     pull_off = published.pull_off(job.input.published_pull_off)
-    inference, sets = read(job.input.inference), read(job.input.sets)
+    inference = read(job.input.inference)
+    sets = read(job.input.sets)
 
     fits = leave_one_out_fits(inference["mean_force"], pull_off["mean_force"])
     set_fits = leave_one_out_fits(sets["mean_force"], pull_off["mean_force"])

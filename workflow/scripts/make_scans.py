@@ -10,7 +10,8 @@ from hardcontact.surfaces.substitute_scans import ScanGrid, convert_to_measureme
 
 with job(snakemake) as job:
     params = job.parameters
-    surface, scans = params["surface"], params["scans"]
+    surface = params["surface"]
+    scans = params["scans"]
     conditioning = dataset.read(job.input.conditioning)
     density = multiply_amplitudes(read_spectrum(job.input.spectrum), conditioning["gain"].values)
     for index, number in enumerate(scans):

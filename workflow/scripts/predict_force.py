@@ -9,7 +9,8 @@ from hardcontact.own.predicted_force import fewest_places, own_force
 
 with job(snakemake) as job:
     params = job.parameters
-    adhesion, scales = read(job.input.adhesion), read(job.input.scales)
+    adhesion = read(job.input.adhesion)
+    scales = read(job.input.scales)
     masters = Masters(params["scans"], params["tiles"], fewest_places(adhesion))
     limits = {name: params[name] for name in ("tolerance", "confidence")}
     job.write(

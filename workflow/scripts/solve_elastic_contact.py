@@ -10,7 +10,8 @@ from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 
 with job(snakemake) as job:
     params = job.parameters
-    surface, scan = params["surface"], params["scan"]
+    surface = params["surface"]
+    scan = params["scan"]
     constants = published.constants(job.input.published_constants)["value"]
     contact = Contact(
         radius=params["radius"],

@@ -8,7 +8,8 @@ from hardcontact.surfaces.synthesis import synthesize_master
 
 with job(snakemake) as job:
     params = job.parameters
-    surface, realization = params["surface"], params["realization"]
+    surface = params["surface"]
+    realization = params["realization"]
     scan = read_height_map(job.input.scan)
     spectrum = read_spectrum(job.input.spectrum)
     for side, scales in params["sides"].items():

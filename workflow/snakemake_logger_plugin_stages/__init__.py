@@ -31,7 +31,8 @@ JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
 #: Snakemake's message at the end of a run in which a job has failed.
 INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
 #: Options whose words on the command line are configuration files, or keys with values.
-CONFIGFILE, CONFIG = ("--configfile", "--configfiles"), ("--config", "-C")
+CONFIGFILE = ("--configfile", "--configfiles")
+CONFIG = ("--config", "-C")
 #: Exceptions for unreadable configuration files, whose last line is all that a user needs.
 FILE_EXCEPTIONS = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
 
@@ -62,7 +63,8 @@ class LogHandler(LogHandlerBase):
 
     def emit(self, record: LogRecord) -> None:
         """Show stages that begin or end, and messages."""
-        event, fields = getattr(record, "event", None), vars(record)
+        event = getattr(record, "event", None)
+        fields = vars(record)
         if event == LogEvent.ERROR and not self._planned and (faults := _command_line_faults()):
             self._say(faults)
         elif event == LogEvent.ERROR and fields["exception"] == "MissingRuleException":
@@ -99,7 +101,8 @@ class LogHandler(LogHandlerBase):
 
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show the number of planned jobs and about the time that they take."""
-        stages, self._planned = read_stages(_effort()), {**jobs}
+        stages = read_stages(_effort())
+        self._planned = {**jobs}
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
@@ -136,7 +139,8 @@ class LogHandler(LogHandlerBase):
         self._done[rule] += 1
         if self._done[rule] == self._planned[rule]:
             took = timedelta(seconds=round(time.monotonic() - self._begin[rule]))
-            name, jobs = self._stages[rule].name, self._planned[rule]
+            name = self._stages[rule].name
+            jobs = self._planned[rule]
             self._say(f"{name:40}{jobs:4} jobs in {took}, {self._position()}")
 
     def close(self) -> None:

@@ -59,7 +59,8 @@ def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
 def main() -> None:
     """Write the table again, with the mean costs of the benchmarks of a study of this effort."""
     effort, *folders = sys.argv[1:]
-    stages, times = read_stages(effort), defaultdict[str, list[float]](list)
+    stages = read_stages(effort)
+    times = defaultdict[str, list[float]](list)
     for benchmarks in (Path(folder, "benchmarks") for folder in folders):
         for path in benchmarks.rglob("*.tsv"):
             rule = path.relative_to(benchmarks).parts[0].removesuffix(".tsv")

@@ -57,7 +57,8 @@ def crate_text(
         crate.add_file(dest_path=path.relative_to(folder).as_posix(), properties={"sha256": sha256})
         for path, sha256 in _files(folder).items()
     ]
-    inputs, code = list[ContextEntity](), list[ContextEntity]()
+    inputs = list[ContextEntity]()
+    code = list[ContextEntity]()
     for path, sha256 in provenance.sources(provenance.traced_records(folder)).items():
         entities = code if path.endswith((".py", *PINS)) else inputs
         entities.append(_add_entity(crate, f"#{path}", "CreativeWork", name=path, sha256=sha256))

@@ -84,7 +84,8 @@ def job(snakemake: Any) -> Iterator[Job]:
         Before anything is computed, if an input is not as the study wrote it.
     """
     with job_log(snakemake.log[0]):
-        inputs, canonical_parameters = snakemake.input, snakemake.params.canonical
+        inputs = snakemake.input
+        canonical_parameters = snakemake.params.canonical
         input_digests = digests(inputs)
         refuse_changed(input_digests)
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
@@ -108,7 +109,8 @@ def job_log(path: str | Path) -> Iterator[None]:
     Python cleans up. Ctrl-C ends it without a message: the run itself prints that it was stopped.
     """
     # Where the log cannot be written, the line on stderr is all there is.
-    logging.raiseExceptions, logging.lastResort = False, None
+    logging.raiseExceptions = False
+    logging.lastResort = None
     try:
         handler = logging.FileHandler(path, mode="w", encoding="utf-8")
         handler.setFormatter(logging.Formatter("%(asctime)s %(message)s", "%H:%M:%S"))

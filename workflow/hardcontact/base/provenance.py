@@ -62,7 +62,8 @@ def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], 
     if not records and not described:
         raise ValueError(f"{folder}: expected files of a study, found none")
     current = cache(digest)
-    faults, absent = list[str](), set[str]()
+    faults = list[str]()
+    absent = set[str]()
     for path, record in sorted(records.items()):
         inputs = record["input_digests"]
         missing = {name for name in inputs if not Path(name).is_file()}

@@ -58,7 +58,8 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
 
     The confidence is the share of the samples inside. Ends are NaN if all samples are NaN.
     """
-    samples, tail = np.asarray(samples), 50 * (1 - confidence)
+    samples = np.asarray(samples)
+    tail = 50 * (1 - confidence)
     if not len(samples):
         return np.full((*samples.shape[1:], 2), np.nan)
     # The function for missing samples gives the same numbers, a hundred times slower.
@@ -77,7 +78,8 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
     """
     from scipy import special
 
-    mean, count = values.mean(dim), values.count(dim)
+    mean = values.mean(dim)
+    count = values.count(dim)
     quantile = xr.apply_ufunc(special.stdtrit, count - 1, (1 + confidence) / 2)
     half = quantile * values.std(dim, ddof=1) / np.sqrt(count)
     return interval_between(mean - half, mean + half).assign_attrs(confidence=confidence)
@@ -160,7 +162,8 @@ def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float
     if is_censored.all():
         return np.nan, np.nan, 1.0
     logarithms = np.log(forces[~is_censored])
-    centre, shape = logarithms.mean(), logarithms.std()
+    centre = logarithms.mean()
+    shape = logarithms.std()
     if is_censored.any() and shape > 0:
         limit = (np.log(floor) - centre) / shape
         shift, stretch = _censored_normal_fit(limit, is_censored.mean())
@@ -183,7 +186,8 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
         reduced = (limit - mean) / deviation
         log_below = special.log_ndtr(reduced)
         hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
-        square, uncensored = (1 + mean**2) / deviation**2, 1 - censored
+        square = (1 + mean**2) / deviation**2
+        uncensored = 1 - censored
         value = uncensored * (log_deviation + square / 2) - censored * log_below
         by_mean = uncensored * mean / deviation**2 + censored * hazard / deviation
         by_log_deviation = uncensored * (1 - square) + censored * hazard * reduced

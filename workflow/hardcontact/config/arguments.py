@@ -63,7 +63,8 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
-    pixels, size = surface.pixels // 2, surface.size / 2
+    pixels = surface.pixels // 2
+    size = surface.size / 2
     grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
     config = {
         "published": NONE,

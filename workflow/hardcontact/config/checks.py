@@ -84,7 +84,8 @@ def _paper_limits(
     config: dict[str, Any], contacts: pd.DataFrame, compared: Collection[str]
 ) -> Iterator[Limit]:
     """Yield the limits of a study that is compared with the paper."""
-    sphere, surfaces = config["sphere"]["surface"], list(contacts.surface.unique())
+    sphere = config["sphere"]["surface"]
+    surfaces = list(contacts.surface.unique())
     yield _surface_name_limit(config, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
     for key in ("reference_surface", "indent.surface", "robustness.heights.surface"):
@@ -92,7 +93,8 @@ def _paper_limits(
     reference = config["reference_surface"]
     accepted = f"a surface with a published pull-off force ({', '.join(compared)})"
     yield Limit(reference in compared, "reference_surface", accepted, reference)
-    pool, substitutes = config["sets"]["pool"], contacts[contacts.source == "substitute"]
+    pool = config["sets"]["pool"]
+    substitutes = contacts[contacts.source == "substitute"]
     scans = substitutes.surface[substitutes.surface != sphere].value_counts(sort=False)
     if len(scans):
         accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
@@ -108,7 +110,8 @@ def _own_surface_checks(
     """Yield the checks of substitutes, of scans that contacts do not use, and of own forces."""
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
         yield partial(refuse_paper_surface, path, surface, paper_surfaces)
-    spectrum_scans, scan = table[table.use != CONTACT], config["scan"]
+    spectrum_scans = table[table.use != CONTACT]
+    scan = config["scan"]
     for path, dataset in zip(spectrum_scans.path, spectrum_scans.dataset, strict=True):
         yield partial(
             read_measurement,
@@ -128,14 +131,17 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
     """
     path = rows.path.iloc[0]
     if rows.source.iloc[0] == "substitute":
-        pixels, size = config["scan"]["pixels"], config["scan"]["size"]
+        pixels = config["scan"]["pixels"]
+        size = config["scan"]["size"]
         relief = SUBSTITUTE_RELIEF
         if not needs_calibration(read_bands(path)):
             largest = 2 * size * config["scales"]["large"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
-        grid, location = Grid(pixels, size / pixels, size, relief), "config key scan.size"
+        grid = Grid(pixels, size / pixels, size, relief)
+        location = "config key scan.size"
     else:
-        grid, location = _measured_grid(config, surface, rows), path
+        grid = _measured_grid(config, surface, rows)
+        location = path
     low, high = PIXEL_SIZES
     if not low <= grid.pixel_size <= high:
         raise ValueError(

@@ -91,7 +91,8 @@ def refuse_unreadable(path: str | Path) -> None:
         reason = quote_key(content) if content is not None else "nothing"
     except (OSError, RecursionError, ValueError, yaml.YAMLError) as error:
         text = " ".join(str(error).split())[:150]
-        content, reason = None, text if text.isprintable() else ascii(text)
+        content = None
+        reason = text if text.isprintable() else ascii(text)
     if not isinstance(content, dict):
         raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")
 

@@ -28,7 +28,8 @@ EXPECTED = {
 #: Types of errors of a key that the model does not have.
 UNKNOWN_KEYS = ("extra_forbidden", "invalid_key")
 #: How many faults of one model are reported at once, and how many lines of all files.
-MAX_FAULTS, MAX_LINES = 10, 100
+MAX_FAULTS = 10
+MAX_LINES = 100
 #: Similarity from which an unknown key is taken for a known key: 1 if equal.
 SIMILARITY = 0.75
 
@@ -67,7 +68,8 @@ def refuse_lines(lines: Iterable[str]) -> None:
 
 def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
     """Carry out all checks; return their results, or raise ValueError with each fault once."""
-    results, faults = [], list[str]()
+    results = []
+    faults = list[str]()
     for check in checks:
         try:
             results.append(check())

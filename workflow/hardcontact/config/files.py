@@ -17,7 +17,9 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
 #: protrusions in one job. Jobs stay as they are if a study has more of them.
-CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 8
+CHUNK = 15
+MASTERS_CHUNK = 5
+PROTRUDED_CHUNK = 8
 #: Hardness (Pa) at which a single pixel carries any load: the contact is rigid.
 RIGID = 1e15
 #: A range of adhesion (nm) that is much shorter than the published range.
@@ -51,7 +53,8 @@ class Files:
     def __init__(
         self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
     ) -> None:
-        self._configuration, self._selection = configuration, selection
+        self._configuration = configuration
+        self._selection = selection
         self._patterns = patterns
         self.contact = study_contact(configuration)
         self._swept = {
@@ -128,7 +131,8 @@ class Files:
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """The numbers of scans that are made together, and the substitutes that have such scans."""
         realizations = max(self._configuration[key]["realizations"] for key in VARIED)
-        selection, groups = self._selection, defaultdict[tuple[int, ...], list[str]](list)
+        selection = self._selection
+        groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditionings:
             last_group = selection.group(surface, selection.own_scan(surface, realizations))
             for group in range(last_group + 1):
@@ -243,8 +247,10 @@ class Files:
 
     def contact_grid(self, purpose: str, probe: str) -> dict[str, list[Any]]:
         """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
-        scaling, contact = self._configuration["insight"]["scaling"], self.contact
-        contacts, lengths = [contact], {"radii": [contact.radius], "ranges": [contact.range]}
+        scaling = self._configuration["insight"]["scaling"]
+        contact = self.contact
+        contacts = [contact]
+        lengths = {"radii": [contact.radius], "ranges": [contact.range]}
         if purpose == "scaling":
             contacts = [replace(contact, preload=preload) for preload in scaling["preloads"]]
             lengths = {name: scaling[name] for name in ("radii", "ranges")}
@@ -302,12 +308,14 @@ class Files:
 
         Spectra are drawn only for measured surfaces.
         """
-        surfaces, probe = self._selection.substrates, self.probe
+        surfaces = self._selection.substrates
+        probe = self.probe
         count = self._configuration["scales"]["realizations"]
         if purpose == "drawn":
             surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
         if purpose == "scaling":
-            count, probe = self._configuration["insight"]["realizations"], "smooth"
+            count = self._configuration["insight"]["realizations"]
+            probe = "smooth"
         if purpose == "enhancement":
             count = self._configuration["robustness"]["realizations"]
         return [
@@ -334,7 +342,8 @@ class Files:
     def master_sources(self, row: Any) -> dict[str, list[str]]:
         """Return the master files of a row of the study, or scans and spectra of another row."""
         realizations = range(int(row.first), int(row.last) + 1)
-        surface, variant = row.surface, row.variant
+        surface = row.surface
+        variant = row.variant
         if row.purpose == "scales":
             return {
                 f"{side}_masters": [

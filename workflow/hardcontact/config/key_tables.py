@@ -18,7 +18,8 @@ from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import StudyKeys
 from hardcontact.config.selection import SurfaceRow
 
-CONFIGURATION, README = Path("config/config.yaml"), Path("config/README.md")
+CONFIGURATION = Path("config/config.yaml")
+README = Path("config/README.md")
 YAML_HEADER = """\
 # The paper: the defaults of the study, made from workflow/hardcontact/config/keys.py by
 # python -m hardcontact.config.key_tables

@@ -94,7 +94,8 @@ def _or_none(value: Any, validate: Callable[[Any], float]) -> float | str:
     return value if value == "none" else validate(value)
 
 
-ASCENDING, ONCE = WrapValidator(_ascending), WrapValidator(_once)
+ASCENDING = WrapValidator(_ascending)
+ONCE = WrapValidator(_once)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
 LengthOrNone = Annotated[Length, WrapValidator(_or_none)]

@@ -123,7 +123,8 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Yield the limits of the scans of a surface: loads, numbers of contacts, ranges."""
     uses = contact_uses(config)
-    window, radius = config["contact"]["window"], config["sphere"]["radius"]
+    window = config["contact"]["window"]
+    radius = config["sphere"]["radius"]
     stitched_pixels = 2 * grid.pixels
     if surface == config["sphere"].get("surface"):
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
@@ -148,8 +149,10 @@ def _pair_limits(
     config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid
 ) -> Iterator[Limit]:
     """Yield the limits of a scan of a substrate and a scan of the sphere, on common pixels."""
-    window, pixel_size = config["contact"]["window"], min(grid.pixel_size, sphere_grid.pixel_size)
-    pixels, surfaces_in_words = window_pixels(window, pixel_size), f"{surface} and the sphere"
+    window = config["contact"]["window"]
+    pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
+    pixels = window_pixels(window, pixel_size)
+    surfaces_in_words = f"{surface} and the sphere"
     accepted = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {surfaces_in_words}"
     yield Limit(pixels <= MAP_PIXELS, "contact.window", accepted, pixels)
     yield _map_limit(surfaces_in_words, pixel_size, grid, sphere_grid)
@@ -172,8 +175,10 @@ def _master_limits(
     """Yield the limits of the masters of one side that are built on a surface."""
     keys = master_keys(config, use.section, side)
     values = {name: get_key(config, key) for name, key in keys.items()}
-    pixels, tiles = values["pixels"], values.get("tiles", 1)
-    size, min_pixels = 2 * grid.size * tiles, 2 * grid.pixels * tiles
+    pixels = values["pixels"]
+    tiles = values.get("tiles", 1)
+    size = 2 * grid.size * tiles
+    min_pixels = 2 * grid.pixels * tiles
     master_pixel_size = size / pixels
     # A grid describes a scan, half as large as its periodic map; the pixels of this one are unused.
     master_grid = grid._replace(size=size / 2)
@@ -233,7 +238,8 @@ def _contact_pixel_limits(
 
     Each pixel (edge in nm) has `images` periodic images in the window.
     """
-    count, window = get_key(config, use.count_key), config["contact"]["window"]
+    count = get_key(config, use.count_key)
+    window = config["contact"]["window"]
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{use.count_key} = {count} and contact.window = {window:.6g} nm"

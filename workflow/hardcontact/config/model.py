@@ -49,7 +49,8 @@ class Study(StudyKeys):
             for key, name in (("study", self.study), ("store", self.store)):
                 yield Limit(not name.endswith(QUICK_NAME), key, accepted, name)
         folder = f"results/{self.study}"
-        results, store = Path(os.path.realpath(folder)), Path(os.path.realpath(self.store))
+        results = Path(os.path.realpath(folder))
+        store = Path(os.path.realpath(self.store))
         is_apart = not (results.is_relative_to(store) or store.is_relative_to(results))
         yield Limit(is_apart, "store", f"a folder apart from {folder}", self.store)
         is_in_project = store.is_relative_to(os.getcwd())
@@ -60,7 +61,8 @@ class Study(StudyKeys):
     def _published_limits(self) -> Iterator[Limit]:
         """Yield the limits that depend on whether a study is compared with the paper."""
         if self.published == PAPER:
-            forces, contacts = self.forces, self.contact.count**2
+            forces = self.forces
+            contacts = self.contact.count**2
             yield Limit(forces == NONE, "forces", f"{NONE} with published: {PAPER}", forces)
             accepted = f"at most contact.count squared = {contacts}"
             for name in ("elastic", "asperities"):

@@ -33,7 +33,8 @@ from hardcontact.surfaces.scans import (
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Pairs of columns. A table has one column of each pair, and a column with its unit.
-WAVE_COLUMNS, DENSITY_COLUMNS = ("wavevector", "wavelength"), ("c_iso", "c_1d")
+WAVE_COLUMNS = ("wavevector", "wavelength")
+DENSITY_COLUMNS = ("c_iso", "c_1d")
 EXPECTED_COLUMNS = (
     "a table with one of the columns wavevector and wavelength, one of c_iso and c_1d, and the "
     "unit of each (wavelength_unit, ...)"
@@ -190,7 +191,8 @@ def table_spectrum(path: str | Path) -> Spectrum:
     for each faulty row.
     """
     table = user_table(path, "a table of a power spectral density")
-    wave, density = _column(table, WAVE_COLUMNS), _column(table, DENSITY_COLUMNS)
+    wave = _column(table, WAVE_COLUMNS)
+    density = _column(table, DENSITY_COLUMNS)
     points = table.convert(partial(_point, wave=wave, density=density))
     lines = dict[str, int]()
     for line, (wavevector, _) in points.items():
@@ -224,7 +226,8 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
 
 def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
     """Return wavevector (1/nm) and density (C_iso in nm⁴, C_1D in nm³) of a row."""
-    value, power = parse_number(row[density]), 4 if density == "c_iso" else 3
+    value = parse_number(row[density])
+    power = 4 if density == "c_iso" else 3
     if not 0 < parse_number(row[wave]) < math.inf:
         raise ValueError(f"{wave}: expected a positive number, found {quote_cell(row[wave])}")
     if not (0 < value < math.inf or (power == 4 and value == 0)):

@@ -42,7 +42,8 @@ class Patterns:
     """
 
     def __init__(self, results: str, store: str, sphere: str, digests: Mapping[str, str]) -> None:
-        self.results, self.store = results, store
+        self.results = results
+        self.store = store
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in digests.items()}
 
         self.calibrated_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/calibrated.nc"
@@ -127,7 +128,9 @@ def list_pattern(expression: str) -> str:
 
 def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must match."""
-    radius, load, rho = f"R{_NUMBER}um", f"H{_NUMBER}GPa-F{_NUMBER}uN", f"rho{_NUMBER}nm"
+    radius = f"R{_NUMBER}um"
+    load = f"H{_NUMBER}GPa-F{_NUMBER}uN"
+    rho = f"rho{_NUMBER}nm"
     return {
         **dict.fromkeys(("surface", "bearer"), any_name_pattern(surfaces)),
         "variant": any_name_pattern(variants),

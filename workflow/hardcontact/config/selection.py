@@ -254,7 +254,8 @@ def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) 
 def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
     """Refuse rows of one surface with different properties of the surface."""
     for surface, rows in table.groupby("surface"):
-        location, substitute = f"{path}: surface {surface}", rows.source.iloc[0] == "substitute"
+        location = f"{path}: surface {surface}"
+        substitute = rows.source.iloc[0] == "substitute"
         if substitute and (rows.use != CONTACT).any():
             raise ValueError(
                 f"{location}: expected the use {CONTACT} of substitutes, "

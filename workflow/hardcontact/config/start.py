@@ -60,7 +60,8 @@ def prepare(workflow: Any) -> None:
 def _refuse_elsewhere(workflow: Any) -> None:
     """Refuse another clone's library, use as a module, and another working directory."""
     rules_folder = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
-    snakefile, working_folder = Path(workflow.main_snakefile).resolve(), Path.cwd().resolve()
+    snakefile = Path(workflow.main_snakefile).resolve()
+    working_folder = Path.cwd().resolve()
     if working_folder != ROOT or not (
         rules_folder.is_relative_to(ROOT) and snakefile.is_relative_to(ROOT)
     ):

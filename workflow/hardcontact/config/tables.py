@@ -78,7 +78,8 @@ class UserTable(NamedTuple):
         Raises ValueError with a line for each fault from the function, and for each row whose
         number of cells differs from the header's.
         """
-        results, faults = dict[int, Result](), list[str]()
+        results = dict[int, Result]()
+        faults = list[str]()
         for line, cells in self.cells.items():
             try:
                 if len(cells) != len(self.header):
@@ -182,7 +183,8 @@ def measured_forces(
 
 def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]:
     """Return surface, mean and median in N, and count of tests; refuse the first fault of a row."""
-    surface, count = row["surface"], row.get("count", "1")
+    surface = row["surface"]
+    count = row.get("count", "1")
     names = ("mean", "median") if "mean" in row else ("value", "value")
     for name in names:
         if parse_number(row[name]) == 0 or row[name].startswith("<"):
@@ -206,7 +208,8 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
     """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
     for line, row in _description(path, NUMBER_COLUMNS, ("model", "table")).items():
-        model, hurst = row["model"], row["hurst"]
+        model = row["model"]
+        hurst = row["hurst"]
         models = [name for name in BAND_MODELS if line > 2 or name != "power law"]
         missing_rows = (
             set() if hurst else set(CALIBRATION_ROWS.get(model, ())).difference(published)

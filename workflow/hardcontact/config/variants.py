@@ -79,7 +79,8 @@ def study_contact(configuration: Mapping[str, Any]) -> Contact:
 
 def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
     """Return the ways to make substitutes by their names, the study's own way first."""
-    curvature, heights = OTHER_CURVATURE, configuration["robustness"]["heights"]
+    curvature = OTHER_CURVATURE
+    heights = configuration["robustness"]["heights"]
     choices = [SurfaceVariant(STUDY_VARIANT, "as the study", "baseline")]
     choices.append(
         SurfaceVariant(
@@ -87,16 +88,19 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
         )
     )
     for value in heights["skewness"]:
-        name, label = f"skewness{value:+.12g}", f"skewness {value:+.12g}"
+        name = f"skewness{value:+.12g}"
+        label = f"skewness {value:+.12g}"
         choices.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
     return {variant.name: variant for variant in choices}
 
 
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
     """Return the variants of robustness, the study itself first."""
-    contact, substrates = study_contact(configuration), selection.substrates
+    contact = study_contact(configuration)
+    substrates = selection.substrates
     probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
-    study, group = dict.fromkeys(substrates, STUDY_VARIANT), "baseline"
+    study = dict.fromkeys(substrates, STUDY_VARIANT)
+    group = "baseline"
     baseline = Variant(group, "as the study", group, study, contact, probe)
     variants_made = [baseline]
     _, *surface_choices = surface_variants(configuration).values()

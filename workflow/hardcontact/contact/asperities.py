@@ -54,7 +54,8 @@ def _diameter(attraction: Floats, share: float, total: float) -> int:
     y, x = (np.arange(pixels) for pixels in attraction.shape)
     centre_y, centre_x = attraction.sum(axis=1) @ y / total, attraction.sum(axis=0) @ x / total
     from_y, from_x = y - centre_y, x - centre_x
-    half_width, carried = 32, np.zeros(1)
+    half_width = 32
+    carried = np.zeros(1)
     # Squares about the centre, each twice as wide, until a circle in one holds the share.
     while carried[-1] < share * total and half_width < 2 * max(attraction.shape):
         half_width *= 2

@@ -20,7 +20,8 @@ from hardcontact.contact.contact import Contact
 #: within 1 to 10 %. Larger windows had 0.95 to 1.14.
 RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)}
 #: Size relative to the draw size from which a scan is large enough, and the smallest tested one.
-LARGE_ENOUGH, SMALLEST_TESTED = max(RATIOS), 0.12
+LARGE_ENOUGH = max(RATIOS)
+SMALLEST_TESTED = 0.12
 
 
 def finite_scan_ratio(size: float, draw_size: float) -> tuple[float, float]:

@@ -213,7 +213,8 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
         The ratio of the forces, a single number.
     """
     geometry = bodies.geometry
-    substrate, sphere = bodies.substrate, bodies.roughness
+    substrate = bodies.substrate
+    sphere = bodies.roughness
     finer = Bodies(
         interpolate(substrate, 2 * substrate.pixels),
         sphere and interpolate(sphere, 2 * sphere.pixels),

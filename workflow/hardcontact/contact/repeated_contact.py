@@ -36,7 +36,8 @@ def over_window(bodies: Bodies) -> Bodies:
 
     The roughness of a scan repeats itself; indents must not.
     """
-    geometry, substrate = bodies.geometry, bodies.substrate
+    geometry = bodies.geometry
+    substrate = bodies.substrate
     offset = np.fft.ifftshift(geometry.offsets())
     heights = np.zeros((geometry.window,) * 2)
     if bodies.roughness is not None:
@@ -55,7 +56,8 @@ def repeated_contacts(
     has the gaps before flattening. The depth (window, window) in nm is the total flattening of the
     sphere around the apex after the contact; the next contact changes the same array.
     """
-    substrate, wide = as_tiles(bodies.substrate), over_window(bodies)
+    substrate = as_tiles(bodies.substrate)
+    wide = over_window(bodies)
     assert wide.roughness is not None
     roughness = as_tiles(wide.roughness)
     depth = np.zeros((bodies.geometry.window,) * 2)

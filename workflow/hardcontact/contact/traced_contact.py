@@ -28,7 +28,9 @@ def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> 
         ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
         (separation) in N.
     """
-    geometry, rho, work = bodies.geometry, contact.range, contact.work
+    geometry = bodies.geometry
+    rho = contact.range
+    work = contact.work
     gap = gap_map(bodies, index)
     gap -= plastic_approach(gap, contact.pixels(geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)

@@ -27,7 +27,8 @@ def draw_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> 
     """
     sizes: dict[str, float] = {}
     for entry in entries:
-        surface, is_measured = entry.source.surface, np.isfinite(entry.density)
+        surface = entry.source.surface
+        is_measured = np.isfinite(entry.density)
         if surface != sphere:
             spectrum = Spectrum(BIN_CENTRES[is_measured], entry.density[is_measured])
             size = draw_size(spectrum, probe.radius, probe.area)
@@ -122,7 +123,9 @@ def _best_group(groups: list[Group], interaction_radius: float, large_enough: fl
     """
 
     def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
-        size, pixel_size, count = group[0].size, group[0].pixel_size, len(group)
+        size = group[0].size
+        pixel_size = group[0].pixel_size
+        count = len(group)
         blind = all(entry.is_blind for entry in group)
         if interaction_radius < MIN_RADIUS_PIXELS * pixel_size:  # Then the finest pixels.
             return blind, True, False, pixel_size, -count, -size

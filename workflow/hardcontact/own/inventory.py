@@ -215,7 +215,9 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
     rows = [ENTRY_COLUMNS]
     notes = []
     for number, (entry, use) in enumerate(zip(entries, uses, strict=True), 1):
-        is_map, tip, band = entry.kind == "map", entry.tip_radius, entry.band
+        is_map = entry.kind == "map"
+        tip = entry.tip_radius
+        band = entry.band
         rows.append(
             (
                 str(number),

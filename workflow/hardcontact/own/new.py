@@ -100,7 +100,8 @@ def new_study(arguments: Namespace) -> str:
         checks.append(partial(_propose_study, arguments, quantities, entries))
     # With faults, `refuse_all` raises: the last result is that of `_propose_study`.
     *_, (proposal, choices) = refuse_all(checks)
-    overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
+    overlay = f"config/{arguments.name}.yaml"
+    table = f"config/{arguments.name}.tsv"
     command = f"snakemake --configfile {overlay}"
     texts = {
         table: table_text(table_rows(entries, proposal.contact_entries, tip_text)),

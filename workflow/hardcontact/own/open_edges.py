@@ -80,7 +80,8 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     if not np.isnan(interval).all():
         # Where the other ratios have intervals, a ratio without one is the same in all parts.
         bounds = np.where(np.isnan(interval), ratio[:, None], interval)
-    axis, unit = "cutoff_wavelength", {"units": "1"}
+    axis = "cutoff_wavelength"
+    unit = {"units": "1"}
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         logarithms = np.log(ratio), np.log(bounds)
     return xr.Dataset(
@@ -113,7 +114,8 @@ def edges_of_curves(curves: xr.Dataset, limits: tuple[float, float]) -> dict[str
     dict
         The variables of EDGE, over the dimensions of ``cell``.
     """
-    dimensions, shape = curves.cell.dims, curves.cell.shape
+    dimensions = curves.cell.dims
+    shape = curves.cell.shape
     edges = []
     for index in np.ndindex(shape):
         curve = curves.isel(dict(zip(dimensions, index, strict=True)))

@@ -68,7 +68,8 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     """
     if tests.number < 2:
         return np.full(samples, np.nan)
-    freedom, variance = tests.number - 1, tests.shape**2
+    freedom = tests.number - 1
+    variance = tests.shape**2
     variance_drawn = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
     deviation = (variance_drawn - variance) / 2 - normal * np.sqrt(variance_drawn / tests.number)
@@ -108,7 +109,8 @@ def fit_measured(
         two surfaces, ``exact_pairs`` counts the pairs that give both forces. If there are any, two
         unknowns fit two numbers by construction, and ``best_error`` is NaN.
     """
-    radius, rhos = float(adhesion.attrs["sphere_radius"]), adhesion.rho.values
+    radius = float(adhesion.attrs["sphere_radius"])
+    rhos = adhesion.rho.values
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
     tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
     measured_forces = np.array([test.mean for test in tests])
@@ -116,7 +118,8 @@ def fit_measured(
         sampled_means(sampling.generator("tests", name), test, sampling.samples)
         for name, test in zip(surfaces, tests, strict=True)
     ]
-    models, places = {}, fewest_places(adhesion)
+    models = {}
+    places = fewest_places(adhesion)
     for model in adhesion.contact_model.values.tolist():
         model_forces = adhesion.pull_off_force.sel(contact_model=model)
         scans = [
@@ -196,10 +199,15 @@ def _fit_model(
     region = np.stack([joint[..., 0].max(axis=0), joint[..., 1].min(axis=0)], axis=-1)
     region[~(region[:, 0] < region[:, 1])] = np.nan
     work_of_adhesion = measured_forces[:, None] / fine_forces
-    best_range, best_work, best_error, exact_pairs = np.nan, np.nan, np.nan, 0
+    best_range = np.nan
+    best_work = np.nan
+    best_error = np.nan
+    exact_pairs = 0
     if count > 1:
         best_index, work, error = fit_range_and_work(fine_forces, measured_forces)
-        best_range, best_work, best_error = fine_ranges[best_index], float(work), float(error)
+        best_range = fine_ranges[best_index]
+        best_work = float(work)
+        best_error = float(error)
     if count == 2:
         exceeds = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
         exact_pairs = int(np.count_nonzero(np.diff(exceeds)))
@@ -267,7 +275,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         ``range_of_adhesion``, at which ``work_of_adhesion`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)
-    measured_force, computed_force = fitted.measured_force, surface_force.extrapolated_force
+    measured_force = fitted.measured_force
+    computed_force = surface_force.extrapolated_force
     measured_low, measured_high = bounds(fitted, "measured_force")
     measured_log_low = np.log(measured_low / measured_force)
     measured_log_high = np.log(measured_high / measured_force)

@@ -112,9 +112,11 @@ def predict(arguments: Namespace) -> str:
         user_spectrum.joined,
         user_spectrum.skewness,
     )
-    modulus, status = assumed_modulus(hardness), "paper"
+    modulus = assumed_modulus(hardness)
+    status = "paper"
     if "modulus" in quantities:
-        modulus, status = quantities["modulus"].number, "given"
+        modulus = quantities["modulus"].number
+        status = "given"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITY_OPTIONS}

@@ -335,7 +335,8 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     The forces come from `add_extrapolated_force`; the area F/H is in nm². ``smooth_bound``
     (contact_model, rho) in N is added to them and replaces larger forces.
     """
-    radius, work = force.attrs["sphere_radius"], force.attrs["work_of_adhesion"]
+    radius = force.attrs["sphere_radius"]
+    work = force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])
     yields = force["contact_model"] == PLASTIC
     bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)

@@ -27,7 +27,8 @@ from hardcontact.surfaces.spectrum import MIN_BINS
 
 #: The shortest wave that is kept of a scan, in pixels, and the longest, relative to its size. As in
 #: the paper: 20 nm and 1000 nm on scans of 2500 nm with 512 pixels.
-TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4
+TRANSITION_PIXELS = 4
+TRANSITION_SHARE = 0.4
 #: The share of the force on a smooth sphere that the window should hold.
 MIN_WINDOW_SHARE = 0.99
 #: The range of adhesion relative to the shortest computed range, and the longest relative to it.
@@ -39,7 +40,8 @@ CONTACT_COUNTS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take.
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
-SECONDS_A_PIXEL, SECONDS_A_TILE = 4e-7, 4e-8
+SECONDS_A_PIXEL = 4e-7
+SECONDS_A_TILE = 4e-8
 #: The smallest ratio of neighbouring cutoffs: between closer ones, forces can be interpolated.
 MIN_CUTOFF_RATIO = 1.15
 #: Share of undefined pixels from which the user is told how they are filled.
@@ -293,9 +295,11 @@ def _count(
 
     The pixels of all contacts stay in memory: on scans with their images, and on masters.
     """
-    seconds, kept_pixels = 0.0, 0.0
+    seconds = 0.0
+    kept_pixels = 0.0
     for scan in substrates:
-        images, finest = window_images(contact.window, scan.size), 2 * scan.size / small_pixels
+        images = window_images(contact.window, scan.size)
+        finest = 2 * scan.size / small_pixels
         for pixel_size, image_count in ((scan.pixel_size, images), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixels(pixel_size) * image_count)

@@ -152,7 +152,8 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
         "size": quantity_type("scan.size"),
         "modulus": quantity_types["hardness"],
     }
-    quantities, faults = {}, []
+    quantities = {}
+    faults = []
     try:
         UNIT.check(arguments.unit)
     except ValueError as error:

@@ -226,7 +226,8 @@ def sampled_deviations(
 
     count = len(logarithms)
     factor, freedom = scan_parts.widening
-    normal, level = rng.standard_normal((samples, count)), rng.uniform(size=samples)
+    normal = rng.standard_normal((samples, count))
+    level = rng.uniform(size=samples)
     chi_squared = 2 * special.gammaincinv(freedom / 2, level)
     scale = np.sqrt(factor * (count - 1) / count * freedom / chi_squared)
     deviations = np.tensordot(scale[:, None] * normal, logarithms - logarithms.mean(axis=0), axes=1)

@@ -15,13 +15,15 @@ from hardcontact.own.inventory import Entry
 
 #: Height of the sphere above its apex at the edge of the window, relative to the range of adhesion
 #: (14 in the paper) and to the rms height.
-RANGES_IN_WINDOW, RMS_IN_WINDOW = 14, 4
+RANGES_IN_WINDOW = 14
+RMS_IN_WINDOW = 4
 #: Largest number of mirrored scans along an edge of the window: all have the same summits.
 MAX_IMAGES = 10
 #: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
 LONGEST_RANGE = 40.0
 #: Edge of the large-scale master relative to that of a scan, and to the window.
-MASTER_SCANS, MASTER_WINDOWS = 8, 1.6
+MASTER_SCANS = 8
+MASTER_WINDOWS = 1.6
 
 
 def choose_window(
@@ -40,7 +42,8 @@ def choose_window(
     """
     window, _ = _window(scans, probe.radius, probe.range)
     shortest, reason = _shortest_range(scans, substrates, probe, window, max_pixels)
-    rho, range_reason = probe.range, "as given" if range_given else "the paper's"
+    rho = probe.range
+    range_reason = "as given" if range_given else "the paper's"
     if shortest > rho and not range_given:
         rho = max(rho, min(shortest, LONGEST_RANGE))
         range_reason = f"the least on these scans, where {reason}"
@@ -55,9 +58,11 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
     rms_height = max(scan.rms_height for scan in scans)
     finest = min(scan.pixel_size for scan in scans)
     smallest = min(scan.size for scan in scans)
-    height, height_words = RANGES_IN_WINDOW * rho, f"{RANGES_IN_WINDOW} ranges of adhesion"
+    height = RANGES_IN_WINDOW * rho
+    height_words = f"{RANGES_IN_WINDOW} ranges of adhesion"
     if RMS_IN_WINDOW * rms_height > height:
-        height, height_words = RMS_IN_WINDOW * rms_height, f"{RMS_IN_WINDOW} rms heights"
+        height = RMS_IN_WINDOW * rms_height
+        height_words = f"{RMS_IN_WINDOW} rms heights"
     edge, reason = min(
         (
             2 * math.sqrt(2 * radius * height),

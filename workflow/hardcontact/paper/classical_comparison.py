@@ -18,7 +18,9 @@ from hardcontact.contact.smooth_sphere import Material
 from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
 
-NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
+NEWTON = {"units": "N"}
+ONE = {"units": "1"}
+ENERGY = {"units": "J m-2"}
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}

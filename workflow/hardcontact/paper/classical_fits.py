@@ -20,7 +20,8 @@ WORKS = np.geomspace(1e-3, 10, 401)
 EXPONENTS = np.linspace(-8, 8, 321)
 REFINEMENTS = 3
 
-NEWTON, ONE = {"units": "N"}, {"units": "1"}
+NEWTON = {"units": "N"}
+ONE = {"units": "1"}
 
 #: Smallest force of a model, relative to the target, for which a work of adhesion is fitted.
 MIN_FORCE_RATIO = 1e-3

@@ -30,7 +30,9 @@ FINE_RANGES = 801
 #: Largest number of local minima of the error.
 MINIMA = 3
 
-NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
+NM = {"units": "nm"}
+ENERGY = {"units": "J m-2"}
+ONE = {"units": "1"}
 
 #: Variables fitted to mean forces, with their units.
 INFERRED_UNITS = {

@@ -31,12 +31,15 @@ from hardcontact.theory.interaction_laws import (
 #: Lengths and works of adhesion at which laws are compared.
 CASES = ["equivalent", "fitted", "atomic"]
 #: Smallest and largest range (nm) of a law in fits, and the step of their logarithm.
-LENGTH_LIMITS, LENGTH_STEP = (0.1, 40.0), 0.03
+LENGTH_LIMITS = (0.1, 40.0)
+LENGTH_STEP = 0.03
 
 #: Means over all scans, and samples of these means.
 MeanAndSamples = Sequence[np.ndarray]
 
-NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
+NM = {"units": "nm"}
+ENERGY = {"units": "J m-2"}
+ONE = {"units": "1"}
 
 
 class _Targets(NamedTuple):

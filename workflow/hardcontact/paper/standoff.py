@@ -21,7 +21,8 @@ from hardcontact.theory.closed_form import gaussian_share
 #: Number of tabulated heights of the apex. The highest one is HIGHEST_IN_RMS rms heights plus
 #: HIGHEST_IN_RANGES ranges of adhesion.
 TABULATED_HEIGHTS = 20001
-HIGHEST_IN_RMS, HIGHEST_IN_RANGES = 10, 40
+HIGHEST_IN_RMS = 10
+HIGHEST_IN_RANGES = 40
 #: Statistics of the forces on a surface that give a height.
 CENTRAL_VALUES = ["mean", "median"]
 #: Work of adhesion: the published work, or the work that fits all forces best at each range.

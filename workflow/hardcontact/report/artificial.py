@@ -96,7 +96,8 @@ def classify_edge(data: Datasets, side: str) -> str:
     causes more than 90 % of the change. "partly": it causes 10 to 90 % of the change. "interval":
     only the interval reaches artificial wavelengths. "outside": none of these.
     """
-    side_edges, bands = data.edges.sel(side=side), artificial_bands(data.spectra)
+    side_edges = data.edges.sel(side=side)
+    bands = artificial_bands(data.spectra)
     edge = float(side_edges["edge"].fillna(side_edges["edge_bound"]))
     share = measured_share_at_edge(data, side)
     if overlaps_any(edge, edge, bands) or share < 1 - NEARLY_ALL:

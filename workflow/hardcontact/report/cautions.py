@@ -117,7 +117,8 @@ def _soft_bodies(force: xr.Dataset) -> list[dict[str, Any]]:
 
 def _small_window(force: xr.Dataset) -> list[dict[str, Any]]:
     """Return a caution if the window has too little of the force, at any range."""
-    rho, share = force["rho"].values, force["window_share"].values
+    rho = force["rho"].values
+    share = force["window_share"].values
     study_force = forces_at_range(force)
     if study_force["window_share"] < MIN_WINDOW_SHARE:
         shortest_range = np.nan
@@ -143,7 +144,8 @@ def _small_scans(datasets: Datasets) -> list[dict[str, Any]]:
     low, high = datasets.force["finite_scan_ratio"].values.tolist()
     if high == 1:
         return []
-    size, draw_size = datasets.topography["scan_size"].item(), datasets.force["draw_size"].item()
+    size = datasets.topography["scan_size"].item()
+    draw_size = datasets.force["draw_size"].item()
     return [
         {
             "code": "small_scan",
@@ -160,7 +162,8 @@ def _small_scans(datasets: Datasets) -> list[dict[str, Any]]:
 
 def _few_pixels(force: xr.Dataset) -> list[dict[str, Any]]:
     """Return a caution if few pixels, or only a part of a pixel, carry the preload."""
-    area, pixel = float(force.attrs["contact_area"]), force["pixel_area"].item()
+    area = float(force.attrs["contact_area"])
+    pixel = force["pixel_area"].item()
     if area >= MIN_CONTACT_PIXELS * pixel:
         return []
     return [
@@ -206,7 +209,8 @@ def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:
 
 def _excess_roughness(spectra: xr.Dataset) -> list[dict[str, Any]]:
     """Return a caution if the added roughness exceeds that in the scans, which may be smoothed."""
-    q, shortest = spectra["bin_wavevector"].values, spectra["shortest_measured"].item()
+    q = spectra["bin_wavevector"].values
+    shortest = spectra["shortest_measured"].item()
     wavelength = 2 * np.pi / q
     scans = measurements(spectra)
     is_resolved = wavelength >= MIN_WAVELENGTH_PIXELS * scans["pixel_size"].values[:, None]
@@ -236,7 +240,8 @@ def _excess_roughness(spectra: xr.Dataset) -> list[dict[str, Any]]:
 
 def _extrapolations(datasets: Datasets) -> list[dict[str, Any]]:
     """Return the extrapolations of the spectrum below and above the wavelengths measured."""
-    spectra, topography = datasets.spectra, datasets.topography
+    spectra = datasets.spectra
+    topography = datasets.topography
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
     shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
     hurst = spectra["tail_hurst"].item()

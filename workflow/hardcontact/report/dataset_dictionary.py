@@ -16,7 +16,8 @@ from hardcontact.base import dataset
 from hardcontact.base.code import LIBRARY
 
 REPORT = LIBRARY.parent / "report"
-PAGE, MEANINGS = REPORT / "datasets.md", REPORT / "variables.tsv"
+PAGE = REPORT / "datasets.md"
+MEANINGS = REPORT / "variables.tsv"
 #: In place of a dataset in the table: a variable means the same in all.
 ALL = "*"
 INTERVAL = "_interval"
@@ -65,7 +66,8 @@ def rows_of(
 
 def page(folders: Iterable[Path]) -> str:
     """Return the page in Markdown; of a dataset that several studies have all variables count."""
-    known, titles = meanings(), dict[str, str]()
+    known = meanings()
+    titles = dict[str, str]()
     tables = dict[str, dict[str, tuple[str, str, str]]]()
     for path in (path for folder in folders for path in sorted(folder.glob("*.nc"))):
         data = dataset.read(path)

@@ -77,7 +77,8 @@ def extrapolated_fact(
 
 def force_rows(data: Datasets) -> list[AnswerRow]:
     """Return the predicted forces of one surface at the configured range, and the smooth limit."""
-    force, forces = data.force, forces_at_range(data.force)
+    force = data.force
+    forces = forces_at_range(data.force)
     quantiles = forces["force_quantile"]
     lowest, median, highest = (
         quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
@@ -128,7 +129,8 @@ def _origin_of_force(data: Datasets) -> dict[str, Any]:
 def _sensitivity(force: xr.Dataset) -> float:
     """Return d ln F/d ln rho at the configured range, NaN if no other range was computed."""
     model_forces = force.sel(contact_model=preferred_model(force))
-    rho, forces = np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
+    rho = np.log(model_forces["rho"].values)
+    forces = np.log(model_forces["force"].values)
     if len(rho) < 2:
         return np.nan
     nearest = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
@@ -145,7 +147,8 @@ def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Ans
     configured = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
     model_forces = force.sel(contact_model=preferred_model(force))
     rows = []
-    ranges, forces = np.log(model_forces["rho"].values), np.log(model_forces["force"].values)
+    ranges = np.log(model_forces["rho"].values)
+    forces = np.log(model_forces["force"].values)
     for pair in pairs:
         rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
         if np.allclose(configured, (rho, work), rtol=1e-6):
@@ -225,6 +228,7 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
 def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:
     """Return the pairs of ranges (nm) that bound the gaps of a region."""
     change = np.diff(allowed.astype(int))
-    ends, begins = np.flatnonzero(change == -1), np.flatnonzero(change == 1) + 1
+    ends = np.flatnonzero(change == -1)
+    begins = np.flatnonzero(change == 1) + 1
     begins = begins[begins > ends[0]] if len(ends) else begins[:0]
     return [[float(rho[end]), float(rho[begin])] for end, begin in zip(ends, begins, strict=False)]

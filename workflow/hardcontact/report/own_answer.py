@@ -117,7 +117,8 @@ def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
     OwnAnswer
         The answers by surface.
     """
-    surfaces, adhesion = {}, {"range of adhesion", "work of adhesion"}
+    surfaces = {}
+    adhesion = {"range of adhesion", "work of adhesion"}
     # A user who gave both, or own forces, has a pair.
     asks_for_pairs = datasets.fit is None and adhesion & set(setting.of_paper)
     pairs = setting.pairs if asks_for_pairs else ()

@@ -134,7 +134,8 @@ def draw_spectra(datasets: Datasets) -> TableAndFigure:
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
         for measurement in split_measurements(all_measurements):
-            density, reliable = measurement["psd"].values, measurement["reliable"].values == 1
+            density = measurement["psd"].values
+            reliable = measurement["reliable"].values == 1
             name = PurePath(measurement_name(measurement)).name
             look: style.Look = {
                 "color": KIND_COLOURS[str(measurement["kind"].item())],
@@ -163,7 +164,8 @@ def draw_forces(datasets: Datasets) -> TableAndFigure:
 
     Intervals are drawn for the contact model of the answer.
     """
-    force, labels = datasets.force, datasets.labels()
+    force = datasets.force
+    labels = datasets.labels()
     answer_model = preferred_model(force)
     models = sorted(
         map(str, force["contact_model"].values), key=lambda model: model != answer_model

@@ -108,7 +108,8 @@ def paper_answer(
         The answer.
     """
     topography = datasets["topography"]
-    band, sets = datasets["band"], datasets["sets"]
+    band = datasets["band"]
+    sets = datasets["sets"]
     claims = add_open_ends(claims, [band, sets])
     rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
     numbers: list[Number] = []
@@ -233,7 +234,8 @@ def _decisive_numbers(
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
     """Yield the settings of the study, and the sizes of its grids and of the paper's grids."""
     topography = datasets["topography"]
-    scales, band = datasets["scales"], datasets["band"]
+    scales = datasets["scales"]
+    band = datasets["band"]
     sizes = {
         "scan_pixels": topography.sizes["row"],
         "scan_size": topography["scan_size"].min().item(),

@@ -95,7 +95,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
 
 def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     """Return the numbers of a claim as printed, its kind, and whether its verdict may change."""
-    unit, interval = row["unit"], (row["low"], row["high"])
+    unit = row["unit"]
+    interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     computed_text = print_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
     if is_boundless(row["computed"], *interval, unit):

@@ -42,7 +42,8 @@ def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Nu
     `side_edges` is the part of edges.nc at one side of one surface. The status is "not_bounded" if
     the edge has no interval though the force ratios have.
     """
-    edge, bound = side_edges["edge"].item(), side_edges["edge_bound"].item()
+    edge = side_edges["edge"].item()
+    bound = side_edges["edge_bound"].item()
     low, high = ends(side_edges, "edge")
     if np.isnan(edge):
         status = "open_above" if side_edges["edge_bound_is_lower"].item() else "open_below"
@@ -67,7 +68,8 @@ def edge_rows(data: Datasets) -> list[AnswerRow]:
         return [
             AnswerRow(Number(name, np.nan, "nm", status="no_band"), {}) for name in EDGES.values()
         ]
-    rows, bands = [], artificial_bands(data.spectra)
+    rows = []
+    bands = artificial_bands(data.spectra)
     for side, side_edges in ((side, data.edges.sel(side=side)) for side in SIDES):
         edge = edge_fact(side_edges, EDGES[side], EDGE_SOURCES[classify_edge(data, side)])
         low, high = (
@@ -104,7 +106,8 @@ def next_measurements(data: Datasets) -> list[Mapping[str, Any]]:
         is_open = edge.status in ("open_below", "open_above", "no_band")
         if not is_open and edge.source not in ("artificial", "partly_artificial"):
             continue
-        wavelength, finer = edge.value, edge.name == "short_edge"
+        wavelength = edge.value
+        finer = edge.name == "short_edge"
         if edge.status == "no_band":
             wavelength = float(data.spectra[measured_ends[edge.name]])
         elif is_open:

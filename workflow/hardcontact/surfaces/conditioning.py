@@ -84,7 +84,8 @@ def scan_targets(
     """
     if "afm_rms_height" not in table1.index:
         return None
-    pixels, size = int(constants["value"]["scan_pixels"]), float(constants["value"]["scan_size"])
+    pixels = int(constants["value"]["scan_pixels"])
+    size = float(constants["value"]["scan_size"])
     moments = np.array(spectrum_data.attrs["expected_scan_moments"])
     same_size = math.isclose(grid.size, size)
     same_pixels = same_size and grid.pixels == pixels
@@ -251,7 +252,8 @@ def condition_group(
     ValueError
         If an rms height would be negative.
     """
-    gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generator_makers))
+    gain = np.ones_like(WAVEVECTORS)
+    factors = np.ones(len(generator_makers))
     calibrated = rows_met(spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
         shares = component_shares(grid)

@@ -30,7 +30,8 @@ ATOMIC_WAVELENGTH = 0.3
 #: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
 #: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
 #: 1.20). A sphere of such a curvature has the radius of an atom.
-MAX_GRADIENT, MAX_HALF_LAPLACIAN = 1.45, 7.52
+MAX_GRADIENT = 1.45
+MAX_HALF_LAPLACIAN = 7.52
 #: Ratio of the longest possible roll-off wavelength to the size of the scan: a scan shows longer
 #: waves as slopes, which levelling removes.
 MAX_ROLLOFF = 10.0

@@ -226,7 +226,8 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     >>> scan = hc.read_scan("scan.nc")
     >>> rms_height = hc.metrics(scan)["rms_height"]  # nm
     """
-    heights, pixel_size = scan.heights.astype(float), scan.pixel_size
+    heights = scan.heights.astype(float)
+    pixel_size = scan.pixel_size
     slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
     slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
     bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]

@@ -211,6 +211,7 @@ def _extrapolate_curve(
     """Return C_iso (nm⁴) on WAVEVECTORS, extrapolated from a curve, its tail and roll-off (nm)."""
     density, tail = extrapolate_short_waves(curve.wavevector, curve.density, hurst, hurst_change)
     slopes, _ = local_slopes(*curve)
-    slope, longest = float(slopes[0]), float(2 * np.pi / curve.wavevector[0])
+    slope = float(slopes[0])
+    longest = float(2 * np.pi / curve.wavevector[0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff

@@ -23,9 +23,13 @@ import numpy as np
 #: The largest file in bytes.
 MAX_FILE_BYTES = 2**30
 #: Bytes of memory of the child: the maximum, those for any file, those for each byte of a file.
-MAX_MEMORY, SMALL_FILE_MEMORY, MEMORY_PER_BYTE = 4 * 2**30, 2**29, 200
+MAX_MEMORY = 4 * 2**30
+SMALL_FILE_MEMORY = 2**29
+MEMORY_PER_BYTE = 200
 #: Processor time of the child in s: the maximum, for any file, for each 2**20 bytes of a file.
-MAX_SECONDS, SMALL_FILE_SECONDS, SECONDS_PER_MEGABYTE = 120, 2, 10
+MAX_SECONDS = 120
+SMALL_FILE_SECONDS = 2
+SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor.
 MAX_WAIT = 600
 #: The longest message in characters.

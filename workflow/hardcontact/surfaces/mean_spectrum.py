@@ -87,7 +87,8 @@ def smooth_curve(
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)
     weight = np.where(np.isfinite(density), 1 / variance, 0.0)[bins]
-    count, change = len(weight), SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
+    count = len(weight)
+    change = SLOPE_CHANGE * np.sqrt(BIN_WIDTH / np.log(10))
     bends = np.diff(np.eye(count), n=2, axis=0) / (BIN_WIDTH * change)
     posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
     logs = np.log(np.where(weight > 0, density[bins], 1.0))

@@ -24,7 +24,8 @@ CALIBRATION_SCATTER = 0.2
 SLOPE_HALF_WIDTH = 0.25 * np.log(10)
 #: Standard deviation, in ln q, of the kernel that smooths a spectrum: one bin of BIN_EDGES. It is
 #: up to MAX_WIDENING times as wide in bins with fewer independent waves than ENOUGH_WAVES.
-SMOOTHING_WIDTH, MAX_WIDENING = 0.1 * np.log(10), 4.0
+SMOOTHING_WIDTH = 0.1 * np.log(10)
+MAX_WIDENING = 4.0
 ENOUGH_WAVES = 20.0
 #: Values of u with p = q cosh u in the integral. They reach a thousandth of the wavelength; even
 #: C_1D ~ 1/q adds less than a thousandth beyond.
@@ -161,7 +162,8 @@ def _smooth_falling_spectrum(
     width = SMOOTHING_WIDTH * np.clip(ENOUGH_WAVES / waves, 1, MAX_WIDENING)
     weight = waves * np.exp(-((distance / width[:, None]) ** 2) / 2)
     weight /= weight.sum(axis=1, keepdims=True)
-    centre, mean = (weight * distance).sum(axis=1), weight @ log_density
+    centre = (weight * distance).sum(axis=1)
+    mean = weight @ log_density
     variance = (weight * distance**2).sum(axis=1) - centre**2
     slope = ((weight * distance) @ log_density - centre * mean) / variance
     smooth = isotonic_regression(mean - slope * centre, weights=waves, increasing=False).x

@@ -121,7 +121,8 @@ def _fill_gaps(rows: list[str]) -> list[str] | None:
         points = np.array(cells, float)
     except ValueError:  # a mark of an undefined pixel
         return None
-    axes, indices = [], []
+    axes = []
+    indices = []
     for positions in points[:, :2].T:
         axis, axis_indices = _grid_axis(positions)
         if not len(axis):

@@ -32,7 +32,9 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS, Floats
 MIN_PIXELS = 4
 MIN_WAVES_IN_SIZE = 3
 #: Slopes of C_iso: flattest and steepest for a self-affine surface, steepest with facets.
-FLATTEST_SLOPE, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE = -2.0, -4.0, -5.0
+FLATTEST_SLOPE = -2.0
+STEEPEST_SELF_AFFINE_SLOPE = -4.0
+STEEPEST_FACET_SLOPE = -5.0
 #: Standard errors by which a slope must pass one of these.
 MIN_STANDARD_ERRORS = 2
 #: Largest ratio of C_1D along both axes of a map that shows no smoothing.
@@ -40,7 +42,8 @@ MAX_AXIS_RATIO = 2.0
 #: Bins above a noise floor with much noise: C ~ q^-3 is four times as high two bins on.
 NOISE_MARGIN_BINS = 2
 #: Least factor, and standard errors, of the rise of C_iso toward short wavelengths to a peak.
-MIN_PEAK_RISE, MIN_PEAK_ERRORS = 2.0, 4
+MIN_PEAK_RISE = 2.0
+MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TOLERANCE = 1e-3
 #: Limits of a band toward short wavelengths, by code, in words for messages.
@@ -114,7 +117,8 @@ def limit_by_tip(band: ReliableBand, measurement: Measurement, tip_radius: float
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
     """Return the wavelengths (nm) of noise and smoothing, with their codes in LIMIT_NAMES."""
     mask = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * measurement.pixel_size <= 2 * np.pi)
-    q, variance = BIN_CENTRES[mask], variance_of_log(independent_waves(measurement)[mask])
+    q = BIN_CENTRES[mask]
+    variance = variance_of_log(independent_waves(measurement)[mask])
     slope, error = local_slopes(q, density[mask], variance)
     axes_differ = axis_ratio(measurement)[mask] > MAX_AXIS_RATIO
     is_smoothed = slope + MIN_STANDARD_ERRORS * error < np.where(

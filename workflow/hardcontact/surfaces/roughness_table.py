@@ -63,7 +63,8 @@ def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     variables: dict[str, Any] = {}
     for name in METRICS:
         values = scans[name]
-        mean, deviation = values.mean("scan"), values.std("scan", ddof=1)
+        mean = values.mean("scan")
+        deviation = values.std("scan", ddof=1)
         interval = student_interval(values, confidence, "scan")
         variables |= with_interval(
             f"{name}_mean", ["surface"], mean.values, interval.values, values.attrs, confidence

@@ -73,7 +73,9 @@ MAX_EQUAL_LINE_SHARE = 0.01
 #: Largest share and number of pixels at an end of an unclipped range, and their ratio to the pixels
 #: at the next height. Quantised heights have a ratio below 1. A flat summit has 2.4, if its height
 #: falls with the fourth power of the distance.
-MAX_END_SHARE, MAX_END_PIXELS, MAX_END_RATIO = 1e-3, 10, 3.0
+MAX_END_SHARE = 1e-3
+MAX_END_PIXELS = 10
+MAX_END_RATIO = 3.0
 #: Largest share of the rms height without a curvature: the curvature has a tenth or more.
 MAX_UNCURVED_SHARE = 0.9
 #: Least ratio of the power of polynomials of second order to that of third and fourth order. The
@@ -86,10 +88,14 @@ POLYNOMIAL_POINTS = 32
 #: without a roll-off (H from 0.5 to 1) two exceed both. Profiles have waves of at least four
 #: pixels, because shorter ones are noisy, and at most a quarter of the size, because longer random
 #: waves are few.
-MIN_LAY_RATIO, MIN_LAY_SHARE, MIN_WAVELENGTH_PIXELS, MIN_WAVES = 3.0, 0.1, 4, 4
+MIN_LAY_RATIO = 3.0
+MIN_LAY_SHARE = 0.1
+MIN_WAVELENGTH_PIXELS = 4
+MIN_WAVES = 4
 #: Share of pixels that are edges, and their least share of the squared slopes. In rough surfaces
 #: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
-EDGE_PIXELS, MIN_EDGE_SHARE = 0.05, 0.7
+EDGE_PIXELS = 0.05
+MIN_EDGE_SHARE = 0.7
 #: Value in place of an infinite ratio, which a pattern without noise has.
 LARGEST_RATIO = 1e6
 
@@ -224,7 +230,8 @@ def _lay_numbers(heights: Floats) -> list[float]:
         in_profile = (MIN_WAVES <= component) & (component <= pixels / MIN_WAVELENGTH_PIXELS)
         return float(power[in_profile].sum())
 
-    variance_along, variance_across = profile_variance(direction), profile_variance(1j * direction)
+    variance_along = profile_variance(direction)
+    variance_across = profile_variance(1j * direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
     return [variance_along / max(variance_across, variance_along / LARGEST_RATIO)] if is_lay else []
 

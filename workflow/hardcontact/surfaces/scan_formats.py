@@ -316,7 +316,8 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     if scale is not None and not 0 < scale < math.inf:
         raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
-        expected, remedy = "the physical size", "gives the longer edge"
+        expected = "the physical size"
+        remedy = "gives the longer edge"
         if channel.unit is None and "unit" not in metadata:
             expected += " and unit"
             remedy += ", and --unit nm the unit of the heights"

@@ -63,7 +63,8 @@ def read_stored(path: str) -> Measurement:
     """
     dataset = labelled.read(path)
     words = ("path", "dataset", "channel", "file_unit", "kind")
-    tip_radius, notes = float(dataset.attrs["tip_radius"]), dataset.attrs["notes"]
+    tip_radius = float(dataset.attrs["tip_radius"])
+    notes = dataset.attrs["notes"]
     return Measurement(
         **{name: dataset.attrs[name] for name in words},
         heights=dataset["heights"].values,
@@ -247,7 +248,8 @@ def level_and_stitch(
     """
     scan = height_map(measurement, basis)
     flat = flat_map(scan, sphere_radius, levelling)
-    levelled, stitched = flat.dataset(), mirror_stitch(flat).dataset()
+    levelled = flat.dataset()
+    stitched = mirror_stitch(flat).dataset()
     if sphere_radius is not None:
         labels = {"units": "nm", "long_name": "height of the sphere as scanned"}
         levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)

@@ -85,7 +85,8 @@ def add_measurements(
     xarray.Dataset
         The spectrum with variables of dimensions `measurement` and `bin_wavevector`.
     """
-    axes, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
+    axes = ("measurement", "bin_wavevector")
+    axis = "bin_wavevector"
     columns = {
         name: (
             "measurement",
@@ -148,7 +149,8 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
         dataset="",
         limited_by="source",
     ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius", *DEFECT_UNITS), np.nan))
-    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_of_dataset(substitute)(BIN_CENTRES)
+    wavelength = 2 * np.pi / BIN_CENTRES
+    density = spectrum_of_dataset(substitute)(BIN_CENTRES)
     ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()
     shortest, longest = ends.T[..., None]
     reliable = (shortest < wavelength) & (wavelength <= longest)

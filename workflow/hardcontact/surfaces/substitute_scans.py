@@ -150,7 +150,8 @@ def skew_surface(surface: HeightMap, skewness: float) -> HeightMap:
     from scipy import fft
 
     heights: Floats = surface.heights.astype(float)
-    amplitude, deviation = np.abs(fft.rfft2(heights)), heights.std()
+    amplitude = np.abs(fft.rfft2(heights))
+    deviation = heights.std()
     neighbours = sum(np.roll(heights, step, axis) for step in (-1, 1) for axis in (0, 1))
     laplacian = np.sqrt(((neighbours - 4 * heights) ** 2).mean()) / surface.pixel_size**2
     radius = BLUNTNESS / (laplacian / 2)
@@ -180,7 +181,8 @@ BLOCK_LINES = 64
 
 def _erode_along_axis(heights: Floats, depth: Floats, axis: int) -> Floats:
     """Return heights eroded by a parabola along an axis, faster than SciPy's `grey_erosion`."""
-    lines, reach = heights.swapaxes(axis, 1), len(depth) - 1
+    lines = heights.swapaxes(axis, 1)
+    reach = len(depth) - 1
     lowest = np.empty_like(lines)
     for start in range(0, len(lines), BLOCK_LINES):
         wide = np.pad(lines[start : start + BLOCK_LINES], ((0, 0), (reach, reach)), "wrap")

@@ -31,7 +31,8 @@ from hardcontact.surfaces.spectrum import (
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
 #: Bins of wavevectors in which weights are added up, and rows added at a time.
-BIN_COUNT, BLOCK_ROWS = 4000, 512
+BIN_COUNT = 4000
+BLOCK_ROWS = 512
 #: Relative error at which a number of Table 1 counts as met.
 TOLERANCE = 1e-9
 #: Calibrated parameters by model, and parameters whose logarithms are searched.
@@ -75,7 +76,8 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BIN_COUNT + 1)
     # Along one axis: the shares that mean and tilt remove, and the squared difference operator.
     phase = wave * window_pixels * pixel_size / 2
-    mean, tilt = spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2
+    mean = spherical_jn(0, phase) ** 2
+    tilt = 3 * spherical_jn(1, phase) ** 2
     difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
     orders_x = slice(0, len(half))
     weights = np.zeros((3, BIN_COUNT))
@@ -268,7 +270,8 @@ def spectrum_from_description(
         If a band cannot be made; names the file and the band.
     """
     bands = read_bands(path)
-    density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
+    density = np.zeros_like(WAVEVECTORS)
+    calibrated = list[str]()
     for i, band in bands.iterrows():
         try:
             if pd.isna(band.hurst) and band.model in CALIBRATION_ROWS:

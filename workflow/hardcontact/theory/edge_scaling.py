@@ -38,7 +38,8 @@ SCALED_LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
 FORMULA, CLOSED_FORM = "formula", "closed form"
 
 COMBINATION = ["radius", "area", "rho"]
-ONE, NM = {"units": "1"}, {"units": "nm"}
+ONE = {"units": "1"}
+NM = {"units": "nm"}
 
 
 def stack_scaling(masters: Parts, described: Described) -> xr.Dataset:

@@ -256,7 +256,8 @@ def _extrapolated_numbers(
         variance = np.full(rough.density.shape, CALIBRATION_SCATTER**2)
         fit = fit_hurst_exponent(rough.wavevector, rough.density, variance)
         density, tail = extrapolate_short_waves(rough.wavevector, rough.density, fit)
-        hurst, ended_by = tail.tail_hurst, tail.tail_ended_by
+        hurst = tail.tail_hurst
+        ended_by = tail.tail_ended_by
     # Without an exponent no waves are added: slope or curvature are at their bounds already.
     if density is not None and math.isnan(hurst) and rolloff <= longest:
         status = NEGLIGIBLE

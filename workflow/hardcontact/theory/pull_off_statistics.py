@@ -110,7 +110,8 @@ class ForceStatistics:
 
     def quantile(self, probability: ArrayLike) -> Floats:
         """Return the force (...) in N that a share (...) of places does not reach."""
-        wanted, reach = np.asarray(probability, float), 8 * self.spreads.max() + 1e-6
+        wanted = np.asarray(probability, float)
+        reach = 8 * self.spreads.max() + 1e-6
         low = np.full(wanted.shape, np.log(self.means.min()) - reach)
         high = np.full(wanted.shape, np.log(self.means.max()) + reach)
         for _ in range(BISECTIONS):
@@ -167,19 +168,26 @@ class _Attraction(NamedTuple):
 
 def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return how a sphere is attracted by summits, which are rough themselves."""
-    radius, rho = contact.radius, contact.range
+    radius = contact.radius
+    rho = contact.range
     levels = closest_approaches(waves, radius, contact.area)
-    sigma, t = np.sqrt(moment(waves, 0)), levels.levels
+    sigma = np.sqrt(moment(waves, 0))
+    t = levels.levels
     # What a rough summit attracts of what a smooth one does.
-    share, scatter, growth = 1.0, 1.0, 1.0
+    share = 1.0
+    scatter = 1.0
+    growth = 1.0
     summit = roughness_on_summit(waves, levels, contact)
     if summit is not None and generations:
         rough_summit = _attraction(*summit, generations - 1)
         if rough_summit.mean < 1:
-            share, scatter, growth = rough_summit.mean, rough_summit.scatter, rough_summit.growth
+            share = rough_summit.mean
+            scatter = rough_summit.scatter
+            growth = rough_summit.growth
     first, touching = rough_terms(sigma, levels, rho, share)
     number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
-    clumps, cover = max(levels.mean(number), 1.0), levels.mean(special.ndtr(-t))
+    clumps = max(levels.mean(number), 1.0)
+    cover = levels.mean(special.ndtr(-t))
     # The mean of the squared force of a clump, over the square of its mean force. The radius of a
     # summit counts as far as the force on it grows with it.
     square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
@@ -219,10 +227,12 @@ def summit_variation(waves: Spectrum, levels: Approaches) -> float:
     if longer is None:
         return 0.0
     sigma = np.sqrt(moment(waves, 0))
-    gradient, laplacian = moment(longer, 2), moment(longer, 4)
+    gradient = moment(longer, 2)
+    laplacian = moment(longer, 4)
     deviation = np.sqrt(max(laplacian - gradient**2 / sigma**2, 0.0)) / 2
     a = max(levels.mean(), 1.0) * gradient / (2 * sigma) + deviation * DEVIATIONS
-    a, b = np.maximum(a, 0), np.sqrt(laplacian) / 2
+    a = np.maximum(a, 0)
+    b = np.sqrt(laplacian) / 2
     summits = -np.expm1(-((a / b) ** 2))  # the probability of a > b
     density = CHANCES @ (a**2 - b**2 * summits)  # means over b of K, sqrt(K), 1
     mean = CHANCES @ (a - b * special.dawsn(a / b)) / density
@@ -236,7 +246,8 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
     variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
     """
-    q, reach = waves.wavevector, 4 * contact.radius * contact.range
+    q = waves.wavevector
+    reach = 4 * contact.radius * contact.range
     height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
     linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.range**2)
     distances, lost = lost_correlation(waves)
@@ -316,7 +327,8 @@ def force_scatter(
                     "scans_needed": (quantile * scans.variation / tolerance) ** 2,
                 }
             )
-    table, shape = pd.DataFrame(rows), (len(spectra), len(ranges))
+    table = pd.DataFrame(rows)
+    shape = (len(spectra), len(ranges))
     sizes = [draw_size(spectrum, contact.radius, contact.area) for spectrum in spectra.values()]
     return xr.Dataset(
         {
@@ -355,7 +367,8 @@ def with_comparison(
         (surface) with its interval, NaN if there is none; ``designed_<column>`` (case) for the
         columns that give the error of the law.
     """
-    plastic, name = {"contact_model": "plastic", "pair": "published"}, "lognormal_shape"
+    plastic = {"contact_model": "plastic", "pair": "published"}
+    name = "lognormal_shape"
     names = {name: "computed_log_force_std", f"{name}_interval": "computed_log_force_std_interval"}
     computed = inference[list(names)].sel(plastic, drop=True).rename(names)
     published = pull_off.reindex(scatter["surface"].values)

@@ -23,7 +23,8 @@ from scipy import special
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: Number of points of a spectrum, and of distances of its autocorrelation.
-WAVES, DISTANCES = 300, 120
+WAVES = 300
+DISTANCES = 120
 #: Levels t of closest approach: a contact wider than the roughness goes below the mean plane.
 LEVELS = np.linspace(-6, 8, 701)
 #: Mean clumps in the area of contact beyond which their sum is normal.

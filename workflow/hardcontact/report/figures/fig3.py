@@ -69,7 +69,8 @@ def draw(
     the logarithmic panels "2", and the numbers of the log-normals.
     """
     fit = inference.sel(contact_model=PLASTIC)
-    floor, work = inference.attrs["force_floor"], adhesion.attrs["work_of_adhesion"]
+    floor = inference.attrs["force_floor"]
+    work = adhesion.attrs["work_of_adhesion"]
     pairs: dict[str, pd.Series | xr.Dataset] = {
         "published": published_constants["value"],
         "fitted": fit,

@@ -56,7 +56,8 @@ def draw(
         5.6, inference, (1, (1.3, 1, 1)), (1.5, (1, 1))
     )
     _draw_pressure(pressure, contact)
-    distances, contact_forces = contact["separation"].values, contact["force"].values
+    distances = contact["separation"].values
+    contact_forces = contact["force"].values
     separation.axhline(0, color="0.7", lw=0.6)
     separation.plot(distances, contact_forces / style.MICRONEWTON, color=style.PUBLISHED_COLOUR)
     separation.set(xlabel="separation (nm)", ylabel="force (µN)")
@@ -130,10 +131,8 @@ def _draw_ratios(
     The reference is the surface whose ratio is 1 everywhere.
     """
     reference = abs(fit["ratio"] - 1).max("rho").idxmin("surface").item()
-    scans, set_spread = (
-        tables.value_and_interval(fit, "ratio"),
-        tables.summarize_sets(set_fits["ratio"]),
-    )
+    scans = tables.value_and_interval(fit, "ratio")
+    set_spread = tables.summarize_sets(set_fits["ratio"])
     rows = _draw_curves(axes, scans, set_spread, published / published[reference])
     best = tables.value_and_bounds(fit, "range_from_ratios")
     ranges = [best[name] for name in ("low", "value", "high")]

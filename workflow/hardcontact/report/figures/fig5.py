@@ -89,7 +89,8 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
     axes.axvline(0, color=LINE_COLOURS["y"], lw=0.8)
     axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
     axes.locator_params(nbins=5)
-    label, preload = contact.attrs["label"], _print_preload(contact["preload"])
+    label = contact.attrs["label"]
+    preload = _print_preload(contact["preload"])
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 

@@ -28,7 +28,8 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     index = elastic_limit["pressure_over_hardness"]
     visible = elastic_limit.assign(pressure_over_hardness=index.where(index > MIN_INDEX))
     for look, surface in style.iterate_surfaces(visible):
-        label, index = str(surface["label"].item()), surface["pressure_over_hardness"]
+        label = str(surface["label"].item())
+        index = surface["pressure_over_hardness"]
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
     axes.set(xscale="log", yscale="log", xlabel="shortest wavelength of the roughness (nm)")

@@ -121,10 +121,8 @@ def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
     modulus = held_out["designed_level"] / held_out["designed_rms_height_over_range"]
     for side, (colour, marker, label) in SIDE_LOOKS.items():
         side_data = held_out.sel(side=side)
-        errors, bound = (
-            side_data["designed_computed_over_predicted"],
-            side_data["designed_bound"] != 0,
-        )
+        errors = side_data["designed_computed_over_predicted"]
+        bound = side_data["designed_bound"] != 0
         look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
         axes.plot(modulus[~bound], errors[~bound], **look, label=label)
         axes.plot(modulus[bound], errors[bound], **look, mfc="white")

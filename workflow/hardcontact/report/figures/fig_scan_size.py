@@ -39,7 +39,8 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the excess against the size of a scan, (b) sizes needed, (c) long edges."""
     figure = drawing.create(3.2, scan_size)
     sizes, needed, edges = figure.subplots(1, 3)
-    rho, allowed = scan_size.attrs["rho"], scan_size.attrs["allowed_ratio"]
+    rho = scan_size.attrs["rho"]
+    allowed = scan_size.attrs["allowed_ratio"]
     frames = [
         _draw_sizes(sizes, scan_size.sel(rho=rho, method="nearest")),
         tables.variable_rows(scan_size, ("b", "size_needed", "nm")),
@@ -90,7 +91,8 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
         mirrored=scan_size["mirrored"], status=scan_size["long_edge_status"]
     )
     edges["value"] = edges["value"].fillna(scan_size["long_edge_bound"])
-    shortest, period = scan_size["cutoff_wavelength"].min(), scan_size["period"]
+    shortest = scan_size["cutoff_wavelength"].min()
+    period = scan_size["period"]
     ends = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
     ends = ends.assign(ends[["value", "low", "high"]] / MICROMETRE)
     for look, surface_data, factor in _side_by_side(ends):

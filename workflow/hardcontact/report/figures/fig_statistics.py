@@ -76,7 +76,8 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     """Draw computed against predicted spreads of ln F, by kind of surface."""
     is_skewed = statistics["designed_skewed"] != 0
     is_low = (statistics["designed_level"] < LEAST_LEVEL) & ~is_skewed
-    is_fair, is_held_out = ~is_skewed & ~is_low, statistics["designed_held_out"] == 1
+    is_fair = ~is_skewed & ~is_low
+    is_held_out = statistics["designed_held_out"] == 1
     black = {"marker": "o", "color": "black", "ms": 3}
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (is_skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),

@@ -236,7 +236,8 @@ def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
     """
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
     is_other = fit["minimum_range"].values != fit["range_of_adhesion"].item()
-    ranges, heights = fit["minimum_range"][is_other], fit[f"minimum_{height}"][is_other]
+    ranges = fit["minimum_range"][is_other]
+    heights = fit[f"minimum_{height}"][is_other]
     best_look: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
     other_look: Look = best_look | {"label": "other minimum of it"}
     axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)

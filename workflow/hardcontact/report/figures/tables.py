@@ -70,7 +70,8 @@ def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
 def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -> pd.DataFrame:
     """Return a row for each published constant in `units`, with the ends of its uncertainty."""
     rows = constants.loc[list(units)]
-    value, spread = rows["value"].to_numpy(), rows["uncertainty"].to_numpy()
+    value = rows["value"].to_numpy()
+    spread = rows["uncertainty"].to_numpy()
     ends = {"value": value, "low": value - spread, "high": value + spread}
     labels = {"quantity": list(units), "unit": list(units.values())}
     return pd.DataFrame(labels | ends).assign(panel=panel, origin="published")
