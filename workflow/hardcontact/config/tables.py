@@ -192,7 +192,7 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
                 f"{name}: expected a force above zero, found {quote_cell(row[name])}: of a test "
                 "below the noise write the noise, which makes the mean an upper bound"
             )
-    mean, median = (FORCE_QUANTITY.number(f"{row[name]} {row['unit']}") for name in names)
+    mean, median = [FORCE_QUANTITY.number(f"{row[name]} {row['unit']}") for name in names]
     if surface not in surfaces:
         raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_cell(surface)}")
     if not re.fullmatch("[1-9][0-9]{0,8}", count):

@@ -163,9 +163,8 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
-    filtered, unfiltered = (
-        forces[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
-    )
+    filtered = forces["pull_off_force"].mean(contacts)
+    unfiltered = forces["unfiltered_pull_off_force"].mean(contacts)
     ratio = (filtered / unfiltered).assign_attrs(
         units="1", long_name="mean pull-off force relative to the unfiltered force"
     )

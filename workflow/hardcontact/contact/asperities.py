@@ -51,9 +51,8 @@ def asperities(
 
 def _diameter(attraction: Floats, share: float, total: float) -> int:
     """Return the diameter in pixels of the circle about the centre of force that holds a share."""
-    y, x = (np.arange(pixels) for pixels in attraction.shape)
-    centre_y, centre_x = attraction.sum(axis=1) @ y / total, attraction.sum(axis=0) @ x / total
-    from_y, from_x = y - centre_y, x - centre_x
+    from_y = _distance_from_centre(attraction.sum(axis=1))
+    from_x = _distance_from_centre(attraction.sum(axis=0))
     half_width = 32
     carried = np.zeros(1)
     # Squares about the centre, each twice as wide, until a circle in one holds the share.
@@ -65,6 +64,12 @@ def _diameter(attraction: Floats, share: float, total: float) -> int:
         distance = np.rint(np.hypot(from_y[near[0], None], from_x[near[1]])).astype(int)
         carried = np.cumsum(np.bincount(distance.ravel(), attraction[near].ravel())[:half_width])
     return 2 * int(np.searchsorted(carried, share * total))
+
+
+def _distance_from_centre(profile: Floats) -> Floats:
+    """Return the distance in pixels of each place (n,) from the centre of a profile of force."""
+    place = np.arange(len(profile))
+    return np.asarray(place - profile @ place / profile.sum())
 
 
 def asperities_of_pair(

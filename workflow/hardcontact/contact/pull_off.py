@@ -225,9 +225,8 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
             positions=2 * geometry.positions,
         ),
     )
-    coarse, fine = (
-        plastic_forces(pair, [contact], [contact.range]).mean() for pair in (bodies, finer)
-    )
+    coarse = plastic_forces(bodies, [contact], [contact.range]).mean()
+    fine = plastic_forces(finer, [contact], [contact.range]).mean()
     attributes = {
         "units": "1",
         "long_name": "force on pixels of half the size, relative to the scan's pixels",
@@ -256,12 +255,10 @@ def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset
         geometry = bodies.geometry
         contact_pixels = contact.pixels(geometry.pixel_size)
         contacts = all_lowest_gaps(bodies, contact_pixels)
-        wider = replace(geometry, window=geometry.window + 2 * bodies.substrate.pixels)
-        narrow, wide = (
-            outside_sums(replace(bodies, geometry=windowed), contacts, [contact.range])
-            + contact_pixels
-            for windowed in (geometry, wider)
-        )
+        window = geometry.window + 2 * bodies.substrate.pixels
+        wider = replace(bodies, geometry=replace(geometry, window=window))
+        narrow = outside_sums(bodies, contacts, [contact.range]) + contact_pixels
+        wide = outside_sums(wider, contacts, [contact.range]) + contact_pixels
         changes.append(float(np.abs(wide / narrow - 1).max()))
     attributes = {
         "units": "1",

@@ -35,7 +35,10 @@ MAX_LOG_DEVIATION = 50.0
 #: Number of ranges of adhesion on the curves, from the shortest to the longest computed range.
 FINE_RANGES = 401
 
-NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
+NM = {"units": "nm"}
+NEWTON = {"units": "N"}
+ENERGY = {"units": "J m-2"}
+ONE = {"units": "1"}
 
 
 class MeasuredTests(NamedTuple):

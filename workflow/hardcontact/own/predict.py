@@ -73,10 +73,13 @@ def predict(arguments: Namespace) -> str:
     line for each problem.
     """
     quantities, faults = parse_quantities(arguments)
-    radius, rho, work, preload, hardness = (
-        quantities[name].number for name in ("radius", "range", "work", "preload", "hardness")
+    contact = Contact(
+        radius=quantities["radius"].number,
+        range=quantities["range"].number,
+        work=quantities["work"].number,
+        preload=quantities["preload"].number,
+        hardness=quantities["hardness"].number,
     )
-    contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     wide = wide_contact_message(contact)
     if wide and not faults:
         faults.append(f"--{wide}")
@@ -112,7 +115,7 @@ def predict(arguments: Namespace) -> str:
         user_spectrum.joined,
         user_spectrum.skewness,
     )
-    modulus = assumed_modulus(hardness)
+    modulus = assumed_modulus(contact.hardness)
     status = "paper"
     if "modulus" in quantities:
         modulus = quantities["modulus"].number

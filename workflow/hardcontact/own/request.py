@@ -176,7 +176,8 @@ def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator
     """Yield a line for each quantity of the user that is not PLAUSIBLE."""
     for name, (low, high, kind) in PLAUSIBLE.items():
         option = quantities[name]
-        lowest, highest = (magnitude(text, option.unit) for text in (low, high))
+        lowest = magnitude(low, option.unit)
+        highest = magnitude(high, option.unit)
         if option.is_given and not lowest <= option.number <= highest:
             yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual for {kind}"
 

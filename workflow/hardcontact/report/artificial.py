@@ -110,7 +110,8 @@ def classify_edge(data: Datasets, side: str) -> str:
 
 def measurement_name(measurement: xr.Dataset) -> str:
     """Return the path of a measurement and, if the file is a container, the dataset in it."""
-    path, dataset = (str(measurement[name].item()) for name in ("path", "dataset"))
+    path = str(measurement["path"].item())
+    dataset = str(measurement["dataset"].item())
     return f"{path}: {dataset}" if dataset else path
 
 

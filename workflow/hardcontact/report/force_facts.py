@@ -50,10 +50,8 @@ def differing_sides(data: xr.Dataset) -> list[str]:
 def extrapolated_wavelengths(force: xr.Dataset, side: str) -> dict[str, Any]:
     """Return the wavelengths between which roughness is extrapolated at one side."""
     side_force = force.sel(side=side)
-    start, end = (
-        number_of(side_force, variable, "nm", name=name, strict=False)
-        for name, variable in (("start", "transition"), ("end", "extrapolation_end"))
-    )
+    start = number_of(side_force, "transition", "nm", name="start", strict=False)
+    end = number_of(side_force, "extrapolation_end", "nm", name="end", strict=False)
     return {"side": side, "start": start, "end": end}
 
 
@@ -80,11 +78,8 @@ def force_rows(data: Datasets) -> list[AnswerRow]:
     force = data.force
     forces = forces_at_range(data.force)
     quantiles = forces["force_quantile"]
-    lowest, median, highest = (
-        quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
-    )
-    radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
-    smooth = 2 * np.pi * 1e-9 * radius * work
+    lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
+    smooth = 2 * np.pi * 1e-9 * force.attrs["sphere_radius"] * force.attrs["work_of_adhesion"]
     sources = force["extrapolation_source"]
     extrapolated_rows = []
     for side in differing_sides(force):

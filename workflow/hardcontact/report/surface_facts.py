@@ -70,12 +70,13 @@ def edge_rows(data: Datasets) -> list[AnswerRow]:
         ]
     rows = []
     bands = artificial_bands(data.spectra)
-    for side, side_edges in ((side, data.edges.sel(side=side)) for side in SIDES):
+    for side in SIDES:
+        side_edges = data.edges.sel(side=side)
         edge = edge_fact(side_edges, EDGES[side], EDGE_SOURCES[classify_edge(data, side)])
-        low, high = (
+        low, high = [
             np.nan if edge.source == "artificial" or overlaps_any(end, end, bands) else end
             for end in (edge.low, edge.high)
-        )
+        ]
         if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
             edge = edge._replace(status=edge.status or "no_interval")
         edge = with_reason(edge._replace(low=low, high=high), data.edges["interval_source"])

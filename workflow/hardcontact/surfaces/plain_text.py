@@ -135,9 +135,9 @@ def _fill_gaps(rows: list[str]) -> list[str] | None:
         return None
     heights = np.full(size, np.nan)
     heights[flat] = points[:, 2]
-    x, y = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
+    x, y = np.meshgrid(*axes, indexing="ij")
     text = io.StringIO()
-    np.savetxt(text, np.column_stack([x, y, heights]), fmt="%.17g")
+    np.savetxt(text, np.column_stack([x.ravel(), y.ravel(), heights]), fmt="%.17g")
     return text.getvalue().splitlines()
 
 

@@ -116,7 +116,7 @@ def draw(
         frames.append(pd.concat(rows).assign(surface=surface))
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
-    published, fitted = (style.print_pair(pair) for pair in pairs.values())
+    published, fitted = map(style.print_pair, pairs.values())
     handles = [
         Patch(label=f"computed, published {published}", lw=0, **AT_PUBLISHED),
         Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),
