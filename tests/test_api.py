@@ -147,16 +147,6 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
 
 
-def test_the_force_on_a_plane_is_that_of_derjaguin():
-    plane = height_map(np.zeros((128, 128)), PIXEL)
-    forces = hc.pull_off_forces(
-        plane, ranges=[5.6], work=0.05, **SPHERE, **LOAD, window=8000, count=1
-    )
-    expected = 2 * np.pi * SPHERE["radius"] * 1e-9 * 0.05
-    assert forces.pull_off_force.sel(contact_model="rigid").item() == pytest.approx(expected)
-    assert forces.wider_window_change.item() < 1e-9
-
-
 def test_ratios_are_those_of_the_waves_that_are_left():
     """A cutoff between two waves leaves one of them."""
     phase = 2 * np.pi * np.arange(128) / 128

@@ -29,25 +29,11 @@ def test_pairs_of_range_and_work_are_the_published_one_and_those_of_all_sets():
     assert pairs.share_of_sets.sum() == pytest.approx(1)
 
 
-def test_pull_off_by_surface():
-    table = published.pull_off(PAPER / "pull_off.csv")
-    assert table.mean_force["polished_uncd"] == 8.8e-6
-    assert table.median_force["mcd"] == 0.06e-6
-    assert table.effective_work_of_adhesion["uncd"] == 0.32e-3
-
-
 def test_printed_digits_are_kept():
     text = published.printed_pull_off(PAPER / "pull_off.csv")
     assert text.mean_force["uncd"] == "0.4e-6"
     numbers = published.pull_off(PAPER / "pull_off.csv")
     assert text.astype(float).equals(numbers)
-
-
-def test_table1_has_a_row_a_number():
-    table = published.table1(PAPER / "table1.csv").set_index(["surface", "quantity"])
-    assert table.loc[("ncd", "afm_rms_height"), "value"] == 97.1
-    assert table.loc[("ncd", "afm_rms_height"), "uncertainty"] == 11.2
-    assert table.index.is_unique
 
 
 def test_importing_does_not_load_xarray():

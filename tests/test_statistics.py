@@ -30,11 +30,6 @@ def test_a_variable_and_its_interval():
     np.testing.assert_array_equal(np.stack([low, high], axis=-1), interval)
 
 
-def test_a_number_without_dimensions_has_an_interval_of_two():
-    interval = xr.Dataset(statistics.with_interval("work", (), 1.0, [0.5, 2.0], {}, 0.95))
-    assert interval.work_interval.dims == ("bound",) and ends(interval, "work") == [0.5, 2.0]
-
-
 @pytest.mark.parametrize("confidence", [0.5, 0.95])
 def test_percentile_interval_leaves_equal_tails(confidence):
     samples = np.random.default_rng(0).permutation(np.arange(10001.0))

@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 import yaml
 from refusals import assert_says, refusal
-from repository import ROOT, copy_repository, run_snakemake, snakemake
+from repository import ROOT, copy_repository, snakemake
 from rocrate.rocrate import ROCrate
-from scan_files import cut
 
 from hardcontact.base import crate
 from hardcontact.base.origin import digest, pinned_versions
@@ -47,15 +46,6 @@ def test_a_damaged_crate_is_refused(folder, content):
 
 
 # The quick study
-
-
-@pytest.mark.study
-def test_a_damaged_crate_is_named(finished_copy):
-    cut(finished_copy / "results/quick" / crate.CRATE_FILE, 0.5)
-    run = run_snakemake(finished_copy, "verify")
-    assert run.returncode == 1
-    expected = f"error: results/quick/{crate.CRATE_FILE}: expected a whole RO-Crate, found: "
-    assert expected in run.stdout and "Traceback" not in run.stdout
 
 
 @pytest.mark.study

@@ -13,7 +13,3 @@ def test_what_is_not_known_is_none_in_json():
     assert (short["value"], short["low"], short["high"]) == (37.0, 30.0, None)
     assert (short["status"], long["status"], long["value"]) == ("known", "not_known", None)
     assert plain(Number("force", math.nan, status="open_above"))["status"] == "open_above"
-
-
-def test_what_is_no_number_stays():
-    assert plain([1, "a", True, None, 0.1, -math.inf]) == [1, "a", True, None, 0.1, None]

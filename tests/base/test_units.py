@@ -49,12 +49,3 @@ def test_what_is_no_length_is_refused_in_one_line(text):
 )
 def test_quantities_are_printed_with_the_fitting_prefix(value, unit, expected):
     assert units.print_exact(value, unit) == expected
-
-
-def test_token_is_the_same_for_equal_quantities():
-    assert (
-        units.path_token(units.magnitude("0.01 mN", "N"), "uN")
-        == units.path_token(1e-5, "uN")
-        == "10uN"
-    )
-    assert units.path_token(5.6, "nm") == "5.6nm"

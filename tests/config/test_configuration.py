@@ -44,12 +44,6 @@ def test_no_key_is_guessed_that_is_not_near():
     assert "did you mean" not in refusal(numbers, "colour", 1)
 
 
-def test_quantities_become_numbers():
-    config = numbers("sphere.radius", "0.25 mm", "robustness.hardnesses", ["16 GPa", "0.047 TPa"])
-    assert config["sphere"]["radius"] == 250e3
-    assert config["robustness"]["hardnesses"] == [16e9, 47e9]
-
-
 # Files
 
 

@@ -1,7 +1,6 @@
 """The model, the configuration and their documentation agree."""
 
-import yaml
-from repository import PAPER, QUICK, ROOT, leaves
+from repository import PAPER, ROOT, leaves
 
 from hardcontact.config import key_tables
 from hardcontact.config.model import Study
@@ -20,8 +19,3 @@ def test_the_configuration_and_its_documentation_are_made_from_the_model():
 def test_the_configuration_of_the_paper_has_every_key_and_its_default():
     assert Study.model_validate(PAPER) == Study()
     assert sorted(leaves(PAPER)) == sorted(leaves(Study().model_dump(warnings=False)))
-
-
-def test_the_quick_study_changes_known_keys_only():
-    quick = yaml.safe_load((ROOT / QUICK).read_text())
-    assert set(leaves(quick)) <= set(leaves(PAPER))

@@ -132,14 +132,3 @@ def test_force_of_a_sphere_over_a_sinusoid_is_that_over_a_flat_times_its_factor(
     position = int(over(wave, None, pixel_size, 640, 1).geometry.positions[0])
     assert wave[0, position] == amplitude  # the apex stands on a crest
     assert wavy / flat == pytest.approx(ive(0, amplitude / rho), rel=1e-9)
-
-
-@pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("contact_pixels", [1, 9])
-@pytest.mark.parametrize("rho", [0.1, 5.6])
-def test_smooth_sphere_force_is_the_direct_sum(case, contact_pixels, rho):
-    bodies = bodies_of(case, 5, rough=False)
-    (totals,) = plastic_totals(bodies, [contact_pixels], rho)
-    for place, total in np.ndenumerate(totals):
-        expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
-        assert total == pytest.approx(expected, rel=1e-12)

@@ -55,8 +55,3 @@ def test_fit_keeps_to_the_exact_pair(maugis):
 
     exact = -min(force(radius) for radius in np.linspace(0.01, 2.0, 800))
     assert smooth_sphere.transition_coefficient(maugis) == pytest.approx(exact, rel=0.017)
-
-
-def test_effective_work_is_that_of_the_limit():
-    force = smooth_sphere.dmt_pull_off(WORK, RADIUS)
-    assert smooth_sphere.effective_work_of_adhesion(force, RADIUS, 2) == pytest.approx(WORK)

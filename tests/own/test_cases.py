@@ -106,28 +106,3 @@ def test_a_flat_cleavage_face_sticks_as_a_smooth_one(tmp_path):
     _, numbers = predicted(tmp_path / "a.txt", rough(7, 0.05, 8.0, 0.5, 200.0), 8.0)
     assert 0.97 < numbers["force_ratio"]["value"] <= 1
     assert numbers["short_edge"]["value"] is None and numbers["long_edge"]["value"] is None
-
-
-def test_a_soft_contact_is_warned_of(tmp_path):
-    soft_contact = [
-        "--radius",
-        "5um",
-        "--hardness",
-        "1MPa",
-        "--preload",
-        "100nN",
-        "--work",
-        "30mJ/m2",
-    ]
-    report, numbers = predicted(tmp_path / "a.txt", WHOLE, 40.0, *soft_contact)
-    assert_says(report, "Tabor parameter: not known", "may be too soft for a hard contact")
-    assert numbers["tabor_parameter"]["value"] is None
-
-
-def test_lines_of_few_points_far_apart_are_refused_in_a_line(tmp_path):
-    line = np.column_stack([50.0 * np.arange(64), generator(8).normal(0, 0.05, 64)])
-    np.savetxt(tmp_path / "line.txt", line)
-    arguments = predict_arguments([str(tmp_path / "line.txt"), "--unit", "um"])
-    message = refusal(predict, arguments)
-    assert_says(message, "line.txt from 200 µm (4 pixels)")
-    assert len(message.splitlines()) == 1

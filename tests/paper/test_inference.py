@@ -39,16 +39,6 @@ def test_interval_is_of_the_confidence_that_is_asked_for():
     np.testing.assert_allclose(narrow.range_of_adhesion_interval, [low, high])
 
 
-def test_missing_scans_do_not_count():
-    forces = power_forces(spread=0.3)
-    short = forces.copy()
-    short[0, 3] = np.nan
-    np.testing.assert_allclose(
-        infer_model(short).mean_force.isel(surface=0),
-        forces[0, :3].mean(["scan", "sphere_scan", "contact_y", "contact_x"]),
-    )
-
-
 def test_a_surface_without_a_published_force_does_not_enter_the_fit():
     forces = power_forces()
     forces[0] *= 100

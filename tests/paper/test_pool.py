@@ -63,17 +63,6 @@ def test_roughness_is_that_of_the_scan_as_it_was_drawn(pool):
     assert pool.attrs == {"mean_rms_height": 10.0, "rms_height_deviation": 4.0}
 
 
-def test_interpolated_mean_forces_are_those_of_the_direct_sum(pool):
-    height = np.array([9.3])
-    scan = raw_scan(3)
-    contacts = [(0, 0), (0, 1), (1, 0), (1, 1)]
-    factor = height.item() / scan.heights.std()
-    direct = np.mean([direct_force(scan, factor, 1, 5.6, contact) for contact in contacts])
-    log_forces = pool["log_force"].sel(scan=3, contact_model="rigid", rho=5.6).values
-    interpolated = np.tensordot(height_weights(HEIGHTS, height)[0], log_forces, 1)
-    assert np.exp(interpolated).mean() == pytest.approx(direct, rel=1e-3)
-
-
 def test_a_scan_does_not_depend_on_those_computed_with_it(pool):
     single = pool_of(4)
     np.testing.assert_array_equal(single["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))

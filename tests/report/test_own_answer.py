@@ -87,11 +87,6 @@ def test_numbers_are_those_of_the_datasets():
     assert of_surface["measurement_1_shortest_reliable"]["value"] == 55.0
 
 
-def test_open_edges_are_bounds():
-    edge = quantities("open, one force")["long_edge"]
-    assert (edge["value"], edge["status"], edge["high"]) == (2560.0, "open_above", None)
-
-
 def test_cautions_are_codes_with_their_numbers():
     of_surface = quantities("contradiction")
     codes = {row["status"] for name, row in of_surface.items() if name.startswith("caution")}

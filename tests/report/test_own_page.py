@@ -28,7 +28,7 @@ from paper_study import svg
 
 from hardcontact.report import own_figures as figures
 from hardcontact.report.figures import style
-from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
+from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_answer import own_answer, own_headline, own_page, own_warnings
 
 FORCES = "two substitutes, forces"
@@ -199,21 +199,6 @@ def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name)
     assert all(f"{label} (substitute)" in shown for label in LABELS)
     assert set(table["surface"]) == set(SURFACES)
     assert table[["quantity", "value", "unit", "origin"]].notna().all(axis=None)
-
-
-def test_files_of_figures_are_the_same_each_time_and_small(tmp_path):
-    given = CASES[FORCES][0]
-    made = []
-    for folder in (tmp_path / "first", tmp_path / "second"):
-        folder.mkdir()
-        paths = {kind: [str(folder / f"{name}.{kind}") for name in OWN_FIGURES]
-                 for kind in FILE_KINDS}  # fmt: skip
-        pictures = figures.write_figures(given, paths)
-        made.append({path.name: path.read_bytes() for path in folder.iterdir()})
-    assert made[0] == made[1] and len(made[0]) == len(OWN_FIGURES) * len(FILE_KINDS)
-    for name, picture in pictures.items():
-        assert picture == made[0][f"{name}.svg"] and b"<svg" in picture
-        assert len(picture) < 150_000
 
 
 @needs_browser

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 import xarray as xr
 from repository import ROOT, copy_repository, run_snakemake
-from scan_files import cut
 
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.scans import examine, list_measurements, read_measurement, read_scan
@@ -48,15 +47,6 @@ def test_the_whole_container():
 def test_no_defect_is_named():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_measurements(CONTAINER))]
     assert not any(examine(read_measurement(*file)).defects for file in files)
-
-
-@pytest.mark.parametrize("share", [0.001, 0.5, 0.99])
-def test_truncated_afm_scan_is_refused(tmp_path, share):
-    path = tmp_path / "a.di"
-    path.write_bytes(AFM.read_bytes())
-    cut(path, share)
-    with pytest.raises(ValueError, match=r"^\S*a\.di: expected .* found:? [^\n]*\Z"):
-        read_scan(path)
 
 
 TABLE = f"""\

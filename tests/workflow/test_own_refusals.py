@@ -2,11 +2,9 @@
 
 import pytest
 import yaml
-from own_studies import LEFT_OUT, changed, new, quick, rough, spm
+from own_studies import LEFT_OUT, quick
 from refusals import assert_says
-from scan_files import cut
 
-from hardcontact.base.random import generator
 from hardcontact.config.configuration import NONE, omitted_targets
 
 pytestmark = pytest.mark.study
@@ -32,30 +30,6 @@ def test_targets_left_out_say_why(folder, probe):
         assert f"{target} is left out: {reasons[target]}" in run.stdout
 
 
-def test_a_study_is_not_overwritten(folder, probe):
-    files_before = (folder / "config/probe.yaml").read_bytes()
-    done = new(folder, "probe", "scans/probe.001")
-    assert done.returncode == 1 and "--overwrite" in done.stderr
-    assert (folder / "config/probe.yaml").read_bytes() == files_before
-
-
-def test_several_faults_are_told_at_once_and_nothing_is_written(folder, probe):
-    (folder / "scans/broken.001").write_text("no scan")
-    cut(spm(folder / "scans/short.001", rough(generator(7)), 2500.0), 0.6)
-    (folder / "unitless.csv").write_text("surface,value,unit\nmine,1,\n")
-    files_before = files_of(folder)
-    done = new(
-        folder, "mine", "scans/broken.001", "scans/short.001", "none.001", "scans/probe.001",
-        "--preload", "10", "--radius", "3 N", "--forces", "unitless.csv",
-    )  # fmt: skip
-    assert done.returncode == 1 and not done.stdout
-    lines = done.stderr.splitlines()
-    messages = ["--preload", "--radius", "broken.001", "short.001", "none.001", "unitless.csv"]
-    assert all(line.startswith("error: ") and ": expected " in line for line in lines)
-    assert all(any(message in line for line in lines) for message in messages)
-    assert files_of(folder) == files_before
-
-
 @pytest.mark.parametrize(
     ("change", "message_parts"),
     [
@@ -73,10 +47,3 @@ def test_a_bad_overlay_is_refused_in_the_users_units(folder, probe, change, mess
     files_before = files_of(folder)
     assert_says(" ".join(errors(quick(folder, "probe", overlays=["bad.yaml"]))), *message_parts)
     assert files_of(folder) == files_before
-
-
-def test_a_scan_that_is_gone_is_named(folder, probe):
-    table = folder / "config/probe.tsv"
-    with changed(table, table.read_text().replace("probe.001", "gone.001")):
-        (line,) = errors(quick(folder, "probe"))
-    assert_says(line, "config/probe.tsv: line 2", "scans/gone.001", "no such file")

@@ -8,7 +8,6 @@ from repository import copy_repository, run_snakemake
 from small_study import QUICK_PATTERNS
 
 from hardcontact.base import dataset
-from hardcontact.contact.contact import Contact
 
 
 @pytest.fixture(scope="module")
@@ -28,13 +27,6 @@ def test_every_number_has_a_unit(final):
     ]
     assert final.keys() >= {"topography", "adhesion", "scales", "inference", "band"}
     assert missing_units == []
-
-
-def test_datasets_say_where_they_come_from(final):
-    keys = {"title", "history", "parameters", "versions", "code_digest", "input_digests"}
-    assert {name: keys - data.attrs.keys() for name, data in final.items()} == dict.fromkeys(
-        final, set()
-    )
 
 
 def test_substitutes_are_labelled(final, finished):
@@ -58,44 +50,6 @@ def test_forces_are_positive_and_complete(results):
     assert force.sizes["contact_y"] == force.sizes["contact_x"] == 6
     rigid, plastic = (force.sel(contact_model=model) for model in ("rigid", "plastic"))
     assert (plastic >= rigid).all()
-
-
-def test_elastic_contacts_carry_the_preload(results):
-    data = dataset.read(results / "elastic.nc")
-    load = data.contact_area * 1e-18 * data.mean_pressure
-    np.testing.assert_allclose(load, data.attrs["preload"], rtol=1e-5)
-    assert (data.peak_pressure >= data.mean_pressure).all()
-    assert ((0 <= data.share_above_hardness) & (data.share_above_hardness <= 1)).all()
-    assert (data.rigid_pull_off_force > 0).all() and (data.elastic_pull_off_force > 0).all()
-    # The pressure drawn is that of the first contact on a surface's first scan, about its peak.
-    peak = data.peak_pressure.isel(scan=0, contact=0)
-    np.testing.assert_array_equal(data.pressure.max(["y", "x"]), peak)
-
-
-def test_indents_grow_with_the_load_and_the_one_drawn_is_the_median(results):
-    data = dataset.read(results / "indent.nc")
-    assert (data.depth.diff("preload") > 0).all()
-    assert (data.lateral_size >= data.edge_length).all() and (data.indent_count >= 1).all()
-    pixel = float(data.x.diff("x").mean())
-    for preload in data.preload.values:
-        contact_pixels = Contact(
-            radius=data.sphere_radius, preload=preload, hardness=data.hardness
-        ).pixels(pixel)
-        largest = np.rint((data.edge_length.sel(preload=preload) / pixel) ** 2)
-        assert (largest + data.indent_count.sel(preload=preload) - 1 <= contact_pixels).all()
-        assert ((data.indent_count.sel(preload=preload) == 1) <= (largest == contact_pixels)).all()
-    deepest = data.preload.max()
-    depths = np.sort(data.depth.sel(preload=deepest).values, axis=None)
-    assert data.indentation.sel(preload=deepest).max() == depths[depths.size // 2]
-
-
-def test_one_or_two_asperities_carry_the_share_that_is_looked_at(results):
-    data = dataset.read(results / "asperities.nc")
-    assert (data.largest_share <= data.two_largest_share).all() and (data.extent > 0).all()
-    for patches, name in ((1, "largest_share"), (2, "two_largest_share")):
-        patch_data = data[name].where(data.patch_count <= patches, drop=True)
-        assert patch_data.size and (patch_data.fillna(1) >= data.attrs["share"] - 1e-9).all()
-    assert (data.two_largest_share < 1).all() and (data.patch_count >= 1).all()
 
 
 # The same seed, the same values

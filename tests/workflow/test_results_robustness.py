@@ -9,7 +9,6 @@ from repository import OTHERWISE, run_snakemake
 from small_study import QUICK_NUMBERS, QUICK_PATTERNS
 
 from hardcontact.base import dataset
-from hardcontact.base.statistics import bounds
 from hardcontact.config.configuration import set_keys
 from hardcontact.config.store_keys import store_digests
 from hardcontact.contact.contact import Contact
@@ -31,13 +30,6 @@ def test_only_what_a_variant_concerns_is_another(robustness):
     assert np.isfinite(cutoffs).all()
     for name in robustness.variant.values[1:]:
         assert (cutoffs.sel(variant=name) != cutoffs.sel(variant="baseline")).any(), name
-
-
-@pytest.mark.parametrize("name", ["range_of_adhesion", "work_of_adhesion"])
-def test_variants_lie_in_their_intervals(robustness, name):
-    value, (low, high) = robustness[name], bounds(robustness, name)
-    is_finite = np.isfinite(value)
-    assert ((low <= value) | ~is_finite).all() and ((value <= high) | ~is_finite).all()
 
 
 def test_loads_that_as_many_pixels_carry_are_one(robustness):
