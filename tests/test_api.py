@@ -51,7 +51,7 @@ def files(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_names_are_there_and_nothing_is_loaded_before_one_is_used():
+def test_names_are_loaded_when_they_are_used():
     assert set(hc.API) <= set(dir(hc)) & set(dir(api)) and len(FUNCTIONS) <= 10
     assert hc.__version__ in (ROOT / "pyproject.toml").read_text()
     assert "api" not in hc.API and not hasattr(hc, "read")
@@ -75,7 +75,7 @@ def test_the_example_of_every_function_runs(name, files):
         exec(example.source, names)
 
 
-def test_the_example_scan_is_that_of_the_code_beside_it(tmp_path, monkeypatch):
+def test_the_example_scan_is_reproduced_by_its_code(tmp_path, monkeypatch):
     folder = ROOT / "resources/examples"
     code = re.search(
         r"^```python\n(.*?)^```", (folder / "README.md").read_text("utf-8"), re.M | re.S
@@ -88,7 +88,7 @@ def test_the_example_scan_is_that_of_the_code_beside_it(tmp_path, monkeypatch):
     assert (scan.pixels, scan.size) == (256, pytest.approx(5000)) and 9 < scan.heights.std() < 11
 
 
-def test_what_is_no_spectrum_is_refused_in_one_line(files):
+def test_other_objects_than_spectra_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
     call = partial(hc.predict, radius=1, preload=1, hardness=1, rho=1, work=1)
@@ -147,7 +147,7 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
     assert forces.pull_off_force.units == "N" and forces.work_of_adhesion == work
 
 
-def test_ratios_are_those_of_the_waves_that_are_left():
+def test_ratios_equal_those_of_the_remaining_wave():
     """A cutoff between two waves leaves one of them."""
     phase = 2 * np.pi * np.arange(128) / 128
     long, short = np.tile(4 * np.cos(2 * phase), (128, 1)), np.tile(np.cos(16 * phase), (128, 1))
@@ -173,7 +173,7 @@ def test_ratios_are_those_of_the_waves_that_are_left():
     assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60 and open_edge.edge_bound_is_lower
 
 
-def test_the_prediction_is_that_of_the_command(files):
+def test_the_prediction_equals_that_of_the_command(files):
     numbers = hc.predict(hc.read_spectrum("my-psd.csv"), radius=250e3, rho=5.6, work=0.0463, **LOAD)
     numbers_written = json.loads(predict(predict_arguments(["my-psd.csv", "--json", "-"])))
     assert numbers["pull_off_force"].status == "inside"
@@ -206,7 +206,7 @@ WRONG = [
 ]
 
 
-def test_maps_spectra_and_numbers_are_told_in_a_line_with_units(files):
+def test_maps_spectra_and_numbers_print_in_a_line_with_units(files):
     scan, spectrum = hc.read_scan("scan.nc"), hc.read_spectrum("scan.nc")
     rms = scan.heights.std()
     assert repr(scan) == (
@@ -231,7 +231,7 @@ def test_plots_show_the_heights_and_densities(files):
     matplotlib.pyplot.close("all")
 
 
-def test_a_topography_is_prepared_as_its_file(files):
+def test_a_topography_is_prepared_like_its_file(files):
     from SurfaceTopography import Topography, UniformLineScan, open_topography
 
     topography = open_topography("scan.nc").topography()
@@ -250,7 +250,7 @@ def test_a_topography_is_prepared_as_its_file(files):
         )
 
 
-def test_a_scan_is_predicted_as_its_file(files):
+def test_a_scan_is_predicted_like_its_file(files):
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
     numbers = hc.predict(hc.read_scan("scan.nc"), **contact)
     numbers_written = json.loads(predict(predict_arguments(["scan.nc", "--json", "-"])))
@@ -262,7 +262,7 @@ def test_a_scan_is_predicted_as_its_file(files):
     assert np.isnan(withheld.value) and withheld.status == "steep_edges"
 
 
-def test_what_cannot_be_computed_is_refused_in_a_line(files):
+def test_faulty_arguments_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     valid = {"scan": scan, "ranges": [5.6], "work": 0.05} | SPHERE | LOAD | ARRAY
     cases = [

@@ -13,7 +13,7 @@ from hardcontact.base import published
 PAPER = Path(__file__).parents[1] / "resources" / "paper"
 
 
-def test_constants_by_quantity():
+def test_constants_have_the_published_values():
     constants = published.constants(PAPER / "parameters.csv")
     assert constants.loc["range_of_adhesion", ["value", "uncertainty"]].tolist() == [5.6, 0.5]
     assert constants.value["edge_small"] == 43
@@ -21,7 +21,7 @@ def test_constants_by_quantity():
     assert constants.index.is_unique
 
 
-def test_pairs_of_range_and_work_are_the_published_one_and_those_of_all_sets():
+def test_pairs_include_the_published_pair_and_their_shares_add_up_to_one():
     pairs = pd.read_csv(PAPER.parent / "adhesion/pairs.csv", index_col="pair")
     constants = published.constants(PAPER / "parameters.csv").value
     assert pairs.range_of_adhesion_nm["published"] == constants["range_of_adhesion"]
@@ -29,7 +29,7 @@ def test_pairs_of_range_and_work_are_the_published_one_and_those_of_all_sets():
     assert pairs.share_of_sets.sum() == pytest.approx(1)
 
 
-def test_printed_digits_are_kept():
+def test_printed_forces_keep_their_digits():
     text = published.printed_pull_off(PAPER / "pull_off.csv")
     assert text.mean_force["uncd"] == "0.4e-6"
     numbers = published.pull_off(PAPER / "pull_off.csv")

@@ -11,7 +11,7 @@ def draw_numbers(*arguments):
     return generator(*arguments).random(4).tolist()
 
 
-def test_other_seed_or_names_other_numbers():
+def test_another_seed_or_name_gives_other_numbers():
     different = [
         (1, "uncd", 3),
         (2, "uncd", 3),
@@ -23,6 +23,6 @@ def test_other_seed_or_names_other_numbers():
     assert len({tuple(draw_numbers(*arguments)) for arguments in different}) == len(different)
 
 
-def test_the_sequence_is_that_of_the_digest_of_the_names():
+def test_numbers_follow_from_the_seed_and_the_digest_of_the_names():
     words = np.frombuffer(hashlib.sha256(b"uncd/3").digest(), dtype="<u4").tolist()
     assert draw_numbers(7, "uncd", 3) == np.random.default_rng([7, *words]).random(4).tolist()

@@ -36,7 +36,7 @@ def test_a_room_imports_from_those_before_it(room):
         assert {name.split(".")[1] for name in names} <= allowed_rooms, path
 
 
-def test_one_module_alone_knows_snakemake():
+def test_only_one_module_imports_snakemake():
     paths = [
         path.relative_to(LIBRARY).as_posix()
         for path in LIBRARY.rglob("*.py")

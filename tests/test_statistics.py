@@ -13,23 +13,6 @@ def ends(dataset, name="value"):
     return [end.values.tolist() for end in bounds(dataset, name)]
 
 
-def test_a_variable_and_its_interval():
-    interval = np.array([[0.5, 2.0], [1.5, 3.0]])
-    units = {"units": "N"}
-    dataset = xr.Dataset(
-        statistics.with_interval("force", "surface", [1.0, 2.0], interval, units, 0.9),
-        {"surface": ["a", "b"]},
-    )
-    assert set(dataset.data_vars) == {"force", "force_interval"}
-    assert dataset.force_interval.dims == ("surface", "bound")
-    assert dataset.bound.values.tolist() == ["low", "high"]
-    assert dataset.force_interval.attrs == {"units": "N", "confidence": 0.9}
-    assert dataset.force.attrs == units == {"units": "N"}
-    low, high = bounds(dataset, "force")
-    assert low.dims == high.dims == ("surface",) and "bound" not in low.coords
-    np.testing.assert_array_equal(np.stack([low, high], axis=-1), interval)
-
-
 @pytest.mark.parametrize("confidence", [0.5, 0.95])
 def test_percentile_interval_leaves_equal_tails(confidence):
     samples = np.random.default_rng(0).permutation(np.arange(10001.0))
@@ -38,7 +21,7 @@ def test_percentile_interval_leaves_equal_tails(confidence):
     assert high == pytest.approx(10000 - 5000 * (1 - confidence))
 
 
-def test_percentile_interval_leaves_out_what_is_missing():
+def test_percentile_interval_skips_missing_samples():
     samples = np.arange(12.0).reshape(3, 4).T
     samples[:, 1] = np.nan
     interval = statistics.percentile_interval(samples, 1.0)
@@ -46,7 +29,7 @@ def test_percentile_interval_leaves_out_what_is_missing():
 
 
 @pytest.mark.parametrize("confidence", [0.8, 0.95])
-def test_student_interval_is_that_of_a_t_test(confidence):
+def test_student_interval_equals_that_of_a_t_test(confidence):
     values = np.random.default_rng(0).normal(3.0, 1.0, (2, 5))
     values[1, 3:] = np.nan
     interval = statistics.student_interval(
@@ -60,7 +43,7 @@ def test_student_interval_is_that_of_a_t_test(confidence):
         np.testing.assert_allclose(row, expected, rtol=1e-12)
 
 
-def test_student_log_interval_is_that_of_a_t_test_on_logarithms_about_the_mean():
+def test_student_log_interval_equals_a_t_test_on_logarithms_about_the_mean():
     values = np.random.default_rng(0).lognormal(0, 0.5, (2, 5))
     values[1, 3:] = np.nan
     interval = statistics.student_log_interval(
@@ -76,7 +59,7 @@ def test_student_log_interval_is_that_of_a_t_test_on_logarithms_about_the_mean()
 
 @pytest.mark.parametrize("count", [3, 5])
 @pytest.mark.parametrize("shape", [0.2, 0.4, 0.6, 0.8])
-def test_student_log_interval_covers_the_mean_as_often_as_it_says(count, shape):
+def test_student_log_interval_covers_the_mean_with_its_confidence(count, shape):
     """Measured: 0.929 to 0.952. A percentile bootstrap over five covers 0.71 to 0.84."""
     values = np.random.default_rng(0).lognormal(0, shape, (20000, count))
     interval = statistics.student_log_interval(
@@ -87,7 +70,7 @@ def test_student_log_interval_covers_the_mean_as_often_as_it_says(count, shape):
     assert 0.9 <= ((low <= mean) & (mean <= high)).mean() <= 0.98
 
 
-def test_samples_are_at_every_place_those_of_the_interval():
+def test_samples_have_the_percentiles_of_the_interval_at_every_range():
     values = np.random.default_rng(1).lognormal(0, 0.4, (5, 3))
     samples = statistics.student_log_samples(np.random.default_rng(2), values, 200000)
     expected = statistics.student_log_interval(
@@ -96,7 +79,7 @@ def test_samples_are_at_every_place_those_of_the_interval():
     np.testing.assert_allclose(statistics.percentile_interval(samples, 0.9), expected, rtol=0.01)
 
 
-def test_samples_keep_the_correlation_of_places():
+def test_samples_keep_the_correlation_between_ranges():
     common = np.random.default_rng(1).lognormal(0, 0.4, (4, 1))
     values = common * np.array([1.0, 5.0]) ** np.array([1.0, 2.0])
     samples = statistics.student_log_samples(np.random.default_rng(0), values, 50)
@@ -116,7 +99,7 @@ def test_one_scan_has_no_interval_and_no_samples():
     assert np.isnan(statistics.percentile_interval(np.empty((0, 3)), 0.9)).all()
 
 
-def test_jackknife_of_a_geometric_mean_is_the_t_test_on_logarithms():
+def test_jackknife_of_a_geometric_mean_equals_the_t_test_on_logarithms():
     values = np.random.default_rng(0).lognormal(0, 0.5, 6)
     left_out = [stats.gmean(np.delete(values, scan)) for scan in range(6)]
     expected = stats.ttest_1samp(np.log(values), 0).confidence_interval(0.9)
@@ -124,21 +107,21 @@ def test_jackknife_of_a_geometric_mean_is_the_t_test_on_logarithms():
     np.testing.assert_allclose(np.log(interval), expected, rtol=1e-12)
 
 
-def test_published_lognormal_shapes():
+def test_shapes_from_published_forces_are_the_published_ones():
     mean, median = [8.8, 0.4, 0.16, 0.11], [1.75, 0.31, 0.12, 0.06]
     np.testing.assert_allclose(
         statistics.lognormal_shape(mean, median), [1.80, 0.71, 0.76, 1.10], atol=0.006
     )
 
 
-def test_lognormal_shape_of_a_lognormal():
+def test_mean_and_median_of_a_lognormal_give_its_shape():
     distribution = stats.lognorm(0.7, scale=3.0)
     assert statistics.lognormal_shape(distribution.mean(), distribution.median()) == pytest.approx(
         0.7
     )
 
 
-def test_forces_that_are_alike_have_a_shape_of_zero_and_no_interval_of_it():
+def test_equal_forces_have_shape_zero_without_an_interval():
     assert statistics.lognormal_fit(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)
     assert np.isnan(statistics.jackknife_interval(0.0, np.zeros(5), 0.95)).all()
 
@@ -162,7 +145,7 @@ def test_censored_fit_has_the_greatest_likelihood(floor):
     assert negative_log_likelihood(shape, median) <= negative_log_likelihood(expected, scale) + 1e-7
 
 
-def test_censored_fit_recovers_the_distribution_that_was_cut():
+def test_censored_fit_recovers_the_distribution_below_the_floor():
     distribution = stats.lognorm(0.9, scale=6e-8)
     forces = distribution.rvs(size=20000, random_state=np.random.default_rng(0))
     shape, median, share_below = statistics.lognormal_fit(forces, 3e-8)

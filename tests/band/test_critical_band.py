@@ -45,7 +45,7 @@ def test_critical_wavelength_interpolates_in_log_wavelength():
     assert band.critical_wavelength(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
 
 
-def test_each_side_is_read_from_its_unfiltered_end():
+def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
     bands = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
     for group, sides in EDGES.items():
         for side, wavelength in sides.items():
@@ -54,7 +54,7 @@ def test_each_side_is_read_from_its_unfiltered_end():
             np.testing.assert_allclose(selected.edge_interval, wavelength)
 
 
-def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
+def test_pooled_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
     bands = band.critical_band(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
@@ -74,14 +74,14 @@ def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
 FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
 
 
-def test_curves_that_never_leave_bound_the_interval_by_the_last_cutoff_of_their_side():
+def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
     bands = band.critical_band(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
     assert bands.edge.isnull().all()
     np.testing.assert_allclose(bands.edge_interval.sel(side="small"), 100.0)
     np.testing.assert_allclose(bands.edge_interval.sel(side="large"), 1000.0)
 
 
-def test_intervals_are_over_realizations():
+def test_intervals_describe_the_scatter_of_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
     bands = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
     small = bands.sel(side="small", cutoff_wavelength=100.0)

@@ -22,7 +22,7 @@ def edge_of_ratios(side, cutoffs, ratio, low, high):
     return describe_edge(RatioCurve(side, 1e6, cutoffs, np.log([ratio, low, high]), limits))
 
 
-def test_a_ratio_that_passes_through_one_between_cutoffs_leaves_where_it_is_known_to():
+def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance():
     # The known curve is (3 µm / cutoff)^0.16: one at 3 µm, 0.91 and 1.12 at the cutoffs around it.
     cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
     ratio = (3e3 / cutoffs) ** 0.16
@@ -73,9 +73,7 @@ def test_an_edge_and_its_interval_are_found_between_cutoffs():
         ("large", [0.0, 0.05, 0.1], 5e3, 10, "cutoffs", 0),
     ],
 )
-def test_an_edge_beyond_what_was_computed_is_open(
-    side, changes, cell, bound, status, is_lower_bound
-):
+def test_an_edge_beyond_the_cutoffs_is_open(side, changes, cell, bound, status, is_lower_bound):
     result = edge(side, changes, cell=cell)
     assert np.isnan(result["edge"]) and result["edge_bound"] == bound
     assert result["edge_status"] == f"beyond the {status}"
@@ -83,17 +81,17 @@ def test_an_edge_beyond_what_was_computed_is_open(
     assert result["edge_interval_status"].tolist() == ["open", "open"]
 
 
-def test_an_open_edge_may_have_a_known_end():
+def test_an_open_edge_may_have_one_end_of_its_interval():
     result = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5], cell=1e3)
     assert result["edge_bound"] == 1000 and np.isnan(result["edge"])
     np.testing.assert_allclose(result["edge_interval"], [100, np.nan])
 
 
-def test_an_open_edge_has_no_interval_that_is_open_on_both_sides():
+def test_an_interval_open_on_both_sides_is_left_out():
     result = edge("small", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
     assert result["edge_bound"] == 10 and np.isnan(result["edge_interval"]).all()
 
 
-def test_a_curve_that_is_known_exactly_has_its_edge_between_two_cutoffs():
+def test_an_exact_curve_has_its_edge_between_two_cutoffs():
     changes = [0.05, 0.15, 0.4]
     assert edge("small", changes, changes, changes)["edge_interval"].tolist() == [10, 100]

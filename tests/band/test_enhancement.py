@@ -9,7 +9,7 @@ from hardcontact.base.statistics import Sampling
 CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 
 
-def test_every_contact_has_the_edge_of_its_own_forces():
+def test_each_contact_model_has_the_edge_of_its_forces():
     """Forces that grow in proportion to the cutoff reach 10 % at a prescribed edge."""
     edges = xr.DataArray(
         [[100.0, 50.0], [30.0, 25.0]], {"area": ("load", [400.0, 1.0]), "rho": [5.6, 1.0]},
@@ -34,7 +34,7 @@ def test_every_contact_has_the_edge_of_its_own_forces():
     np.testing.assert_allclose(ratio.sel(removed_cause=["plasticity", "long_range"]), edge_ratios)
 
 
-def test_edges_that_scatter_alike_have_a_ratio_that_is_known():
+def test_edges_that_scatter_together_have_a_certain_ratio():
     """Every contact has the same forces: the edge is uncertain, its ratio is one."""
     factors = 1.1 ** (np.array([0.7, 1.0, 1.4])[:, None] * np.log(CUTOFFS / 2) / np.log(20))
     ratio = xr.DataArray(

@@ -29,7 +29,7 @@ def curves(side):
 @pytest.mark.parametrize(
     ("side", "remaining", "end"), [("small", [1, 1, 0, 0], 20.0), ("large", [0, 0, 1, 1], 640.0)]
 )
-def test_a_wave_is_kept_on_its_side_of_the_cutoffs(side, remaining, end):
+def test_a_cutoff_keeps_the_wave_on_one_side_only(side, remaining, end):
     forces = curves(side)
     force = forces["pull_off_force"]
     # The mean of cos² is 1/2, that of cos⁴ is 3/8.
@@ -60,7 +60,7 @@ def master_forces(forces, unfiltered, cutoffs, end):
     )
 
 
-def test_ratios_of_masters_are_those_of_means_over_contacts_each_in_its_place():
+def test_ratios_are_taken_of_mean_forces_over_contacts():
     masters = {
         (surface, realization, side): master_forces(
             [[2.0, 9.0], [realization, 9.0]], [4.0, 1.0], cutoffs, end

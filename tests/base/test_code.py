@@ -86,7 +86,7 @@ def test_modules_that_modules_import_are_followed(library):
         "import typing\nif typing.TYPE_CHECKING:\n    from hardcontact.surfaces import scans",
     ],
 )
-def test_what_is_not_imported_from_the_library_is_left_out(library, text):
+def test_imports_from_elsewhere_are_left_out(library, text):
     library(text, {"surfaces/scans": ""})
     assert traced() == []
 
@@ -108,7 +108,7 @@ def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("script", ["compute_pull_off.py", "infer.py", "prepare_scan.py"])
-def test_all_that_python_loads_for_a_script_is_traced(script, project_folder):
+def test_every_module_that_a_script_loads_is_traced(script, project_folder):
     tree = ast.parse((ROOT / "workflow/scripts" / script).read_text())
     imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
     program = ast.unparse(ast.Module(imports, [])) + (

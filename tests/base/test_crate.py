@@ -49,7 +49,7 @@ def test_a_damaged_crate_is_refused(folder, content):
 
 
 @pytest.mark.study
-def test_the_crate_says_what_an_archive_asks(finished, monkeypatch):
+def test_the_crate_describes_results_inputs_and_packages(finished, monkeypatch):
     monkeypatch.chdir(finished)
     folder = Path("results/quick")
     read = ROCrate(str(folder))

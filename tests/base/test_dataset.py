@@ -10,13 +10,13 @@ from hardcontact.base import dataset
 
 
 @pytest.mark.parametrize("file_format", ["NETCDF4", "NETCDF3_64BIT"])
-def test_what_is_written_is_read_back(tmp_path, file_format):
+def test_a_dataset_is_read_back_as_it_was_written(tmp_path, file_format):
     values = xr.Dataset({"heights": (("y", "x"), heights(8, 8))}, attrs={"title": "a"})
     dataset.write(values, tmp_path / "a.nc", file_format)
     xr.testing.assert_identical(dataset.read(tmp_path / "a.nc"), values)
 
 
-def test_longer_texts_joined_to_those_of_a_file_stay_whole(tmp_path):
+def test_texts_of_different_length_are_stacked_whole(tmp_path):
     for name, word in {"a": "pixels", "b": "smoothing"}.items():
         dataset.write(xr.Dataset({"limit": ("scan", [word])}), tmp_path / name)
     parts = {(name,): dataset.read(tmp_path / name) for name in ("a", "b")}
@@ -32,7 +32,7 @@ def test_equal_datasets_make_equal_files(tmp_path):
 
 
 @pytest.mark.parametrize("content", [b"", b"CDF", b"no netCDF", 0.01, 0.5, 0.999, None])
-def test_what_is_no_whole_dataset_is_refused(tmp_path, content):
+def test_a_damaged_dataset_is_refused(tmp_path, content):
     """Another file, a dataset that is cut to a share of its length, and no file."""
     path = tmp_path / "a.nc"
     if isinstance(content, float):
@@ -43,7 +43,7 @@ def test_what_is_no_whole_dataset_is_refused(tmp_path, content):
     assert_says(refusal(dataset.read, path), "a.nc: expected a complete netCDF file, found: ")
 
 
-def test_parts_are_joined_in_the_order_of_their_keys_and_missing_ones_are_nan():
+def test_datasets_are_stacked_in_the_order_of_their_keys_with_nan_for_missing_ones():
     labels = [("uncd", 2), ("uncd", 1), ("mcd", 2)]
     parts = {label: xr.Dataset({"force": ("contact", [*label[1:]])}) for label in labels}
     joined = dataset.stack(parts, ("surface", "scan"))["force"]

@@ -70,9 +70,7 @@ def test_every_file_has_a_record(snakemake, tmp_path):
         assert json.loads(record["parameters"]) == PARAMETERS
 
 
-def test_an_input_that_was_changed_after_it_was_made_stops_the_job(
-    snakemake, tmp_path, monkeypatch, capsys
-):
+def test_a_changed_input_stops_the_job(snakemake, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(os, "_exit", sys.exit)
     logger = logging.getLogger("hardcontact")
     monkeypatch.setattr(logger, "handlers", [])
@@ -133,7 +131,7 @@ def test_an_error_is_one_line_that_names_the_log(tmp_path, block, path, code, me
 
 
 @pytest.mark.parametrize(("total", "lines"), [(25, 10), (2, 2)])
-def test_progress_passes_steps_on_and_is_logged_about_ten_times(tmp_path, total, lines):
+def test_progress_yields_every_step_and_is_logged_about_ten_times(tmp_path, total, lines):
     with job_log(tmp_path / "a.log"):
         assert list(progress(range(total), total, "contacts")) == list(range(total))
     logged = (tmp_path / "a.log").read_text().splitlines()

@@ -6,7 +6,7 @@ import math
 from hardcontact.base.number import Number, plain
 
 
-def test_what_is_not_known_is_none_in_json():
+def test_unknown_numbers_are_none_in_json():
     given = {"edges": [Number("short", 37.0, "nm", 30.0, math.inf), Number("long", math.nan, "nm")]}
     short, long = json.loads(json.dumps(plain(given), allow_nan=False))["edges"]
     assert list(short) == ["name", "value", "unit", "low", "high", "status", "source"]

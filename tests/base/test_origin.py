@@ -24,7 +24,7 @@ def test_parameters_have_one_text():
     assert canonical({"a": 1}) != canonical({"a": 1.0})
 
 
-def test_attributes_tell_parameters_inputs_and_code_apart():
+def test_attributes_distinguish_inputs_and_code():
     data, script = {"data.nc": "1"}, {"script.py": "2"}
     before = Origin("{}", data | script, ["script.py"]).attributes()
     assert json.loads(before["versions"])["numpy"] == version("numpy")
@@ -44,7 +44,7 @@ def made(tmp_path):
     return path
 
 
-def test_a_file_that_was_changed_after_it_was_made_is_refused(made, tmp_path):
+def test_a_changed_file_of_a_job_is_refused(made, tmp_path):
     given = tmp_path / "given.csv"
     given.write_bytes(bytes(100))
     refuse_changed(digests([made, given]))

@@ -82,7 +82,5 @@ def test_digits_are_as_asked_and_without_exponent():
         (5.0, 0.1, inf, "nm", True),
     ],
 )
-def test_an_interval_that_reaches_far_beyond_its_number_bounds_nothing(
-    value, low, high, unit, boundless
-):
+def test_an_interval_far_beyond_its_number_is_boundless(value, low, high, unit, boundless):
     assert is_boundless(value, low, high, unit) == boundless

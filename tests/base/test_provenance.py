@@ -43,7 +43,7 @@ def test_files_are_traced_to_their_sources(study):
     }
 
 
-def test_a_study_as_it_was_made_has_no_faults(study):
+def test_an_unchanged_study_has_no_faults(study):
     counts = "results: 3 files checked, 0 faults, 0 inputs not at hand"
     assert provenance.check("results", {}) == ([], counts)
 
@@ -57,7 +57,7 @@ def test_a_study_as_it_was_made_has_no_faults(study):
         ("results/table.csv", ["results/table.csv"], []),
     ],
 )
-def test_another_file_is_a_fault_of_what_was_made_from_it(study, path, changed, made):
+def test_a_changed_file_is_a_fault_of_its_outputs(study, path, changed, made):
     (study / path).write_text("other")
     expected = {f"{output}: does not match its input {path}" for output in made}
     expected |= {f"{output}: is not the file that the study wrote" for output in changed}
@@ -72,7 +72,7 @@ def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     assert faults == ["results/table.csv: expected a file of the study, found none"]
 
 
-def test_the_crate_says_what_a_file_without_a_record_was(study):
+def test_the_crate_has_the_digest_of_a_file_without_a_record(study):
     (study / "results/page.html").write_text("page")
     faults, _ = provenance.check("results", {"results/page.html": "0" * 64})
     assert faults == ["results/page.html: is not the file that the study wrote"]
@@ -106,7 +106,7 @@ CHANGED = {
 
 
 @pytest.mark.study
-def test_changed_and_missing_files_are_named_by_all_that_was_made_from_them(finished_copy):
+def test_changed_and_missing_files_are_named_with_all_their_outputs(finished_copy):
     for path in CHANGED:
         if path.endswith(".nc"):
             other = dataset.read(finished_copy / path).assign_attrs(comment="another")

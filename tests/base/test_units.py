@@ -20,7 +20,7 @@ from hardcontact.base import units
         ("50 mN/m", "J/m2", 0.05),
     ],
 )
-def test_magnitude(text, unit, value):
+def test_a_quantity_becomes_a_number_in_its_unit(text, unit, value):
     assert units.magnitude(text, unit) == value
 
 
@@ -29,7 +29,7 @@ def test_magnitude(text, unit, value):
     ["10", "nm", "", "ten nm", "10 N", "nan nm", "inf nm", "9**9**9 nm", "1e999 nm", "2*3 nm",
      "10 foo", "10 Nm", "10 nm2", "10 mmm", "١ nm", 10, None, ["1 nm"], "__import__('os') nm"],
 )  # fmt: skip
-def test_what_is_no_length_is_refused_in_one_line(text):
+def test_other_texts_than_lengths_are_refused_in_one_line(text):
     with pytest.raises(
         ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
     ) as refused:

@@ -17,7 +17,7 @@ def test_a_file_appears_when_the_block_has_ended(tmp_path):
     assert [entry.name for entry in path.parent.iterdir()] == ["a.txt"]
 
 
-def test_a_failing_write_leaves_what_was_there(tmp_path):
+def test_a_failing_write_keeps_the_old_file(tmp_path):
     (tmp_path / "old.nc").write_text("whole")
     (tmp_path / f"{PART}old.nc").write_text("half of an earlier file, of a killed process")
     for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
@@ -27,7 +27,7 @@ def test_a_failing_write_leaves_what_was_there(tmp_path):
     assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
 
 
-def test_what_the_system_refuses_is_said_in_one_line(tmp_path):
+def test_a_refusal_of_the_system_is_one_line(tmp_path):
     (tmp_path / "file").touch()
     path = tmp_path / "file" / "a.nc"  # a folder cannot be made where a file is
     with pytest.raises(ValueError) as caught, whole_file(path):

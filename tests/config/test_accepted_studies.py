@@ -181,7 +181,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
 
 
 @pytest.mark.parametrize("examples", [5, pytest.param(40, marks=pytest.mark.study)])
-def test_what_is_accepted_can_be_computed(project_folder, examples):
+def test_every_accepted_study_can_be_computed(project_folder, examples):
     refusals = []
 
     @given(tiny())

@@ -102,7 +102,7 @@ def test_the_study_of_the_paper_and_the_quick_one_are_valid(overlay):
 
 
 @bulk
-def test_any_value_at_any_key(examples):
+def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(examples):
     @example_settings(examples)
     @given(st.sampled_from(LEAVES + BRANCHES), values)
     def check(path, value):
@@ -112,25 +112,25 @@ def test_any_value_at_any_key(examples):
     check()
 
 
-def test_keys_that_are_left_out_have_their_defaults():
+def test_missing_keys_have_their_defaults():
     for branch in filter(None, BRANCHES):
         config = changed(PAPER, branch.split("."), {})
         assert numeric_configuration(config) == numeric_configuration(PAPER), branch
 
 
 @pytest.mark.parametrize("key", ["scans", "scales.small.cutoffs", "deep"])
-def test_deep_nesting(key):
+def test_deeply_nested_values_are_refused(key):
     nested = reduce(lambda inner, _: [inner], range(50_000), "1 nm")
     assert outcome(changed(PAPER, key.split("."), nested))
 
 
 @pytest.mark.parametrize("config", [None, [], "", 5, {None: None}, {5: 6}, {("a", 1): 2}])
-def test_no_configuration(config):
+def test_a_configuration_that_is_no_mapping_is_refused(config):
     assert "(top level)" in outcome(config)
 
 
 @bulk
-def test_values_near_valid_ones(examples):
+def test_values_near_the_paper_s_become_numbers_or_are_refused(examples):
     """Several keys at once have other values: where it is accepted, all quantities are numbers."""
 
     @example_settings(examples)

@@ -57,7 +57,9 @@ def assert_refused(folder, values, *message_parts):
 
 
 @pytest.mark.parametrize("contradiction", CONTRADICTIONS)
-def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, project_folder, contradiction):
+def test_a_key_that_contradicts_other_keys_or_the_table_is_refused(
+    tmp_path, project_folder, contradiction
+):
     key, value, *message_parts = contradiction
     assert_refused(tmp_path, (key, value), key, *message_parts)
 
@@ -90,11 +92,13 @@ def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, project_fol
         ),
     ],
 )
-def test_limits_that_follow_from_other_keys(tmp_path, project_folder, values, message_parts):
+def test_a_limit_that_two_keys_decide_names_the_key(
+    tmp_path, project_folder, values, message_parts
+):
     assert_refused(tmp_path, values, *message_parts)
 
 
-def test_limits_may_be_reached(tmp_path, project_folder):
+def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
     config = numbers(
         *("elastic.contacts", 400, "asperities.contacts", 400, "insight.ranges", ["0.05 nm"]),
         *("insight.scaling.preloads", ["50 mN"], "insight.scaling.ranges", ["1 nm"]),
@@ -103,7 +107,7 @@ def test_limits_may_be_reached(tmp_path, project_folder):
     check(config, tmp_path)
 
 
-def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(project_folder):
+def test_a_study_without_the_insight_chapter_ignores_its_keys(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
     for key, value in (("insight.ranges", "0.04 nm"), ("insight.scaling.preloads", "1 N")):
         config = numbers(key, [value])
@@ -118,14 +122,16 @@ def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(project_fo
     ("pixels", "size", "message_part"),
     [(256, 2500.0, "found 256 of 9.766 nm"), (512, 5000.0, "found 512 of 9.766 nm")],
 )
-def test_scans_of_one_surface_that_differ(tmp_path, project_folder, pixels, size, message_part):
+def test_scans_of_one_surface_need_equal_pixels(
+    tmp_path, project_folder, pixels, size, message_part
+):
     first_scan = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
     second_scan = scan(tmp_path / "b.nc", heights(pixels, pixels), (size, size))
     message = refusal(check, numbers(), tmp_path, own_scans(first_scan, second_scan))
     assert_says(message, "b.nc", "512 pixels of 4.883 nm", message_part)
 
 
-def test_scans_that_cannot_be_used(tmp_path, project_folder):
+def test_unusable_scans_are_refused(tmp_path, project_folder):
     undefined = np.ma.masked_array(heights(), False)
     undefined[:7, 0] = np.ma.masked
     for values, *message_parts in (
@@ -159,11 +165,11 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
         assert 0.2 * relief < height_difference < relief
 
 
-def test_a_substitute_of_the_paper_keeps_its_bound():
+def test_a_substitute_of_the_paper_has_the_fixed_relief():
     assert surface_grid(CONFIG, "mcd", rows("mcd")).relief == SUBSTITUTE_RELIEF
 
 
-def test_rms_height_is_that_of_the_waves_of_the_domain(tmp_path):
+def test_rms_height_counts_only_waves_within_the_domain(tmp_path):
     path = tmp_path / "a.csv"
     path.write_text(
         "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
@@ -178,7 +184,7 @@ def test_rms_height_is_that_of_the_waves_of_the_domain(tmp_path):
 # Memory: the largest master fits into a machine of 24 GB
 
 
-def test_a_master_beyond_the_memory_is_refused():
+def test_a_master_larger_than_the_memory_is_refused():
     assert 15000 < master_megabytes(32768, 3000) < 20000
     assert memory_limit("key", 32768, 24000).holds
     assert memory_limit("key", 16384, 100).holds  # accepted everywhere

@@ -36,11 +36,11 @@ from hardcontact.config.faults import refuse_all, refuse_lines
         ("store", "results/../a", ["store:", "letters", "'results/../a'"]),
     ],
 )
-def test_key_refused(key, value, message_parts):
+def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
     assert_says(refusal(numbers, key, value), "config key ", "expected", *message_parts)
 
 
-def test_no_key_is_guessed_that_is_not_near():
+def test_only_a_similar_key_is_suggested():
     assert "did you mean" not in refusal(numbers, "colour", 1)
 
 
@@ -65,7 +65,7 @@ def test_no_key_is_guessed_that_is_not_near():
         (None, "Is a directory"),
     ],
 )
-def test_what_is_no_configuration_is_refused(tmp_path, content, message_part):
+def test_a_file_that_is_no_configuration_is_refused(tmp_path, content, message_part):
     path = tmp_path / "a.yaml"
     path.mkdir() if content is None else path.write_bytes(content)
     message = refusal(configuration.refuse_unreadable, path)
@@ -74,7 +74,7 @@ def test_what_is_no_configuration_is_refused(tmp_path, content, message_part):
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
 
 
-def test_a_configuration_that_is_not_there_is_named(tmp_path):
+def test_a_missing_configuration_is_named(tmp_path):
     message = refusal(configuration.refuse_unreadable, tmp_path / "harder.yml")
     assert "harder.yml: expected a YAML file, found none" in message
 
@@ -86,7 +86,7 @@ def test_a_configuration_that_is_not_there_is_named(tmp_path):
         "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
     ],
 )
-def test_a_configuration_is_accepted(tmp_path, text):
+def test_repeated_names_in_different_sections_are_accepted(tmp_path, text):
     path = tmp_path / "a.yaml"
     path.write_text(text)
     configuration.refuse_unreadable(path)
@@ -95,7 +95,7 @@ def test_a_configuration_is_accepted(tmp_path, text):
 # Many faults
 
 
-def test_every_fault_is_told_once_in_its_order():
+def test_each_fault_is_reported_once_in_order():
     checks = [["b: expected"], [], ["a: expected", "b: expected"]]
     message = refusal(refuse_all, [lambda lines=lines: refuse_lines(lines) for lines in checks])
     assert message == "b: expected\na: expected"
@@ -103,7 +103,7 @@ def test_every_fault_is_told_once_in_its_order():
         refuse_all([lambda: 1 / 0])
 
 
-def test_of_very_many_faults_the_first_are_told():
+def test_only_the_first_of_many_faults_are_reported():
     message = refusal(lambda: refuse_lines(f"line {k}: expected" for k in range(100_000)))
     assert message.startswith("line 0: expected\n") and "99901 more" in message.splitlines()[-1]
     assert refusal(refuse_all, [lambda: refuse_lines(message.splitlines())]) == message
@@ -125,7 +125,7 @@ def test_every_target_is_made_or_left_out_with_a_reason(forces):
     assert configuration.omitted_targets(PAPER) == {}
 
 
-def test_contacts_in_words_and_what_of_them_is_the_paper_s():
+def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():
     own_configuration = model.numeric_configuration(
         {
             "sphere": {"surface": "smooth", "radius": "0.25mm"},

@@ -16,7 +16,7 @@ pytestmark = pytest.mark.usefixtures("project_folder")
 # Scans and spectra
 
 
-def test_scans_of_the_sphere_are_taken_in_turn():
+def test_each_scan_is_paired_with_one_scan_of_the_sphere():
     pairs = files(scans=[1, 2]).pairs_in_turn
     assert [(pair.scan, pair.sphere_scan) for pair in pairs] == [(1, 1), (2, 2)] * len(SUBSTRATES)
 
@@ -28,7 +28,7 @@ def test_measured_surfaces_have_measurements_and_their_spectrum():
     assert study.spectrum("uncd").endswith("uncd/study/calibrated.nc")
 
 
-def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
+def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     x = (np.arange(64) - 31.5) * 10.0
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
@@ -47,14 +47,14 @@ def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
         ("mcd", True, [2, 5, 2]),
     ],
 )
-def test_the_scan_that_a_realization_builds_on(surface, has_own_scan, scans):
+def test_a_realization_uses_its_scan(surface, has_own_scan, scans):
     study = files(scans=[2, 5], measured=["mcd"])
     for realization, scan in enumerate(scans, start=1):
         stitched = study.stitched_of_realization(surface, realization, "study", has_own_scan)
         assert stitched == study.stitched(surface, scan)
 
 
-def test_scans_are_made_in_the_groups_that_are_conditioned_together():
+def test_scans_are_made_in_groups_that_share_their_conditioning():
     study = files(measured=["mcd"], scans=[1, 3], sets__realizations=5)
     substitutes = [surface for surface in SURFACES if surface != "mcd"]
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
@@ -63,7 +63,7 @@ def test_scans_are_made_in_the_groups_that_are_conditioned_together():
             assert study.conditioning("uncd", scan).endswith(f"uncd/study/group-{number}.nc")
 
 
-def test_what_changes_no_spectrum_has_that_of_the_study():
+def test_a_skewed_variant_keeps_the_spectrum_of_the_study():
     study = files()
     for variant, is_same in (("skewness+0.5", True), ("laplacian", False)):
         assert (study.spectrum("uncd", variant) == study.spectrum("uncd")) == is_same
@@ -113,7 +113,7 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     assert len(set(study.paths(PATTERNS.filtered, rows))) == len(rows) == len(set(rows))
 
 
-def test_the_other_sphere_bears_the_load_of_the_study_alone():
+def test_the_rough_sphere_is_computed_at_the_load_of_the_study_only():
     study = files(robustness__preloads=["5 uN", "10 uN"], robustness__hardnesses=[])
     loads = [{"preload": 1e-5, "hardness": 25e9}, {"preload": 5e-6, "hardness": 25e9}]
     # The study's own preload is not listed again.
@@ -121,7 +121,7 @@ def test_the_other_sphere_bears_the_load_of_the_study_alone():
     assert study.contact_grid("sets", "rough")["loads"] == loads[:1]
 
 
-def test_pools_are_computed_in_chunks_of_substitutes_alone():
+def test_only_substitutes_have_pools_computed_in_chunks():
     study = files(measured=["mcd"], sets__pool=32)
     chunks = [(1, 15), (16, 30), (31, 32)]
     assert study.chunks == [
@@ -141,7 +141,9 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
         ("ruby", ["ruby"], []),
     ],
 )
-def test_the_surfaces_that_protrusions_change(bearer, measured_surfaces, surfaces):
+def test_protrusions_change_the_coating_or_all_coatings_below_the_sphere(
+    bearer, measured_surfaces, surfaces
+):
     rows = files(measured=measured_surfaces, sets__protrusion_draws=10).protruded_chunks(bearer)
     assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))]
 
@@ -188,7 +190,7 @@ def lists_of_files(study):
 
 
 @pytest.mark.parametrize("key", SWEPT)
-def test_files_of_two_values_of_a_swept_key_lie_side_by_side(key):
+def test_two_values_of_a_swept_key_have_different_files(key):
     study_files, swept_files = lists_of_files(files()), lists_of_files(files(**{key: SWEPT[key]}))
     assert study_files != swept_files
     for path in study_files.keys() & swept_files.keys():
@@ -226,7 +228,7 @@ def test_each_variant_differs_from_the_study_in_one_choice():
         )
 
 
-def test_variants_concern_the_surfaces_and_loads_that_they_name():
+def test_variants_change_the_surfaces_and_loads_that_they_name():
     robustness_variants = variants_by_name(variants(configuration(), selection()))
     study = dict.fromkeys(SUBSTRATES, "study")
     assert (
@@ -239,7 +241,7 @@ def test_variants_concern_the_surfaces_and_loads_that_they_name():
     assert robustness_variants["preload-20uN"].contact.preload == 2e-5
 
 
-def test_a_variant_that_changes_nothing_is_the_study():
+def test_a_variant_without_a_change_uses_the_files_of_the_study():
     heights = {"surface": "mcd", "skewness": [0, 0.3]}
     robustness_variants = variants_by_name(
         variants(configuration(robustness__heights=heights), selection())
@@ -250,7 +252,7 @@ def test_a_variant_that_changes_nothing_is_the_study():
         assert variant.variant["uncd"] == variant.variant["mcd"] == "study"
 
 
-def test_the_other_sphere_follows_from_the_study():
+def test_a_study_with_a_rough_sphere_has_a_variant_with_a_smooth_sphere():
     robustness_variants = variants_by_name(
         variants(configuration(scales__sphere_roughness=True), selection())
     )

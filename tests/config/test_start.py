@@ -50,7 +50,7 @@ def planned_workflow(*configfiles):
         (ROOT, ROOT / "Snakefile", "."),
     ],
 )
-def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, rules_folder, main, working):
+def test_a_run_in_another_folder_is_refused(tmp_path, monkeypatch, rules_folder, main, working):
     monkeypatch.chdir(tmp_path / working)
     monkeypatch.setattr(logging, "raiseExceptions", True)
     folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / rules_folder)
@@ -58,13 +58,13 @@ def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, rules_folder, main, w
     assert_says(refusal_line(start.prepare, workflow), str(tmp_path), str(ROOT))
 
 
-def test_keys_of_the_quick_study_are_checked_even_where_they_are_not_used():
+def test_keys_of_the_quick_study_are_checked_in_a_full_run():
     overlay = {"quick": {"contact": {"count": 0}}}
     line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
     assert_says(line, "effort quick", "contact.count", "found 0")
 
 
-def test_a_quick_study_never_takes_the_folders_of_another():
+def test_a_quick_study_has_its_own_folders():
     own_configuration = PAPER | {"study": "own", "store": "results/own-store", "effort": "quick"}
     harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
     quick = {"quick": {"contact": {"count": 6}}}
@@ -97,7 +97,7 @@ def test_nested_numbers_of_the_command_line_are_numbers(repository):
 
 
 @pytest.mark.study
-def test_a_run_that_is_stopped_says_that_the_next_goes_on(tmp_path):
+def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", "topography", "--configfile", QUICK],
@@ -113,13 +113,13 @@ def test_a_run_that_is_stopped_says_that_the_next_goes_on(tmp_path):
     assert messages[-1] == "Not all is made: the same command goes on from here."
 
 
-def test_the_names_of_a_quick_study_cannot_be_given():
+def test_a_quick_study_cannot_be_named():
     overlay = {"quick": {"study": "mine"}}
     line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
     assert_says(line, "quick", "neither study nor store", "found study")
 
 
-def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):
+def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     path = tmp_path / "a.yaml"
     path.write_text("seed: 1\n'seed': 2")
     workflow = planned_workflow(path)
@@ -130,7 +130,7 @@ def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):
     assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
 
 
-def test_a_table_of_a_scan_that_is_missing_is_refused(tmp_path, monkeypatch, project_folder):
+def test_a_table_that_lists_a_missing_scan_is_refused(tmp_path, monkeypatch, project_folder):
     path = tmp_path / "own.tsv"
     path.write_text(own_scans("none.nc"))
     config = start.checked_configuration(planned_workflow(), PAPER | {"surfaces": str(path)})
@@ -149,7 +149,7 @@ def test_a_table_of_a_scan_that_is_missing_is_refused(tmp_path, monkeypatch, pro
         (["other.nc"], []),
     ],
 )
-def test_a_run_ends_with_its_answer_and_the_page_to_open(
+def test_a_run_ends_with_its_headline_and_the_page_to_open(
     caplog, tmp_path, monkeypatch, outputs, messages
 ):
     monkeypatch.chdir(tmp_path)

@@ -30,17 +30,17 @@ HEADER = ROWS.partition("\n")[0]
         (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
     ],
 )
-def test_table_refused(tmp_path, project_folder, text, message_parts):
+def test_a_faulty_table_is_refused_with_its_line(tmp_path, project_folder, text, message_parts):
     assert_says(refusal(surfaces, text, tmp_path), "surfaces.tsv", "expected", *message_parts)
 
 
 @pytest.mark.parametrize("path", ["none.tsv", "config", "/dev/zero"])
-def test_no_table(project_folder, path):
+def test_a_path_without_a_table_is_refused(project_folder, path):
     message = refusal(surface_table, path)
     assert_says(message, path, "config key surfaces: expected a table of surfaces", "found")
 
 
-def test_one_file_twice(tmp_path, project_folder):
+def test_a_file_listed_twice_is_refused(tmp_path, project_folder):
     path = scan(tmp_path / "a.nc")
     message = refusal(surfaces, own_scans(path, path), tmp_path)
     assert_says(message, "surfaces.tsv", "path and dataset once", "a.nc")

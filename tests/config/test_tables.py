@@ -38,14 +38,14 @@ def test_single_tests_are_read_in_their_units(table):
     assert forces["count"].tolist() == [1, 1, 1]
 
 
-def test_semicolons_may_stand_between_decimal_commas(table):
+def test_a_table_may_have_decimal_commas_between_semicolons(table):
     commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
     assert measured_forces(commas, SURFACES).iloc[0].tolist() == ["bare", 1.1749e-5, 1.0591e-5, 40]
     points = table("surface;value;unit", "bare;11.5;uN")
     assert measured_forces(points, SURFACES)["mean"].tolist() == [1.15e-5]
 
 
-def test_every_fault_of_a_table_has_a_line(table):
+def test_each_fault_of_a_table_of_forces_has_its_line(table):
     faults = [
         ("coating,0.5,", ["a force with a unit, such as 10 uN, found '0.5 '"]),
         ("coating,0.5,um", ["found '0.5 um'"]),
@@ -76,7 +76,7 @@ def test_every_fault_of_a_table_has_a_line(table):
         ("bare,0.3,0.4,9,uN", ["at most the mean", "0.4 beside 0.3"]),
     ],
 )
-def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table, row, message_parts):
+def test_a_summary_needs_one_row_per_surface_and_a_median_below_the_mean(table, row, message_parts):
     path = table("surface,mean,median,count,unit", "coating,0.4,0.3,40,uN", row)
     assert_says(refusal(measured_forces, path, SURFACES), "line 3", *message_parts)
 
@@ -91,7 +91,7 @@ def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table, row,
         (None, "forces"),
     ],
 )
-def test_another_file_is_refused_in_one_line(tmp_path, content, message_part):
+def test_a_file_that_is_no_table_of_forces_is_refused_in_one_line(tmp_path, content, message_part):
     path = tmp_path / "my.csv"
     if content is not None:
         path.write_bytes(content)
@@ -103,7 +103,7 @@ def test_another_file_is_refused_in_one_line(tmp_path, content, message_part):
 # Descriptions of substitutes
 
 
-def test_descriptions_of_the_repository_are_accepted():
+def test_all_spectra_of_the_repository_are_accepted():
     descriptions = [path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(BANDS)]
     assert len(descriptions) > 10
     for path in descriptions:
@@ -122,7 +122,7 @@ def test_descriptions_of_the_repository_are_accepted():
         ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["Hurst", "-1.1"]),
     ],
 )
-def test_other_descriptions_are_refused(tmp_path, band, message_parts):
+def test_faulty_descriptions_are_refused(tmp_path, band, message_parts):
     path = tmp_path / "surface.csv"
     path.write_text(f"{BANDS}{band}\n")
     assert_says(
@@ -130,7 +130,7 @@ def test_other_descriptions_are_refused(tmp_path, band, message_parts):
     )
 
 
-def test_a_blank_exponent_needs_the_rows_of_table_1(tmp_path):
+def test_a_blank_hurst_exponent_needs_rows_of_table_1(tmp_path):
     path = tmp_path / "surface.csv"
     path.write_text(f"{BANDS}inf,6.5,varying Hurst,,2000,,,,assumed,none\n")
     assert_says(refusal(refuse_description, path, set()), "line 2", "afm_rms_height", "neither")

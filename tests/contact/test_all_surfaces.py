@@ -21,7 +21,7 @@ def of_pair(value, pixels):
     )
 
 
-def test_pull_off_forces_of_pairs():
+def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
     pairs = {key: of_pair(float(k), 10 + k) for k, key in enumerate(keys)}
     changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}

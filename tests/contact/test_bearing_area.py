@@ -26,7 +26,7 @@ CASES = [
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("contact_pixels", [1, 9, 90, 4097, 9000])
 @pytest.mark.parametrize("rough", [False, True])
-def test_lowest_gaps_are_those_of_the_whole_window(case, contact_pixels, rough):
+def test_lowest_gaps_equal_those_of_the_whole_window(case, contact_pixels, rough):
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.5, 2) if rough else None
     bodies = over(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
@@ -38,7 +38,7 @@ def test_lowest_gaps_are_those_of_the_whole_window(case, contact_pixels, rough):
 
 
 @pytest.mark.parametrize("share", [0.001, 0.01, 0.1])
-def test_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
+def test_the_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
     # Under a flat the approach at which a share p of n pixels touches is the (1 - p) quantile of
     # the heights; of independent heights its standard error is sigma sqrt(p (1 - p)/n)/phi(z).
     sigma, pixels = 3.0, 512

@@ -14,7 +14,7 @@ def sphere_gap(pixels, pixel_size, radius=RADIUS):
 
 
 @pytest.mark.parametrize("load", [1e-6, 10e-6])
-def test_a_smooth_sphere_is_hertz(load):
+def test_a_smooth_sphere_follows_hertz(load):
     pixels, pixel_size = 384, 4.0 * (load / 10e-6) ** (1 / 3)
     radius, peak, approach = hertz_contact(load, RADIUS, MODULUS)
     gap = sphere_gap(pixels, pixel_size)
@@ -30,7 +30,7 @@ def test_a_smooth_sphere_is_hertz(load):
     assert pushed == pytest.approx(approach, rel=0.01)
 
 
-def test_the_approach_that_a_gap_is_given_at_does_not_matter():
+def test_lifting_the_gap_changes_no_pressure():
     # Heights that are all below zero make the solver report success after one iteration.
     gap = sphere_gap(128, 12.0)
     near, far = (
@@ -44,7 +44,7 @@ def test_a_load_that_flattens_everything_is_refused():
         elastic_solvers.contact_at_load(sphere_gap(64, 1.0, 1e9), 1.0, MODULUS, 10e-6)
 
 
-def test_pull_off_of_stiff_bodies_is_the_rigid_one():
+def test_stiff_bodies_have_the_rigid_pull_off_force():
     rng = np.random.default_rng(4)
     gap = sphere_gap(96, 12.0) + rng.normal(0, 1.0, (96, 96))
     differences = []
@@ -63,7 +63,7 @@ def test_bodies_too_soft_are_refused():
         elastic_solvers.adhesive_pull_off(sphere_gap(64, 12.0), 12.0, 1e6, 46.3e-3, 5.6)
 
 
-def test_a_solver_that_gives_up_is_an_error(monkeypatch):
+def test_a_failing_solver_is_an_error(monkeypatch):
     from scipy.optimize import OptimizeResult
 
     def gives_up(self, **_):

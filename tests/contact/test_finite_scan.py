@@ -60,7 +60,7 @@ def test_a_large_scan_is_large_enough():
     assert finite_scan_ratio(0.9 * LARGE_ENOUGH * 3e3, 3e3) == RATIOS[LARGE_ENOUGH]
 
 
-def test_a_window_holds_what_a_sum_over_its_pixels_finds():
+def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
     sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}

@@ -10,7 +10,7 @@ from hardcontact.base.statistics import Sampling, percentile_interval, student_l
 from hardcontact.contact import force_curves
 
 
-def test_means_are_sampled_by_scans_that_know_their_contacts():
+def test_means_are_sampled_over_scans():
     forces = power_forces(spread=0.3, scans=5)
     means, sampled = force_curves.mean_forces(forces, Sampling(0, 20000, 0.95))
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
@@ -20,7 +20,7 @@ def test_means_are_sampled_by_scans_that_know_their_contacts():
     np.testing.assert_allclose(computed, expected, rtol=0.02)
 
 
-def test_missing_scans_do_not_count():
+def test_missing_scans_change_no_mean():
     forces = power_forces(spread=0.3, scans=5)
     missing = forces.copy()
     missing[0, 3:] = np.nan
@@ -31,7 +31,7 @@ def test_missing_scans_do_not_count():
     np.testing.assert_allclose(sampled[:, 0], of_known[:, 0])
 
 
-def test_contact_models_share_the_random_numbers_and_surfaces_do_not():
+def test_contact_models_share_random_numbers_but_surfaces_do_not():
     forces = power_forces(spread=0.3)
     _, sampled = force_curves.mean_forces(forces, Sampling(0, 20, 0.95))
     _, doubled = force_curves.mean_forces(2 * forces[1:], Sampling(0, 20, 0.95))
@@ -39,7 +39,7 @@ def test_contact_models_share_the_random_numbers_and_surfaces_do_not():
     assert abs(np.corrcoef(np.log(sampled[:, :2, 0]).T)[0, 1]) < 0.9
 
 
-def test_power_laws_are_followed_between_the_ranges_computed():
+def test_interpolation_between_ranges_follows_power_laws():
     forces = power_forces(rho=4.0, work=0.05)
     at_four = force_curves.interpolate_to_range(forces, 4.0)
     np.testing.assert_allclose(
@@ -65,7 +65,7 @@ def sphere_on_steps(rhos):
     return (pixels * np.exp(-gaps / np.asarray(rhos)[:, None])).sum(axis=1) / rhos
 
 
-def test_the_study_s_ranges_are_close_enough_to_interpolate_between():
+def test_the_study_s_ranges_are_close_enough_for_interpolation():
     """Against the sum itself, between all ranges and up to both ends of the sweep."""
     ranges = np.array([float(rho.removesuffix(" nm")) for rho in PAPER["adhesion"]["ranges"]])
     assert (ranges[0], ranges[-1]) == (0.05, 40.0) and 5.6 in ranges

@@ -12,7 +12,7 @@ KNOWN = lognorm(0.9, scale=6e-8)
 FORCES = KNOWN.rvs(size=(5, 4, 200), random_state=np.random.default_rng(0))
 
 
-def test_statistics_of_a_known_distribution():
+def test_statistics_recover_a_known_distribution():
     computed = force_statistics(FORCES, 3e-8, Sampling(0, 200, 0.95))
     expected = (KNOWN.mean(), KNOWN.median(), 0.9, 6e-8, KNOWN.cdf(3e-8))
     for (name, unit), value in zip(FORCE_STATISTICS.items(), expected, strict=True):
@@ -32,7 +32,7 @@ def test_missing_scans_and_contacts_do_not_count():
     assert force_statistics(padded, 3e-8, sampling).equals(force_statistics(FORCES, 3e-8, sampling))
 
 
-def test_interval_is_over_scans_not_over_contacts():
+def test_the_interval_comes_from_scans_and_not_from_contacts():
     """Alike contacts, scans that differ: many contacts do not narrow the interval."""
     levels = 1e-7 * np.array([1.0, 2.0, 3.0, 4.0, 5.0])
     forces = np.broadcast_to(levels[:, None, None], (5, 1, 1000))
@@ -48,7 +48,7 @@ COVERED = {"median_force_at_pair": 0.94, "lognormal_median": 0.94, "lognormal_sh
 
 @pytest.mark.study
 @pytest.mark.parametrize("name", COVERED)
-def test_interval_of_pooled_statistics_covers_as_often_as_was_measured(name):
+def test_the_interval_of_pooled_statistics_has_its_measured_coverage(name):
     """Five scans with a log-normal factor each, which enters the shape squared: it covers less."""
     rng = np.random.default_rng(0)
     shape, scatter, runs = 0.8, 0.4, 300
@@ -62,6 +62,6 @@ def test_interval_of_pooled_statistics_covers_as_often_as_was_measured(name):
     assert held / runs == pytest.approx(COVERED[name], abs=0.04)
 
 
-def test_no_force_has_no_statistics():
+def test_missing_forces_have_no_statistics():
     computed = force_statistics(np.full((2, 2, 3), np.nan), 3e-8, Sampling(0, 1, 0.9))
     assert all(computed[name].isnull().all() for name in computed.data_vars)

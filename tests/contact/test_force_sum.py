@@ -29,7 +29,7 @@ def bodies_of(case, seed, rough=True):
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("contact_pixels", [1, 17])
 @pytest.mark.parametrize("rough", [False, True])
-def test_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
+def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
     bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
     contacts = all_lowest_gaps(bodies, contact_pixels)
     outside = outside_sums(bodies, contacts, rhos)
@@ -44,7 +44,7 @@ def test_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("rough", [False, True])
-def test_force_keeps_its_digits_where_little_is_outside(case, rough):
+def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
     # At a small range what the contact pixels leave is many orders below them.
     bodies, rho = bodies_of(case, 3, rough), 0.1
     contacts = all_lowest_gaps(bodies, 17)
@@ -56,7 +56,7 @@ def test_force_keeps_its_digits_where_little_is_outside(case, rough):
 
 
 @pytest.mark.parametrize("rough", [False, True])
-def test_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
+def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
     bodies, rhos = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
     contacts = all_lowest_gaps(bodies, 17)
     for rho, sums in zip(rhos, outside_sums(bodies, contacts, rhos), strict=True):
@@ -75,7 +75,7 @@ def test_several_loads_at_once_are_each_load_alone(case, rough):
             assert total == pytest.approx(expected, rel=1e-9)
 
 
-def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin():
+def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
     # 2 pi R W, 72.7 µN at the paper's work of adhesion, whatever the range.
     work, pixel_size = 46.3e-3, 50.0
     for rho, window in ((2.0, 300), (5.6, 400)):
@@ -101,7 +101,7 @@ def mean_attraction(heights, rho, rough):
 @pytest.mark.parametrize("rough", [False, True])
 @pytest.mark.parametrize("amplitude", [1.0, 20.0])
 @pytest.mark.parametrize("rho", [0.5, 5.6])
-def test_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
+def test_the_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
     # The mean of exp(a cos x/rho) is I0(a/rho); taken from the crest, times exp(-a/rho).
     phase = 2 * np.pi * np.arange(256) / 256
     heights = amplitude * np.cos(phase) + np.zeros((256, 1))
@@ -110,7 +110,7 @@ def test_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
 
 
 @pytest.mark.parametrize("rough", [False, True])
-def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
+def test_the_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
     # The mean of exp(h/rho) is exp(sigma²/2rho²). Of n independent heights its relative standard
     # error is sqrt(exp(sigma²/rho²) - 1)/sqrt(n).
     sigma, pixels = 3.0, 512
@@ -121,7 +121,7 @@ def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
         assert mean * np.exp(-(sigma**2) / (2 * rho**2)) == pytest.approx(1, abs=4 * error)
 
 
-def test_force_of_a_sphere_over_a_sinusoid_is_that_over_a_flat_times_its_factor():
+def test_a_sinusoid_multiplies_the_force_of_a_sphere_by_its_factor():
     # Waves much shorter than the interaction radius: the factor of the plane holds for the sphere.
     amplitude, rho, pixel_size = 3.0, 5.6, 20.0
     wave = amplitude * np.cos(2 * np.pi * np.arange(256) / 8) + np.zeros((256, 1))

@@ -15,7 +15,7 @@ def heights(pixels):
     return np.random.default_rng(1).standard_normal((pixels, pixels))
 
 
-def test_mirrored_contacts_of_the_array_are_all_different_places():
+def test_contacts_on_a_mirrored_surface_never_repeat_a_place():
     # On a mirrored surface position p and n - 1 - p are alike; the array must not repeat itself.
     positions = geometry.contact_positions(1024, 20)
     folded = np.minimum(positions, 1023 - positions)
@@ -23,7 +23,7 @@ def test_mirrored_contacts_of_the_array_are_all_different_places():
     assert np.diff(np.sort(folded)).min() >= 20
 
 
-def test_bodies_interpolates_the_coarser_map():
+def test_the_coarser_map_is_interpolated():
     coarse, fine = 5.0 * heights(50), heights(120)
     pair = geometry.bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
     assert pair.substrate.pixels == 150 and pair.roughness.pixels == 120
@@ -35,13 +35,13 @@ def test_bodies_interpolates_the_coarser_map():
     assert pair.geometry.window == 300
 
 
-def test_a_period_that_is_no_whole_number_of_pixels_is_stretched_by_half_of_one_at_most():
+def test_a_period_is_stretched_by_at_most_half_a_pixel():
     pair = geometry.bodies(height_map(heights(50), 30.0), height_map(heights(100), 11.0), CONTACT)
     assert pair.substrate.pixels == round(1500 / 11)
     assert abs(pair.substrate.size - 1500) <= 11 / 2
 
 
-def test_more_sampled_contacts_keep_the_fewer_and_none_comes_twice():
+def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
     few, more, every = (
         geometry.sampled_contacts(np.random.default_rng(3), 6, contacts) for contacts in (5, 20, 36)
     )
@@ -53,14 +53,14 @@ def test_more_sampled_contacts_keep_the_fewer_and_none_comes_twice():
 
 
 @pytest.mark.parametrize("centre", [(0, 0), (7, -30), (-41, 44)])
-def test_the_rough_sphere_is_the_gap_to_a_flat(centre):
+def test_the_gap_to_a_flat_is_the_rough_sphere(centre):
     pair = over(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
     rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
     cap = pair.sphere(*(index + np.arange(-10, 11) for index in centre))
     np.testing.assert_allclose(cap, gap_map(pair, (1, 2))[rows, columns], atol=1e-12)
 
 
-def test_gaps_at_offsets_are_those_of_the_whole_window():
+def test_gaps_at_offsets_equal_those_of_the_whole_window():
     pair = over(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
     y, x = np.indices((200, 200)) - 100
     gaps = geometry.gaps_at(pair, pair.geometry.positions[[2, 1]], np.stack([y, x], -1))

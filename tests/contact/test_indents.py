@@ -7,7 +7,7 @@ from hardcontact.contact.bearing_area import LowestGaps
 from hardcontact.contact.indents import flattening, indent_sizes
 
 
-def test_indents_made_by_hand():
+def test_indents_drawn_by_hand_have_known_sizes():
     # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
     offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
     contact = LowestGaps(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)

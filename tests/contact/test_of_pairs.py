@@ -20,7 +20,7 @@ CONTACT = Contact(
 SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x": 3}
 
 
-def test_indents_of_scans_are_those_of_each_pair():
+def test_indents_of_scans_equal_those_of_each_pair():
     substrates = {k: height_map(periodic_noise(128, 20.0, k), 8.0) for k in (1, 4)}
     spheres = {k: height_map(periodic_noise(128, 0.5, 10 + k), 8.0) for k in (2, 3)}
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])

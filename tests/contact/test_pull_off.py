@@ -36,7 +36,7 @@ def direct_force(gap, contact_pixels, rho, pixel_size, work=1.0):
     return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixels, rho)
 
 
-def test_pull_off_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
+def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
     arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
     forces = arrays["pull_off_force"].values
     approaches = arrays["apex_depth"].values
@@ -60,7 +60,7 @@ def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts_at_each_load():
         np.testing.assert_allclose(of_load, forces[1].mean(axis=(1, 2)), rtol=1e-12)
 
 
-def test_window_change_is_that_of_the_direct_sum():
+def test_the_change_by_a_wider_window_matches_the_direct_sum():
     pairs = [pair(seed) for seed in (1, 3)]
     count, rho, changes = LOAD.pixels(8.0), 5.6, []
     for one in pairs:
@@ -76,7 +76,7 @@ def test_window_change_is_that_of_the_direct_sum():
 
 
 @pytest.mark.parametrize(("pixels", "expected"), [(1, 1 / 4), (4, 1), (40, 1)])
-def test_at_a_small_range_finer_pixels_change_the_area_in_contact_alone(pixels, expected):
+def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, expected):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
     change = finer_pixel_ratio(pair(), load)["finer_pixel_ratio"]
@@ -88,7 +88,7 @@ SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
 
 @pytest.mark.parametrize("sphere", SPHERES)
 @pytest.mark.parametrize("side, end", [("small", 12.8), ("large", 1024.0)])
-def test_filtered_pull_off_is_the_direct_sum_over_every_filtered_master(sphere, side, end):
+def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
     master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
     found = filtered_pull_off(
         master,
@@ -111,7 +111,7 @@ def test_filtered_pull_off_is_the_direct_sum_over_every_filtered_master(sphere, 
                 assert force == pytest.approx(expected, rel=1e-9)
 
 
-def test_traced_contact_is_one_of_the_pair():
+def test_a_traced_contact_has_the_force_of_its_pair():
     traced = traced_contact(pair(), (1, 2), LOAD)
     arrays = pull_off_of_pair(pair(), LOAD, [5.6])
     force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]

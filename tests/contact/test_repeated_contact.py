@@ -40,7 +40,7 @@ def test_a_flat_under_a_smooth_sphere_is_indented_once():
         assert contact.gaps[-1] == pytest.approx(gaps[-1], abs=1e-12)
 
 
-def test_the_sphere_loses_what_penetrates_and_nothing_else():
+def test_the_sphere_loses_exactly_the_penetrating_volume():
     bodies = rough_pair()
     lost, before = 0.0, np.zeros((320, 320))
     for contact, depth in repeated_contacts(bodies, places(bodies), 40):
@@ -53,7 +53,7 @@ def test_the_sphere_loses_what_penetrates_and_nothing_else():
     assert before.sum() == pytest.approx(lost, rel=1e-12)
 
 
-def test_each_contact_is_that_of_the_sphere_as_it_was_left():
+def test_each_contact_starts_from_the_sphere_after_the_previous_contact():
     # The gaps from the whole window, with the depth so far taken off the sphere.
     bodies, before = rough_pair(), np.zeros((320, 320))
     contacts = repeated_contacts(bodies, places(bodies), 40)

@@ -4,7 +4,7 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling
 
 
-def test_numbers_are_drawn_for_a_purpose():
+def test_each_purpose_has_its_own_random_numbers():
     study, varied = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "robustness"))
     expected = generator(3, "sampling", "robustness", "scales").random()
     assert varied.generator("scales").random() == expected

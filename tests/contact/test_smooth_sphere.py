@@ -10,7 +10,7 @@ from hardcontact.contact import smooth_sphere
 LAMBDAS = np.geomspace(0.01, 100, 41)
 
 
-def test_numbers_of_ruby_on_diamond():
+def test_ruby_on_diamond_has_the_published_numbers():
     assert MODULUS == pytest.approx(289.7e9, rel=2e-4)
     contact, pressure, approach = smooth_sphere.hertz_contact(10e-6, RADIUS, MODULUS)
     assert pressure == pytest.approx(137e6, rel=5e-3)  # 135 MPa are published
@@ -37,7 +37,7 @@ def test_transition_leads_from_dmt_to_jkr():
 
 
 @pytest.mark.parametrize("maugis", [0.03, 0.3, 0.937, 5.0])
-def test_fit_keeps_to_the_exact_pair(maugis):
+def test_the_transition_coefficient_matches_maugis_exact_pair(maugis):
     """The pair as printed: the first equation gives m for a radius, the second the force."""
 
     def root_and_angle(m):

@@ -36,7 +36,7 @@ def bump(x, y, height, width):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_particle_is_one_place_and_a_rough_surface_has_many(seed):
+def test_contacts_touch_one_place_on_a_particle_and_many_on_a_rough_surface(seed):
     x, y = generator(seed, "place").uniform(1000, 4000, 2)
     flat = rough(seed, 1.5)
     assert places(flat + bump(x, y, 200.0, 90.0)) == 1

@@ -63,7 +63,7 @@ NAMED = {
 
 
 @pytest.mark.parametrize("kind", NAMED)
-def test_what_is_wrong_with_a_scan_is_named_with_numbers(kind, tmp_path):
+def test_a_defect_of_a_scan_is_named_with_its_numbers(kind, tmp_path):
     heights, message_parts = NAMED[kind]
     report, _ = predicted(tmp_path / "a.txt", heights)
     cautions = [line for line in report.splitlines() if "take care" in line and "a.txt" in line]
@@ -72,14 +72,14 @@ def test_what_is_wrong_with_a_scan_is_named_with_numbers(kind, tmp_path):
     )
 
 
-def test_spikes_are_named_also_where_they_leave_no_spectrum(tmp_path):
+def test_spikes_are_named_if_they_leave_no_spectrum(tmp_path):
     """Their white spectrum looks like a noise floor."""
     spiky = add_spikes(rough(2, 20.0))
     message = refusal(predicted, tmp_path / "a.txt", spiky)
     assert_says(message, "a noise floor", "0.098 % of its pixels are spikes", "is 19.8 nm")
 
 
-def test_a_sound_scan_has_no_caution_of_its_own(tmp_path):
+def test_a_sound_scan_has_no_caution(tmp_path):
     report, _ = predicted(tmp_path / "a.txt", WHOLE)
     assert "a.txt: reliable from" in report and "take care: " + str(tmp_path) not in report
 
@@ -92,7 +92,7 @@ def test_the_rms_height_of_a_grating_is_kept(tmp_path):
     assert "times that across" in report
 
 
-def test_the_roughness_beside_a_bow_is_what_quadratic_levelling_leaves(tmp_path):
+def test_quadratic_levelling_recovers_the_force_of_a_bowed_scan(tmp_path):
     flat = rough(4, 1.5)
     bowed = flat - (X**2 + Y**2 / 2) * 0.004
     _, flat_numbers = predicted(tmp_path / "flat.txt", flat)
@@ -102,7 +102,7 @@ def test_the_roughness_beside_a_bow_is_what_quadratic_levelling_leaves(tmp_path)
     assert "curvature" not in report
 
 
-def test_a_flat_cleavage_face_sticks_as_a_smooth_one(tmp_path):
+def test_a_cleavage_face_sticks_like_a_smooth_surface(tmp_path):
     _, numbers = predicted(tmp_path / "a.txt", rough(7, 0.05, 8.0, 0.5, 200.0), 8.0)
     assert 0.97 < numbers["force_ratio"]["value"] <= 1
     assert numbers["short_edge"]["value"] is None and numbers["long_edge"]["value"] is None

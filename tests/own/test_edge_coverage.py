@@ -72,7 +72,7 @@ def edges_of_draw(draw):
 
 
 @pytest.mark.parametrize("filters", [SMALL, LARGE], ids=TRUTH)
-def test_the_interval_of_one_scan_holds_the_edge_of_the_mean(filters):
+def test_the_interval_from_one_scan_contains_the_edge_of_the_mean(filters):
     truth = TRUTH[filters.side]
     edges = [edges_of_draw(draw).sel(side=filters.side) for draw in range(20)]
     low, high = np.array([edge.edge_interval.values for edge in edges]).T
@@ -139,7 +139,7 @@ def interval_of_one_scan(density, number):
 
 @pytest.mark.study
 @pytest.mark.parametrize("rolloff", SURFACES)
-def test_the_interval_of_one_scan_and_its_spectrum_holds_the_long_edge(rolloff):
+def test_the_interval_from_one_scan_and_its_spectrum_contains_the_long_edge(rolloff):
     def density(wavevector):
         return self_affine(wavevector, SURFACES[rolloff], rolloff, 0.8)
 

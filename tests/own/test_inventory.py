@@ -30,7 +30,7 @@ def wave(pixels=64, size=640.0, height=2.0, slope=0.05):
     return height * np.cos(16 * np.pi * x)[:, None] + slope * size * np.ones((pixels, 1)) * x
 
 
-def test_roughness_is_without_the_tilt_and_the_shape_of_the_sphere(tmp_path):
+def test_roughness_excludes_tilt_and_the_shape_of_the_sphere(tmp_path):
     entry = only_entry(scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
     assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
     assert entry.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
@@ -41,7 +41,7 @@ def test_roughness_is_without_the_tilt_and_the_shape_of_the_sphere(tmp_path):
     assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
 
 
-def test_a_member_of_a_container_that_cannot_be_read_stops_nothing(tmp_path):
+def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
     sound_scan = scan(tmp_path / "good.nc")
     (tmp_path / "bad.txt").write_text("nothing")
     members = [
@@ -58,7 +58,7 @@ def test_a_member_of_a_container_that_cannot_be_read_stops_nothing(tmp_path):
     assert not entries and not unreadable and len(problems) == 1
 
 
-def test_all_problems_are_told_at_once_and_twins_among_them(tmp_path):
+def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
     (tmp_path / "text.txt").write_text("no scan")
     paths = [
         tmp_path / "none.di",
@@ -80,7 +80,7 @@ def test_all_problems_are_told_at_once_and_twins_among_them(tmp_path):
 @pytest.mark.parametrize(
     ("stated_radius", "used_radius", "table_radius"), [(None, 12.0, "12 nm"), (30.0, 30.0, "")]
 )
-def test_what_a_file_states_of_its_tip_counts_before_what_is_given(
+def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
     tmp_path, monkeypatch, stated_radius, used_radius, table_radius
 ):
     path, read_original = (

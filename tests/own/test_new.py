@@ -78,7 +78,7 @@ def accepted(folder, done, effort="full"):
     return config, table
 
 
-def test_one_scan_is_enough_at_both_efforts(folder, run):
+def test_one_scan_makes_a_full_and_a_quick_study(folder, run):
     own_scan(folder / "one.nc")
     done = run(NAME, "one.nc")
     assert f"snakemake --configfile config/{NAME}.yaml" in done.out.splitlines()
@@ -90,7 +90,7 @@ def test_one_scan_is_enough_at_both_efforts(folder, run):
     assert quick["study"] != config["study"] and quick["store"] != config["store"]
 
 
-def test_what_files_do_not_state_is_given_and_kept(folder, run):
+def test_options_state_what_files_lack_and_are_kept(folder, run):
     nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
     scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
     (error,) = run(NAME, "bare.nc", "a.001", "--unit", "um", "--channel", "Sensor").errors
@@ -103,7 +103,7 @@ def test_what_files_do_not_state_is_given_and_kept(folder, run):
     assert config["scan"]["unit"] == "um" and config["scan"]["levelling"] == "quadratic"
 
 
-def test_a_scan_of_fewer_lines_in_a_square_frame_is_read_both_ways_in_words(folder, run):
+def test_a_scan_of_fewer_lines_in_a_square_frame_is_a_caution(folder, run):
     """Nanoscope files may state the full frame of a scan that was stopped: pixels look oblong."""
     lines = rough()
     kept_lines = lines[: round(0.7 * len(lines))]
@@ -118,7 +118,7 @@ def test_a_scan_of_fewer_lines_in_a_square_frame_is_read_both_ways_in_words(fold
     assert f"take care: {folder}/a.001: the file states 2.5 µm x 2.5 µm" in report
 
 
-def test_a_scan_that_spikes_leave_no_spectrum_of_is_refused_with_them(folder, run):
+def test_a_scan_without_a_spectrum_is_refused_with_its_spikes(folder, run):
     heights = rough(128, 20.0)
     heights.flat[:: 128 * 9 + 7] += 2000
     scan(folder / "a.nc", heights, (5120.0, 5120.0))
@@ -126,7 +126,7 @@ def test_a_scan_that_spikes_leave_no_spectrum_of_is_refused_with_them(folder, ru
     assert_says(" ".join(done.errors), "a noise floor", "of its pixels are spikes")
 
 
-def test_a_bare_matrix_is_read_with_what_is_given(folder, run):
+def test_a_bare_matrix_is_read_with_the_given_size_and_unit(folder, run):
     np.savetxt(folder / "bare.csv", rough(), "%.6f", ",")
     done = run(NAME, "bare.csv", "--size", "2.5 um", "--unit", "mm,nm", "--work", "46.3J/m2")
     config, _ = accepted(folder, done)
@@ -143,7 +143,7 @@ def test_a_surface_may_be_called_smooth(folder, run):
     assert "surface_smooth is smooth" in done.out
 
 
-def test_scans_that_make_no_contacts_enter_the_spectrum(folder, run):
+def test_scans_without_contacts_enter_the_spectrum(folder, run):
     own_scan(folder / "large.nc", 10000.0, pixels=256)
     small = own_scan(folder / "small.nc", 500.0)
     member = {"name": "s", "datafile": {"original": "s.nc"}, "unit": "nm", "size": [500.0] * 2}
@@ -153,7 +153,7 @@ def test_scans_that_make_no_contacts_enter_the_spectrum(folder, run):
     assert table.dataset.tolist() == ["", "s.nc"] and set(table.tip_radius) == {"8 nm"}
 
 
-def test_several_surfaces_a_sphere_and_forces(folder, run):
+def test_several_surfaces_a_sphere_and_forces_make_a_study(folder, run):
     for name in ("bare", "coated", "ball"):
         own_scan(folder / f"{name}.nc", rms=1.0)
     (folder / "my: #1.csv").write_text("surface,value,unit\nsurface_3_nm,0.5,uN\ncoated_ii,3,nN\n")
@@ -171,7 +171,7 @@ def test_several_surfaces_a_sphere_and_forces(folder, run):
     assert config["adhesion"]["work"] == 0.05
 
 
-def test_paths_are_those_from_the_top_folder(folder, run, monkeypatch, tmp_path_factory):
+def test_paths_are_relative_to_the_top_folder(folder, run, monkeypatch, tmp_path_factory):
     (folder / "deep").mkdir()
     elsewhere = own_scan(tmp_path_factory.mktemp("elsewhere") / "there.nc")
     own_scan(folder / "here.nc", seed=2)
@@ -183,7 +183,7 @@ def test_paths_are_those_from_the_top_folder(folder, run, monkeypatch, tmp_path_
     assert table.path.tolist() == ["deep/it's (1) ü.nc", "here.nc", str(elsewhere)]
 
 
-def test_a_study_is_replaced_only_when_told(folder, run):
+def test_a_study_is_replaced_only_with_overwrite(folder, run):
     own_scan(folder / "one.nc")
     (folder / f"config/{NAME}.yaml").write_text("mine")
     (error,) = run(NAME, "one.nc").errors
@@ -192,7 +192,7 @@ def test_a_study_is_replaced_only_when_told(folder, run):
     accepted(folder, run(NAME, "one.nc", "--overwrite"))
 
 
-def test_all_problems_are_told_at_once_and_nothing_is_left(folder, run):
+def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
     own_scan(folder / "good.nc")
     own_scan(folder / "odd{1}.nc")
     (folder / "my.csv").write_text("surface,value,unit\na_test_of_new,1,\nb,2,uN\n")
@@ -243,7 +243,7 @@ REFUSED = [
 ]
 
 
-def test_what_makes_no_study_is_refused_in_a_line_and_nothing_is_written(folder, run):
+def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder, run):
     own_scan(folder / "one.nc")
     own_scan(folder / "two.nc", seed=2)
     scan(folder / "bare.nc", rough(), (2.5, 2.5), unit=None)
@@ -267,7 +267,7 @@ def test_an_interruption_ends_in_one_line(run, monkeypatch):
     assert done.code == 130 and len(done.errors) == 1
 
 
-def test_an_overlay_is_read_as_it_was_meant():
+def test_an_overlay_is_read_back_as_it_was_written():
     choices = [
         Choice("study", "1e3", "a name that YAML takes for a number"),
         Choice("contact.count", 20, "in each direction, " * 20),

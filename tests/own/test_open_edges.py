@@ -28,7 +28,7 @@ def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3])
-def test_intervals_lie_about_the_edge_and_within_the_cutoffs_of_their_side(scans):
+def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
     band = edges([[SMALL, LARGE]], [scans], spread=0.2).sel(surface="a")
     low, high = band.edge_interval.sel(bound="low"), band.edge_interval.sel(bound="high")
     assert not (low >= band.edge).any() and not (high <= band.edge).any()
@@ -39,7 +39,7 @@ def test_intervals_lie_about_the_edge_and_within_the_cutoffs_of_their_side(scans
     assert int(band.conditional) == (scans < 3)
 
 
-def test_the_interval_of_three_scans_is_that_of_the_jackknife():
+def test_the_interval_of_three_scans_comes_from_the_jackknife():
     master_forces = scales([[SMALL, LARGE]], spread=0.2)
     ratio = master_forces.ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
@@ -48,7 +48,7 @@ def test_the_interval_of_three_scans_is_that_of_the_jackknife():
     np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
 
 
-def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
+def test_curves_that_never_cross_the_tolerance_give_bounds():
     flat_small = [1.0, 1.01, 1.02, np.nan, np.nan]
     steep_large = [np.nan, np.nan, 5.0, 3.0, 2.0]
     band = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
@@ -60,7 +60,7 @@ def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
     assert band.edge_status.values.tolist() == ["beyond the cell", "beyond the cutoffs"]
 
 
-def test_a_ratio_without_scatter_is_known():
+def test_a_ratio_without_scatter_has_no_interval():
     master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
     small_side = (
         band_edges(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)

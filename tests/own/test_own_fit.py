@@ -84,7 +84,7 @@ def test_without_scatter_range_and_work_are_recovered():
         )
 
 
-def test_the_region_holds_the_truth_in_nineteen_of_twenty_draws_and_not_whatever_one_likes():
+def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_distant_pair():
     fits = [drawn_fit(seed) for seed in range(20)]
     assert sum(holds(fit) for fit in fits) >= 19
     assert not holds(fits[1], rho=1.0) and not holds(fits[1], work=0.2)
@@ -92,7 +92,7 @@ def test_the_region_holds_the_truth_in_nineteen_of_twenty_draws_and_not_whatever
     assert RHOS[0] < low < RHO < high < RHOS[-1]
 
 
-def test_the_region_of_one_scan_a_surface_holds_it_too():
+def test_the_region_from_one_scan_per_surface_contains_the_true_pair():
     # Quarters are all that differs here: with spread 0 no scan has a factor of its own.
     assert sum(holds(drawn_fit(seed, scans=1, spread=0.0)) for seed in range(10)) >= 9
 
@@ -106,7 +106,7 @@ def test_two_forces_fit_two_unknowns_by_construction():
     assert fit.exact_pairs == 0 and fit.best_error > 0.1  # no range has this ratio of forces
 
 
-def test_one_surface_gives_a_curve_that_holds_the_truth_and_no_range():
+def test_one_surface_gives_a_curve_of_works_and_no_range():
     rng = np.random.default_rng(5)
     fit = fitted(adhesion(rng), drawn_tests(rng, surfaces="a"))
     true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho)
@@ -123,7 +123,7 @@ def test_one_surface_gives_a_curve_that_holds_the_truth_and_no_range():
         (4, 40, 1, ["found", "open"]),  # a range at the end of those computed is no limit
     ],
 )
-def test_a_region_that_is_not_known_is_not_told(ranges, number, factor, status):
+def test_an_unknown_region_has_no_work(ranges, number, factor, status):
     rng = np.random.default_rng(8)
     computed_forces = adhesion(rng).sel(rho=RHOS[:ranges])
     tests = drawn_tests(rng, number)
@@ -137,7 +137,7 @@ def test_a_region_that_is_not_known_is_not_told(ranges, number, factor, status):
 # Tests
 
 
-def test_single_tests_and_a_summary_describe_the_same():
+def test_a_summary_is_equivalent_to_its_single_tests():
     forces = np.exp(0.7 * np.random.default_rng(1).standard_normal(4000)) * 1e-7
     rows = [("a", force, force, 1) for force in forces]
     single = measured_tests(pd.DataFrame(rows, columns=COLUMNS))
@@ -147,7 +147,7 @@ def test_single_tests_and_a_summary_describe_the_same():
 
 
 @pytest.mark.parametrize("shape, number", [(0.7, 40), (1.5, 40), (0.7, 4)])
-def test_samples_hold_the_mean_as_often_as_they_say(shape, number):
+def test_sampled_means_cover_the_mean_with_their_confidence(shape, number):
     rng, contained = np.random.default_rng(3), []
     for _ in range(300):
         forces = np.exp(shape * rng.standard_normal(number))
@@ -157,7 +157,7 @@ def test_samples_hold_the_mean_as_often_as_they_say(shape, number):
     assert np.mean(contained) > 0.85
 
 
-def test_work_with_continued_roughness_is_inversely_proportional_to_the_force():
+def test_work_with_extrapolated_roughness_is_inversely_proportional_to_the_force():
     measured_force, extrapolated_force = 0.32, 0.08  # N, the latter at 0.05 J/m²
     ends = ("surface", "bound"), [[measured_force / 1.1, measured_force * 1.1]]
     fit = xr.Dataset(

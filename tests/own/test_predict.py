@@ -78,7 +78,7 @@ def numbers_of(*arguments):
 # Tables
 
 
-def test_units_order_and_zeros_of_a_table(table):
+def test_a_table_may_have_any_units_order_and_zeros(table):
     rows = [
         "1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4",
         "5,nm,0,nm4",
@@ -118,12 +118,12 @@ FAULTY = [
 ]
 
 
-def test_every_fault_of_a_table_is_told_in_a_line(table):
+def test_each_fault_of_a_spectrum_table_has_its_line(table):
     for lines, message_parts in FAULTY:
         assert_says(refusal(printed, table(*lines)), *message_parts)
 
 
-def test_faults_of_options_are_told_with_those_of_the_table(tmp_path):
+def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
     missing_file = str(tmp_path / "none.csv")
     for options, message_parts in (
         (["--range", "5", "--work", "1 nm"], ["--range", "--work"]),
@@ -141,7 +141,7 @@ def test_faults_of_options_are_told_with_those_of_the_table(tmp_path):
 # Numbers
 
 
-def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_path):
+def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
     spectrum = rough(17, 1000, 0.8, 20)
     rows = tmp_path / "numbers.csv"
     options = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
@@ -167,7 +167,7 @@ def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_pat
     assert_says(words, f"pull-off force: {round(1e9 * prediction.force, -1):g} nN")
 
 
-def test_what_is_unknown_is_no_number(table):
+def test_unknown_quantities_have_a_status_and_no_number(table):
     """An almost smooth surface has no edge; the prediction reports where its error is unknown."""
     numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), "--radius", "5um")
     assert numbers["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
@@ -176,7 +176,7 @@ def test_what_is_unknown_is_no_number(table):
     assert "interval" not in numbers["pull_off_force"]
 
 
-def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
+def test_a_wide_contact_on_a_smooth_surface_loses_no_force(table):
     """An almost smooth surface loses no force in any contact."""
     options = ["--radius", "5um", "--hardness", "100MPa"]
     numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), *options)
@@ -186,7 +186,7 @@ def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
     assert numbers["closest_approach"]["value"] < 0 and numbers["long_edge"]["value"] is None
 
 
-def test_short_waves_that_the_table_lacks_are_continued(table):
+def test_short_waves_missing_from_the_table_are_extrapolated(table):
     """A spectrum of optical resolution: what it lacks changes the force, unless it ends with 0."""
     rows = rows_of(rough(17, 4000, 0.8, 1500))
     numbers, spectrum = numbers_of(table(*rows)), table_spectrum(table(*rows))
@@ -224,7 +224,7 @@ SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
         (remove_bins(KNOWN, GAP), [], "a factor of 6.3 apart"),
     ],
 )
-def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options, cause):
+def test_an_unknown_error_has_a_stated_cause(table, spectrum, options, cause):
     report = printed(table(*rows_of(spectrum)), *options, "--work", "25 N/m")
     assert_says(report, "error not known", cause)
     # The work scales the force alone.
@@ -241,7 +241,7 @@ def test_where_the_error_is_not_known_its_cause_is_told(table, spectrum, options
         ("work", ["1mJ/m2", "900mJ/m2"], ["46uJ/m2", "46.3J/m2"]),
     ],
 )
-def test_quantities_that_no_test_has_are_questioned(name, usual, questioned):
+def test_implausible_quantities_are_questioned(name, usual, questioned):
     for texts, count in ((usual, 0), (questioned, 1)):
         for text in texts:
             quantities, faults = request.parse_quantities(
@@ -252,7 +252,7 @@ def test_quantities_that_no_test_has_are_questioned(name, usual, questioned):
             assert all(line.startswith(f"--{name} {text}: is the unit right?") for line in lines)
 
 
-def test_a_compliant_sphere_is_no_hard_contact(table):
+def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
     """Tabor's number of a smooth sphere, by hand: (R W²/(E*² rho³))^(1/3)."""
     path = table(*rows_of(rough(17, 1000, 0.8, 20)))
     hard, soft = (numbers_of(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
@@ -283,7 +283,7 @@ def test_a_profile_under_headings_is_a_scan(tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["map", "line"])
-def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, capsys):
+def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsys):
     make, points = (map_of, 128) if kind == "map" else (line_of, 1024)
     heights = make(generator(3), points, PIXEL).heights
     path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), points * PIXEL
@@ -325,7 +325,7 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_heights_that_are_not_gaussian_are_named_and_their_error_is_not_known(tmp_path, sign):
+def test_heights_that_are_not_gaussian_are_a_caution_without_a_known_error(tmp_path, sign):
     """The sum over pixels is less than half the closed form on bumps, above twice it on pores."""
     base, second_map = (map_of(generator(seed), 128, 40.0, rolled_off).heights for seed in (3, 4))
     base, second_map = 4 * base / base.std(), second_map / second_map.std()
@@ -345,7 +345,7 @@ def test_heights_that_are_not_gaussian_are_named_and_their_error_is_not_known(tm
     assert "skewness" not in printed(str(path))
 
 
-def test_a_csv_of_heights_is_a_scan(tmp_path):
+def test_a_csv_of_heights_is_read_as_a_scan(tmp_path):
     heights = map_of(generator(3), 64, 10.0).heights
     scan_files.scan(tmp_path / "scan.nc", heights.T, (640.0, 640.0))
     np.savetxt(tmp_path / "scan.csv", heights, delimiter=",")
@@ -369,7 +369,7 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
     )
 
 
-def test_files_that_are_no_spectrum_are_refused_in_a_line(tmp_path):
+def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
     (tmp_path / "text.txt").write_text("hello\n" * 9)
     scan_files.scan(tmp_path / "flat.nc", np.zeros((32, 32)))
     for name, expected in (

@@ -45,7 +45,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
     )
 
 
-def test_force_is_the_mean_at_the_work_asked_for():
+def test_the_force_is_the_mean_over_contacts_times_the_work():
     computed_forces = adhesion([3, 1])
     prediction = predicted_force(computed_forces, **PREDICTION)
     surface_b_forces = computed_forces.pull_off_force.sel(surface="b").isel(scan=0)
@@ -57,7 +57,7 @@ def test_force_is_the_mean_at_the_work_asked_for():
     np.testing.assert_allclose(quantiles, np.quantile(single, quantiles["quantile"]))
 
 
-def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
+def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
     computed_forces = adhesion([3, 1], spread=0.02)
     prediction = predicted_force(computed_forces, **PREDICTION)
     selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
@@ -77,7 +77,7 @@ def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
     assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
 
 
-def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
+def test_a_contact_as_wide_as_the_scan_gives_no_interval():
     prediction = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
     assert prediction.force_interval.sel(surface="b").isnull().all()
     assert prediction.force_interval.sel(surface="a").notnull().all()
@@ -85,7 +85,7 @@ def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
-def test_quarters_whose_contacts_touch_fewer_places_give_no_interval():
+def test_contacts_that_touch_few_places_give_no_interval():
     computed_forces = adhesion([3, 1])
     for places, source in ((4.0, "quarters"), (3.0, "few_places")):
         few_places = computed_forces.assign(
@@ -122,7 +122,7 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
     assert np.mean(totals) < smooth * (1 + 1 / (12 * reach**2)) + touching
 
 
-def test_no_mean_exceeds_the_bound():
+def test_forces_are_bounded_by_that_of_a_smooth_sphere():
     prediction = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
     extrapolated_forces = xr.Dataset(
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
@@ -152,7 +152,7 @@ def master_forces(**options):
     return scales([[SMALL, LARGE]], **options).assign(transition=("side", [20.0, 4e3]))
 
 
-def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work():
+def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
     forces = master_forces()
     mean = forces.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
     np.testing.assert_allclose(
@@ -163,9 +163,7 @@ def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work()
 @pytest.mark.parametrize(
     "ratio, half, differs", [(3.0, 0.4, 1), (3.0, 2.8, 0), (1.01, 0.001, 0), (3.0, np.nan, 1)]
 )
-def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolerance(
-    ratio, half, differs
-):
+def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ratio, half, differs):
     extrapolated_forces = extrapolated_force(master_forces(), MASTERS, 0.05, 0.95)
     # The force on the scans, relative to that with continued roughness below them.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
@@ -185,7 +183,7 @@ def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolera
 
 @pytest.mark.study
 @pytest.mark.parametrize("count", [2, 5])
-def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share(count):
+def test_the_interval_covers_the_scatter_between_realizations(count):
     rng, contained = np.random.default_rng(3), []
     template = master_forces(realizations=count)
     for _ in range(300):

@@ -155,7 +155,7 @@ def check_refusal(line, scan, settings):
 
 
 @pytest.mark.parametrize("examples", [20, pytest.param(1000, marks=pytest.mark.study)])
-def test_any_scan_gives_what_the_study_accepts_or_a_refusal_of_what_it_cannot(examples):
+def test_any_scan_gives_a_valid_study_or_a_justified_refusal(examples):
     @settings(
         max_examples=examples,
         deadline=None,
@@ -180,7 +180,7 @@ def test_any_scan_gives_what_the_study_accepts_or_a_refusal_of_what_it_cannot(ex
     check()
 
 
-def test_scans_of_the_paper_get_about_its_values():
+def test_scans_like_the_paper_s_get_about_its_grids():
     config, _ = both_efforts(probe(), propose([entry()] * 5, None, probe()))
     small, large = config["scales"]["small"], config["scales"]["large"]
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
@@ -192,7 +192,7 @@ def test_scans_of_the_paper_get_about_its_values():
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 5, 7])
-def test_every_scan_makes_as_many_masters(count):
+def test_every_scan_makes_equally_many_masters(count):
     config, _ = both_efforts(probe(), propose([entry()] * count, None, probe()))
     assert config["scales"]["realizations"] % count == 0
 
@@ -222,7 +222,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
         (entry(defects={"highest": {"highest_share": 0.1}}), probe(), ["one.nc: 10 % of"]),
     ],
 )  # fmt: skip
-def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, settings, message_parts):
+def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
     assert not propose([entry(10000, 512, 14, undefined=99)], None, probe()).cautions
 
@@ -235,7 +235,7 @@ def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, settings, messag
         ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
     ],
 )
-def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, settings, expected):
+def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, expected):
     message = refusal(propose, entries, None, settings)
     assert_says(message, *expected)
     assert len(message.splitlines()) == len(expected)
@@ -249,6 +249,6 @@ def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, setting
         (entry(), probe(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
     ],
 )
-def test_the_study_refuses_what_was_given_and_the_scans_do_not_permit(scan, settings, expected):
+def test_the_study_refuses_options_that_the_scans_do_not_permit(scan, settings, expected):
     message = refusal(check_study, settings, propose([scan], None, settings, True))
     assert_says(message, *expected)

@@ -19,7 +19,7 @@ def half_of(left_out, scan_parts, confidence):
 
 
 @pytest.mark.parametrize("count, tiles", [(4, 1), (20, 1), (20, 4), (7, 2), (6, 4)])
-def test_quarters_are_those_of_the_mirrored_scan(count, tiles):
+def test_contacts_lie_on_the_quarters_of_the_mirrored_scan(count, tiles):
     # A scan whose heights are the numbers of its quarters, mirrored, repeated, read at contacts.
     scan = np.kron(np.arange(4).reshape(2, 2), np.ones((500, 500), int))
     mirrored = np.pad(scan, ((0, 1000), (0, 1000)), mode="symmetric")
@@ -31,7 +31,7 @@ def test_quarters_are_those_of_the_mirrored_scan(count, tiles):
 QUARTERS = scan_parts.quarters_of_contacts(4, 1)
 
 
-def test_three_scans_are_independent_parts_fewer_are_divided():
+def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters():
     three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, 100.0, 50.0)
     assert not three.conditional and three.part_of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
     np.testing.assert_array_equal(three.correlation, np.eye(3))
@@ -53,7 +53,7 @@ def quarter_means(fields):
 
 
 @pytest.mark.parametrize("reach", [0.02, 0.2, 0.47])
-def test_correlation_of_quarters_is_that_of_smoothed_noise(reach):
+def test_quarters_correlate_as_those_of_smoothed_noise(reach):
     means = quarter_means(fields(np.random.default_rng(1), 4000, 32, reach * 32))
     measured_correlation = means.T @ means / np.mean(means**2) / len(means)
     scan_parts = parts_of_scans(np.zeros(1), QUARTERS, 1.0, reach)
@@ -61,7 +61,7 @@ def test_correlation_of_quarters_is_that_of_smoothed_noise(reach):
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3, 5])
-def test_intervals_hold_the_mean_as_often_as_they_say(scans):
+def test_intervals_contain_the_mean_with_their_confidence(scans):
     draws, reach = 1500, 0.3
     means = quarter_means(fields(np.random.default_rng(2), draws * scans, 16, reach * 16))
     means = means.reshape(draws, -1)
@@ -74,7 +74,7 @@ def test_intervals_hold_the_mean_as_often_as_they_say(scans):
     assert np.mean(np.abs(means.mean(axis=1)) < half) == pytest.approx(0.9, abs=0.03)
 
 
-def test_without_correlation_it_is_students_t():
+def test_without_correlation_the_interval_is_student_s():
     values = np.array([0.3, -0.1, 0.4, 0.9])
     left_out = (values.sum() - values) / 3
     expected = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
@@ -82,7 +82,7 @@ def test_without_correlation_it_is_students_t():
     assert half_of(left_out, scan_parts, 0.95) == pytest.approx(expected)
 
 
-def test_parts_that_are_one_or_the_same_have_no_interval():
+def test_a_single_part_or_equal_parts_have_no_interval():
     far = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 5.0)
     assert np.isnan(half_of(np.arange(4.0), far, 0.95))
     single = parts_of_scans(np.zeros(1), np.zeros((1, 1), int), 1.0, 0.1)

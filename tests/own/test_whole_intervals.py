@@ -69,7 +69,7 @@ def logarithms(spectrum, edges):
     return np.log([*np.maximum(spectrum(HELD_BACK), 1e-99), force, *changes])
 
 
-def test_intervals_hold_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
+def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatch):
     monkeypatch.setattr(closed, "CUTOFFS", 24)
     contained, forces, halves = [], [], []
     for number, has_line in product(range(TRIALS // 2), (0, 1)):

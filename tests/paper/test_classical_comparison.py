@@ -43,7 +43,7 @@ def classical():
     return apply_models(make_inference())
 
 
-def test_forces_and_works_of_polished_uncd(classical):
+def test_polished_uncd_has_the_published_force_and_work(classical):
     """The paper prints 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
     uncd = classical.sel(surface="polished_uncd")
     low, high = bounds(uncd, "published_mean_force")
@@ -56,7 +56,7 @@ def test_forces_and_works_of_polished_uncd(classical):
     assert ends == pytest.approx([0.99, 1.01])
 
 
-def test_surfaces_that_the_paper_does_not_know_have_no_numbers(classical):
+def test_a_surface_that_the_paper_lacks_has_no_numbers(classical):
     """The published surfaces keep their numbers, and no fit to all of them changes."""
     extended = apply_models(make_inference([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
     assert list(extended["surface"].values) == [*SUBSTRATES, "glass"]

@@ -13,7 +13,7 @@ from hardcontact.paper import classical_models
 from hardcontact.paper.classical_models import MODELS, Roughness
 
 
-def test_rumpf_limits():
+def test_rumpf_s_force_has_the_limits_of_plane_and_asperity():
     smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
     force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
@@ -22,7 +22,7 @@ def test_rumpf_limits():
     assert large == pytest.approx(asperity, rel=1e-3)
 
 
-def test_rabinovich_limits():
+def test_rabinovich_s_force_has_the_limits_of_plane_and_asperity():
     def force(height, distance):
         roughness = Roughness(height, 2 * np.pi * height / distance, np.nan)
         return classical_models.rabinovich(WORK, roughness, SPHERE)
@@ -56,7 +56,7 @@ def test_adhesion_vanishes_with_the_elastic_adhesion_index(model):
 
 
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
-def test_dmt_asperities_by_brute_force(index):
+def test_dmt_asperities_match_brute_force(index):
     def tension(separation):
         def force(z):  # of an asperity, relative to 2πβW
             density = exp(-(z**2) / 2) / sqrt(2 * pi)
@@ -69,7 +69,7 @@ def test_dmt_asperities_by_brute_force(index):
 
 
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
-def test_jkr_asperities_by_brute_force(index):
+def test_jkr_asperities_match_brute_force(index):
     """In the variables of Greenwood: δ = a² - sqrt(2πa), P = 4a³/3 - sqrt(8πa³)."""
     radius = np.geomspace((np.pi / 8) ** (1 / 3), 30, 20001)  # from detachment on
     compression = radius**2 - np.sqrt(2 * np.pi * radius)
@@ -95,7 +95,7 @@ def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
         assert force == pytest.approx(smooth(WORK, RADIUS), rel=2e-3), name
 
 
-def test_geometry_of_close_packed_asperities():
+def test_close_packed_asperities_have_the_rms_height_of_the_models():
     """Rms of hexagonally packed hemispheres and paraboloids, heights from their base."""
     cell = 2 * np.sqrt(3)  # of asperities of base radius 1
     hemisphere = quad(lambda r: 2 * np.pi * r * (1 - r**2), 0, 1)[0] / cell

@@ -19,7 +19,7 @@ from hardcontact.surfaces.height_map import metrics, mirror_stitch
 POOL = range(1, 7)
 
 
-def test_mean_and_deviation_of_heights_are_exactly_as_asked_for():
+def test_drawn_heights_have_the_exact_mean_and_deviation():
     drawn_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
     heights = group_heights(drawn_heights, 3.2, 1.6)
     assert heights.mean() == pytest.approx(3.2, rel=1e-12)
@@ -28,7 +28,7 @@ def test_mean_and_deviation_of_heights_are_exactly_as_asked_for():
     np.testing.assert_array_equal(group_heights(drawn_heights[:1], 3.2, 1.6), [3.2])
 
 
-def test_forces_and_roughness_of_a_set_are_those_of_its_scans_at_their_heights():
+def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_drawn_heights():
     drawn_set = draw_scans(pool_of(*POOL), generator(1, "draw"), 5)
     assert len(set(drawn_set["number"].values)) == 5
     assert drawn_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
@@ -47,7 +47,7 @@ def test_forces_and_roughness_of_a_set_are_those_of_its_scans_at_their_heights()
         np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
 
 
-def test_every_scan_of_the_pool_is_drawn_as_often_as_the_others():
+def test_every_scan_of_the_pool_is_drawn_equally_often():
     pool, draws = pool_of(*POOL), 300
     numbers = [draw_scans(pool, generator(2, n), 2)["number"].values for n in range(draws)]
     _, counts = np.unique(numbers, return_counts=True)
@@ -76,7 +76,7 @@ def measured_forces(scans):
     )
 
 
-def test_measured_scans_get_another_mean_and_keep_their_distribution():
+def test_measured_scans_are_scaled_by_one_factor():
     forces = measured_forces(5)
     ratio = scale_to_sampled_mean(forces, generator(4)) / forces
     assert ratio.dims == forces.dims
@@ -85,7 +85,7 @@ def test_measured_scans_get_another_mean_and_keep_their_distribution():
     assert not np.isclose(factor, 1).any()
 
 
-def test_means_of_measured_scans_spread_as_their_interval_says():
+def test_sampled_means_of_measured_scans_spread_over_their_interval():
     forces = measured_forces(5)
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
     low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
@@ -101,7 +101,7 @@ def test_means_of_measured_scans_spread_as_their_interval_says():
     np.testing.assert_allclose(share, 0.9, atol=4 * np.sqrt(0.09 / 400))
 
 
-def test_a_single_measured_scan_stays_as_it_is():
+def test_a_single_measured_scan_keeps_its_forces():
     xr.testing.assert_identical(
         scale_to_sampled_mean(measured_forces(1), generator(6)), measured_forces(1)
     )

@@ -110,7 +110,7 @@ ORDER = {"rule": "order", "published_low": 1.0, "select": "surface=rough>middle>
          "reproduced"),
     ],
 )  # fmt: skip
-def test_a_claim_stands_on_the_scans_of_its_surfaces(changes, substitutes, basis, verdict):
+def test_a_claim_rests_on_the_scans_of_its_surfaces(changes, substitutes, basis, verdict):
     row = judge(make_datasets(substitutes), **changes)
     assert (row.basis, row.verdict) == (basis, verdict)
 
@@ -162,7 +162,7 @@ def test_an_order_needs_every_link(middle, verdict):
     assert judge(datasets, **ORDER).verdict == verdict
 
 
-def test_open_dimensions_take_the_worst_case():
+def test_unselected_dimensions_take_the_worst_case():
     datasets = make_datasets()
     datasets["forces"]["change"][:] = [[1e-3, 1e-3, np.nan], [1e-3, 1e-3, 0.02], [1e-3] * 3]
     for rule, worst in (("below", 0.02), ("above", 1e-3)):
@@ -176,13 +176,13 @@ def test_numbers_of_one_surface_are_selected_by_label():
     assert judge_all(make_datasets(), **depth | {"select": "preload=10e-6"}).empty
 
 
-def test_values_are_the_judged_numbers_and_missing_where_a_surface_is():
+def test_a_claim_about_a_missing_surface_has_no_number():
     rows = pd.DataFrame([CLAIM, CLAIM | {"id": "other", "select": "surface=rough"}])
     numbers = claim_values(rows, make_datasets(surfaces=["smooth", "middle"]), CONSTANTS)
     assert (numbers.index.name, numbers["claim"]) == ("id", 2.0) and np.isnan(numbers["other"])
 
 
-def test_no_number_decides_nothing():
+def test_a_claim_without_a_number_is_undecided():
     datasets = make_datasets()
     datasets["forces"]["force"][:] = np.nan
     row = judge(datasets)
@@ -208,7 +208,7 @@ def test_errors_name_the_claim(change, message):
     assert "\n" not in str(error.value)
 
 
-def test_intervals_over_scans_have_the_confidence_that_is_given():
+def test_intervals_over_scans_have_the_given_confidence():
     datasets = make_datasets()
     scans = ("surface", "scan", "contact"), np.outer(np.ones(3), [1.0, 2.0, 3.0])[..., None]
     datasets["forces"]["scan_force"] = scans

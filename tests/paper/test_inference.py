@@ -28,7 +28,7 @@ def test_inference_finds_the_range_and_work_that_made_the_forces():
         assert low < value < high
 
 
-def test_interval_is_of_the_confidence_that_is_asked_for():
+def test_intervals_have_the_requested_confidence():
     narrow = infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.5))
     wide = infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.95))
     assert narrow.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
@@ -49,7 +49,7 @@ def test_a_surface_without_a_published_force_does_not_enter_the_fit():
     assert fits.mean_force.sizes["surface"] == 4
 
 
-def test_fit_is_the_least_of_a_fine_search():
+def test_the_fit_has_the_smallest_error_of_a_fine_search():
     forces = power_forces(spread=0.5, seed=3)
     forces = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
     fine = np.geomspace(RHOS[0], RHOS[-1], 60)
@@ -61,7 +61,7 @@ def test_fit_is_the_least_of_a_fine_search():
     assert np.unravel_index(search.argmin(), search.shape)[0] == best
 
 
-def test_region_holds_the_places_of_small_error_and_no_more():
+def test_the_region_contains_exactly_the_small_errors():
     errors = np.ones((4, 5))
     errors[1, 2] = errors[2, 3] = 0.05
     ranges, works = error_map.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
@@ -78,7 +78,7 @@ def two_ranges():
     return xr.DataArray(forces, {"surface": ["a", "b"], "rho": rhos}, dims)
 
 
-def test_ratios_that_are_met_twice_give_two_minima():
+def test_ratios_met_at_two_ranges_give_two_minima():
     fits = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
     assert sorted(fits.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
     np.testing.assert_allclose(fits.minimum_work[:2], 0.05, rtol=0.02)
@@ -88,7 +88,7 @@ def test_ratios_that_are_met_twice_give_two_minima():
     assert fits.minimum_range.isnull().values.tolist() == [False, False, True]
 
 
-def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
+def test_an_end_of_the_sweep_is_a_minimum_if_the_error_falls_towards_it():
     errors = np.array([0.3, 0.5, 0.2, 0.2, 0.4, 0.6, 0.1])
     assert error_map.local_minima(errors, 3).tolist() == [6, 2, 0]
     assert error_map.local_minima(errors, 2).tolist() == [6, 2]
@@ -119,7 +119,7 @@ def infer(plastic, sampling=SAMPLING):
     return inference.infer(make_adhesion(plastic), PUBLISHED, "uncd", 0.1, 30e-9, sampling)
 
 
-def test_published_range_beyond_the_sweep_has_no_forces():
+def test_a_published_range_beyond_the_sweep_has_no_forces():
     distant = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
     fits = inference.infer(adhesion, distant, "uncd", 0.1, 30e-9, SAMPLING)
@@ -140,7 +140,7 @@ def test_models_are_compared_with_the_same_samples():
     np.testing.assert_allclose(rigid.sampled_work, 2 * plastic.sampled_work)
 
 
-def test_forces_stand_at_the_published_and_at_the_fitted_pair():
+def test_forces_are_given_at_the_published_and_the_fitted_pair():
     forces = power_forces(spread=0.1)
     fits = infer(forces).sel(contact_model="plastic")
     mean = 0.04 * forces.sel(rho=5.0).mean(["scan", "sphere_scan", "contact_y", "contact_x"])

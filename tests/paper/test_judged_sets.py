@@ -74,13 +74,7 @@ def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
     assert len(np.unique(sets["range_of_adhesion"])) > 2
 
 
-def test_fits_and_the_band_are_kept_for_figures(sets):
-    assert {"best_error", "mean_force", "ratio"} <= set(sets)
-    assert sets["scale_ratio"].sizes == {"set": 3, "side": 2, "surface": 4, "cutoff_wavelength": 6}
-    assert sets["edge"].sel(group="pooled").dims == ("set", "side")
-
-
-def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
+def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     adhesion = make_adhesion()
     means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
     smooth_means = {
@@ -112,7 +106,7 @@ def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         xr.testing.assert_identical(sources.pools[name], pool)
 
 
-def test_surfaces_that_are_all_measured_make_sets_too():
+def test_measured_surfaces_make_sets_too():
     sources = make_sources(measured=SUBSTRATES)
     sets = judge_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
     gradient = sources.topography["rms_gradient_mean"].sel(surface="ncd")

@@ -19,7 +19,7 @@ def forces_at_one_joule():
     return xr.DataArray([values, values], coordinates, ["set", "surface", "rho"])
 
 
-def test_the_pair_is_found_where_the_surface_that_contradicts_it_is_left_out():
+def test_the_pair_is_recovered_without_the_contradicting_surface():
     forces = pd.Series({name: WORK * 1e-3 * np.exp(-m / RANGE) for name, m in STANDOFFS.items()})
     forces["odd"] *= 5
     fits = leave_one_out_fits(forces_at_one_joule(), forces)

@@ -33,7 +33,7 @@ def test_a_number_that_is_zero_in_every_scan_is_zero():
     np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
 
 
-def test_intervals_hold_the_mean_as_often_as_they_say():
+def test_intervals_contain_the_mean_with_their_confidence():
     normal = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
     low, high = bounds(numbers.signed_mean_over_scans(normal, 0.8), "value")
     assert float(((low < 0) & (high > 0)).mean()) == pytest.approx(0.8, abs=0.02)
@@ -49,7 +49,7 @@ def test_a_value_of_zero_leaves_no_interval_on_logarithms():
     assert mean.value_interval.isnull().all("bound").values.tolist() == [True, False]
 
 
-def test_a_variable_as_a_number():
+def test_a_variable_becomes_a_number_with_its_interval():
     contacts = xr.DataArray(
         np.random.default_rng(0).random((3, 2, 4)), dims=("scan", "sphere_scan", "contact")
     )
@@ -71,7 +71,7 @@ def test_a_variable_as_a_number():
         numbers.variable_as_number(dataset.drop_attrs(), "force")
 
 
-def test_quotient_holds_all_ratios_of_the_intervals():
+def test_a_quotient_contains_all_ratios_of_the_intervals():
     ratio = numbers.quotient(scalar(4.0, 2.0, 8.0), scalar(2.0, 1.0, 4.0))
     assert (float(ratio.value), *ends(ratio)) == (2.0, 0.5, 8.0)
     below_zero = numbers.quotient(scalar(4.0, -2.0, 8.0), scalar(2.0, -1.0, 4.0))
@@ -83,12 +83,12 @@ def test_quotient_holds_all_ratios_of_the_intervals():
     ("signed", "absolute"),
     [((2, 1, 3), (2, 1, 3)), ((-2, -3, -1), (2, 1, 3)), ((-0.5, -2, 1), (0.5, 0, 2))],
 )
-def test_absolute_value(signed, absolute):
+def test_an_absolute_value_has_the_interval_of_its_magnitudes(signed, absolute):
     result = numbers.absolute_value(scalar(*map(float, signed)))
     assert (float(result.value), *ends(result)) == absolute
 
 
-def test_decades_between_numbers():
+def test_decades_are_those_between_the_smallest_and_the_largest_number():
     values = xr.DataArray([1.0, 1000.0, 10.0], dims="surface")
     decades = numbers.decades(number_with_interval(values, values / 10, values * 10), "surface")
     assert float(decades.value) == pytest.approx(3)

@@ -24,7 +24,7 @@ def pool():
     return pool_of(3, 4)
 
 
-def test_heights_reach_as_far_as_a_set_can():
+def test_heights_of_the_pool_cover_those_of_any_set():
     # One scan differs from four equal scans: it is (n - 1)/sqrt(n) deviations from the mean.
     sample = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
     reach = (sample.max() - sample.mean()) / sample.std(ddof=1)
@@ -57,13 +57,13 @@ def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
                 assert forces[i, model, k, 0, 1] == pytest.approx(force, rel=1e-5)
 
 
-def test_roughness_is_that_of_the_scan_as_it_was_drawn(pool):
+def test_the_pool_has_the_roughness_of_the_unscaled_scans(pool):
     for name, value in metrics(raw_scan(3)).items():
         assert pool[name].sel(scan=3).item() == pytest.approx(value, rel=1e-12)
     assert pool.attrs == {"mean_rms_height": 10.0, "rms_height_deviation": 4.0}
 
 
-def test_a_scan_does_not_depend_on_those_computed_with_it(pool):
+def test_a_scan_does_not_depend_on_the_other_scans(pool):
     single = pool_of(4)
     np.testing.assert_array_equal(single["log_force"].sel(scan=4), pool["log_force"].sel(scan=4))
     assert not np.allclose(pool["log_force"].sel(scan=3), pool["log_force"].sel(scan=4))

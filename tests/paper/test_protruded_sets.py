@@ -28,7 +28,7 @@ ROUGHNESS = PublishedRoughness(10.0, 0.5, 0.7, 3.0)
 
 
 @pytest.mark.parametrize("bearer", ["uncd", "ruby"])
-def test_a_variant_does_not_depend_on_those_computed_with_it(bearer):
+def test_a_variant_does_not_depend_on_the_other_variants(bearer):
     variants = compute_protruded([1, 2], 2, SOURCES, ROUGHNESS, bearer)
     variant = compute_protruded([2], 2, SOURCES, ROUGHNESS, bearer)
     assert variants["pull_off_force"].sizes == {"draw": 2, "rho": 3, "contact": 2 * 2 * 2}
@@ -74,7 +74,7 @@ def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(sphere_is_bumpy
     np.testing.assert_allclose(forces[0], forces[1], rtol=1e-6)
 
 
-def test_the_pair_is_that_of_forces_that_agree():
+def test_the_fit_recovers_the_pair_of_the_measured_forces():
     """Forces that fall as exp(-m/rho) give the pair from which the measured forces were made."""
     heights = {"smooth": 12.0, "rough": 40.0, "rougher": 70.0}
     curves = {name: 1e-3 * np.exp(-height / RANGES) for name, height in heights.items()}

@@ -46,7 +46,7 @@ def powers(slope, scans=(0.9, 1.1)):
 # --- roughness and contact --------------------------------------------------------------------
 
 
-def test_roughness_of_all_scales_over_that_of_scans():
+def test_roughness_ratios_compare_all_scales_with_afm_scans():
     names = {f"{scales}_rms_{name}": f"{scales}_{name}" for scales in ("all", "afm")
              for name in ("height", "slope", "curvature")}  # fmt: skip
     values = {"afm_height": 2.0, "afm_slope": 0.1, "afm_curvature": 0.01}
@@ -57,7 +57,7 @@ def test_roughness_of_all_scales_over_that_of_scans():
     near(force.curvature_over_height(topography), 60 / 1.5)
 
 
-def test_contact_height_is_taken_scan_by_scan():
+def test_contact_height_is_a_ratio_of_each_scan():
     """If apex and roughness scatter together, their ratio does not scatter."""
     rms = np.array([16.0, 17.0, 19.0])
     adhesion = xr.Dataset({"apex_depth": (("scan", "contact"), -3.4 * rms[:, None])})
@@ -88,7 +88,7 @@ def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
     near(contact.nonstickiness(topography, PAPER), repulsion / attraction, rtol=1e-3)
 
 
-def test_elastic_contact_beside_rigid_and_plastic_contact():
+def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
     rigid = np.array([[1.0, 2.0], [2.0, 4.0]])
     dims = ("scan", "contact")
     elastic = xr.Dataset(
@@ -122,7 +122,7 @@ def test_elastic_contact_beside_rigid_and_plastic_contact():
     np.testing.assert_allclose(exponent.value_interval, [0.6 - half_width, 0.6 + half_width])
 
 
-def test_deformation_energy_of_one_wave():
+def test_one_wave_has_the_deformation_energy_in_closed_form():
     """A wave of the amplitude h has E* q h²/8; many waves of this length have the same sum."""
     q, height, modulus, work = 0.02, 3.0, 289.7e9, 0.0463
     wavevector = np.linspace(0.0199, 0.0201, 201)
@@ -145,13 +145,13 @@ def test_deformation_energy_of_one_wave():
 # --- forces -----------------------------------------------------------------------------------
 
 
-def test_slopes_of_a_power_of_the_range():
+def test_a_power_law_of_the_range_gives_the_slopes_of_force_and_area():
     """The attracting area grows by one power more than the force."""
     near(force.force_slope(make_adhesion(powers(0.6))), [0.6, 0.6])
     near(force.area_slope(make_adhesion(powers(0.6))), [1.6, 1.6])
 
 
-def test_ratios_of_forces_are_taken_scan_by_scan():
+def test_ratios_of_forces_are_taken_on_each_scan():
     forces = powers(0.5, scans=[1.0, 1.0])
     forces[1, :, 1] *= 3
     near(force.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
@@ -175,7 +175,7 @@ DISTRIBUTIONS = {
 
 
 @pytest.mark.parametrize("misfit", DISTRIBUTIONS)
-def test_misfit_is_small_for_the_right_distribution_alone(misfit):
+def test_misfit_is_small_only_for_the_right_distribution(misfit):
     forces = DISTRIBUTIONS[misfit].rvs(1000, random_state=4)
     two_values = np.tile([1e-8, 1e-5], 500)
     for values, fits in ((forces, True), (two_values, False)):
@@ -248,7 +248,7 @@ def test_force_at_short_range_is_linear_between_ranges():
     assert np.isnan(inference.short_range_force(longer_ranges, PAPER)["value"])
 
 
-def test_errors_at_short_ranges_and_at_the_second_minimum():
+def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
     errors = xr.Dataset(
         {
             "best_error": 0.05,
@@ -287,7 +287,7 @@ def band():
     )
 
 
-def test_changes_outside_and_inside_the_published_band(band):
+def test_changes_are_read_outside_and_inside_the_published_band(band):
     near(inference.change_outside_band(band, PAPER), [0.05, 0.05])
     near(inference.change_inside_band(band, PAPER), [3.0, 0.6])
     near(inference.small_scale_change(band, PAPER), 0.0)
@@ -336,7 +336,7 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_one_curve_gives_one_verdict(seed):
+def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
     """The edge is within the published band if no cutoff outside the band changes the force."""
     cutoffs = [10.0, 20.0, 43.0, 80.0, 500.0, 1800.0, 2700.0, 5000.0]
     noise = np.random.default_rng(seed).normal(size=(40, 1, 2, 8))

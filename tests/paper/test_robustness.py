@@ -80,19 +80,19 @@ def variants():
     return robustness(adhesion, masters, VARIANTS, TABLE.iloc[::-1], CHOICES)
 
 
-def test_loads_are_chosen_by_name(variants):
+def test_a_variant_uses_the_forces_at_its_load(variants):
     load_variants = variants.sel(variant=["baseline", "lighter"])
     np.testing.assert_allclose(load_variants.range_of_adhesion, [4.0, 2.0], rtol=0.01)
     np.testing.assert_allclose(load_variants.work_of_adhesion, [0.05, 0.1], rtol=0.02)
     np.testing.assert_allclose(load_variants.best_error, 0, atol=0.01)
 
 
-def test_scans_of_a_variant_are_those_of_the_surfaces_it_names(variants):
+def test_a_variant_replaces_the_scans_of_one_surface(variants):
     """Forces on one surface are twice as large: no range and work fits all four."""
     assert variants.best_error.sel(variant="curved") > 0.05
 
 
-def test_another_probe_changes_the_critical_band_alone(variants):
+def test_another_probe_changes_only_the_critical_band(variants):
     rough = variants.sel(variant="rough_sphere")
     for name in ("range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
                  "work_of_adhesion_interval", "best_error"):  # fmt: skip

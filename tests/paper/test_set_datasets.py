@@ -21,7 +21,7 @@ NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
 CONTACTS = ["contact_y", "contact_x"]
 
 
-def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():
+def test_topography_of_a_set_replaces_only_drawn_scans():
     sources = make_sources(measured=["mcd"])
     drawn_scans = draw_set_scans(sources, *DRAW)
     study = sources.topography
@@ -42,7 +42,7 @@ def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():
     assert topography.attrs == study.attrs
 
 
-def test_forces_of_drawn_scans_are_those_on_the_rough_sphere():
+def test_forces_of_drawn_scans_are_scaled_to_the_rough_sphere():
     sources = make_sources()
     drawn_scans = draw_set_scans(sources, *DRAW)
     adhesion = set_adhesion(sources, drawn_scans, *DRAW)
@@ -54,7 +54,7 @@ def test_forces_of_drawn_scans_are_those_on_the_rough_sphere():
         np.testing.assert_allclose(ratio.sel(contact_model="plastic"), 0.95, rtol=1e-12)
 
 
-def test_measured_scans_keep_their_forces_but_for_one_factor_a_range():
+def test_forces_on_measured_scans_change_by_one_factor_per_range():
     sources = make_sources(measured=["mcd"])
     adhesion = set_adhesion(sources, draw_set_scans(sources, *DRAW), *DRAW)
     set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
@@ -68,7 +68,7 @@ def test_measured_scans_keep_their_forces_but_for_one_factor_a_range():
     assert np.isfinite(uncd_forces).sum() == SCANS * 2 * ranges * 9
 
 
-def test_band_of_masters_that_are_alike_is_that_of_one():
+def test_equal_masters_have_the_band_of_one():
     masters = make_masters()
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
     band = set_band(alike, 5, 0.1, NO_SAMPLES, 3)

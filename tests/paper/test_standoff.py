@@ -20,12 +20,12 @@ def test_the_height_gives_the_mean_attraction_of_random_points_below_the_sphere(
     assert np.isnan(apex_height(2.0, rms_height, rho))
 
 
-def test_without_roughness_that_counts_the_height_is_that_of_an_exponential():
+def test_without_roughness_the_height_follows_the_exponential():
     share = 8.8e-6 / (2 * np.pi * RADIUS * 1e-9 * 0.0463)
     assert apex_height(share, 0.01, 5.6) == pytest.approx(-5.6 * np.log(share), rel=1e-3)
 
 
-def test_forces_that_agree_leave_no_height_missing():
+def test_equal_forces_have_equal_heights():
     forces = np.array([[2e-4, 3e-4], [1e-5, 4e-5]])  # (surface, rho) in N at 1 J/m²
     axes = ("surface", "scan", "sphere_scan", "rho", "contact_y", "contact_x")
     adhesion = xr.Dataset(

@@ -25,7 +25,7 @@ PRINTED = pd.read_csv(TABLES / "pull_off.csv").pivot(
 )
 
 
-def test_rules_and_words_are_known():
+def test_claims_have_known_rules_and_words():
     assert ROWS.index.is_unique
     for claim in STATEMENTS.itertuples():
         accepted_range(claim.rule, claim.published_low, claim.published_high)
@@ -35,12 +35,12 @@ def test_rules_and_words_are_known():
         assert set(rows["dataset"].str.split("+").explode()) <= {*names, "paper"}
 
 
-def test_a_claim_follows_from_another_that_follows_from_none():
+def test_a_claim_follows_only_from_an_independent_claim():
     origins = ROWS["follows_from"][ROWS["follows_from"] != ""]
     assert (ROWS["follows_from"][origins] == "").all() and (origins.index != origins).all()
 
 
-def test_replicated_claims_are_of_datasets_that_sets_have():
+def test_replicated_claims_use_datasets_of_the_sets():
     replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
     names = set(replicated["dataset"].str.split("+").explode())
     assert names == {"topography", "adhesion", "inference", "band", "paper"}
@@ -147,14 +147,14 @@ def test_edges_of_the_band_are_numbers_and_bounds():
         assert (rows[f"published_{column}"] == rows["published"]).all() and len(rows) == 3
 
 
-def test_what_is_too_weak_for_the_printed_forces_does_not_reproduce_them():
+def test_a_force_too_weak_for_a_claim_does_not_reproduce_it():
     plastic = ROWS.loc["plastic_reproduces_scale"]
     lowest, _ = accepted_range(*plastic[["rule", "published_low", "published_high"]])
     for name in ("rigid_too_weak", "short_range_too_weak"):
         assert ROWS.loc[name, "published_high"] == pytest.approx(lowest)
 
 
-def test_the_three_laws_that_the_paper_names_are_judged_where_they_replace_its_own():
+def test_the_three_laws_that_the_paper_names_are_judged():
     similar = ROWS[ROWS.index.str.startswith("similar_with_")]
     law_names = similar.index.str.removeprefix("similar_with_")
     assert len(law_names) == 3 and set(law_names) <= {

@@ -45,12 +45,12 @@ TWO_SIDED = [
 
 @pytest.mark.parametrize("rule", ["interval", "factor 1"])
 @pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
-def test_two_limits(rule, number, ends, judgement):
+def test_a_number_is_judged_by_two_limits(rule, number, ends, judgement):
     assert verdict(rule, number, *ends, 4.0, 6.0) == judgement
 
 
 @pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
-def test_one_limit_is_judged_as_two_of_which_one_is_far(number, ends, judgement):
+def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement):
     upper_verdict = verdict("below", number, *ends, np.nan, 6.0)
     lower_verdict = verdict("above", number, *ends, 4.0, np.nan)
     assert upper_verdict == verdict("interval", number, *ends, -99.0, np.nextafter(6.0, 0))
@@ -58,7 +58,7 @@ def test_one_limit_is_judged_as_two_of_which_one_is_far(number, ends, judgement)
     assert verdict("order", number, *ends, 4.0, np.nan) == lower_verdict
 
 
-def test_a_limit_belongs_to_a_rule_of_two():
+def test_limits_are_accepted_by_intervals_only():
     for rule, accepted in (("interval", True), ("below", False), ("above", False)):
         assert is_accepted(rule, [5.0, np.nan], 5.0, 5.0).tolist() == [accepted, False]
 
@@ -88,7 +88,7 @@ def test_summary_lists_every_verdict_and_counts_independent_findings():
     assert result.sum().to_dict() == {"independent": 2, "claims": 5}
 
 
-def test_a_table_that_is_cut_short_is_refused(tmp_path):
+def test_a_truncated_table_is_refused(tmp_path):
     path = tmp_path / "claims.csv"
     path.write_text("id,verdict,follows_from,note\nfirst,reproduced,,\n")
     claims = read_verdicts(path)
@@ -101,7 +101,7 @@ def test_a_table_that_is_cut_short_is_refused(tmp_path):
 # --- sets of scans ----------------------------------------------------------------------------
 
 
-def test_the_interval_leaves_the_tails_out_and_needs_enough_numbers():
+def test_the_interval_of_sets_leaves_out_the_tails_and_needs_enough_numbers():
     replicas = np.arange(201.0)
     intervals = sets_interval(np.stack([replicas, replicas + 1], 1), 0.95)
     np.testing.assert_allclose(intervals, [[5, 195], [6, 196]])
@@ -119,7 +119,7 @@ def test_the_interval_leaves_the_tails_out_and_needs_enough_numbers():
         ((nan, nan), 1.0, (nan, nan)),
     ],
 )  # fmt: skip
-def test_an_interval_holds_its_number(ends, value, stretched):
+def test_an_interval_is_stretched_to_its_number(ends, value, stretched):
     np.testing.assert_array_equal(stretch_interval(ends, value), stretched)
 
 
@@ -146,7 +146,7 @@ def redraw_stability(numbers, original_verdict):
         ([6.0] * 95 + [nan] * 5, "consistent", 1 - binom.cdf(5, 100, 0.05)),
     ],
 )
-def test_a_verdict_stays_as_often_as_binomial_statistics_say(numbers, original_verdict, share):
+def test_the_stability_of_a_verdict_follows_binomial_statistics(numbers, original_verdict, share):
     error = np.sqrt(share * (1 - share) / REDRAWS)
     redrawn_share = redraw_stability(numbers, original_verdict)
     assert redrawn_share == pytest.approx(share, abs=4 * error)

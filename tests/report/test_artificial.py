@@ -16,18 +16,18 @@ def of_first(data):
     return data.sel(surface=SURFACES[0])
 
 
-def test_all_beyond_the_scans_is_artificial():
+def test_wavelengths_beyond_the_scans_are_artificial():
     assert artificial_bands(of_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
 
 
-def test_so_is_a_gap_between_them():
+def test_a_gap_between_scans_is_artificial():
     apart = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
     assert artificial_bands(of_first(spectra(measured=apart))) == [
         (0.0, 55.0), (320.0, 800.0), (25_000.0, np.inf),
     ]  # fmt: skip
 
 
-def test_what_is_reliable_nowhere_closes_no_gap():
+def test_an_unreliable_scan_closes_no_gap():
     data = of_first(spectra())
     coarse = data["path"].values == "scans/coarse.spm"
     data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
@@ -35,7 +35,7 @@ def test_what_is_reliable_nowhere_closes_no_gap():
     assert reliable_measurements(data).sizes["measurement"] == len(MEASUREMENTS) - 1
 
 
-def test_padding_is_no_measurement():
+def test_empty_entries_are_no_measurements():
     of_second = spectra(2).sel(surface=SURFACES[1])
     assert of_second.sizes["measurement"] == 3
     assert measurements(of_second)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
@@ -46,5 +46,5 @@ def test_padding_is_no_measurement():
     ("low", "high", "inside"),
     [(1, 5, 1), (5, 20, 1), (10, 20, 0), (10, 1000, 1), (50, 50, 0), (5, 5, 1), (np.nan, 5, 0)],
 )
-def test_wavelengths_reach_artificial_bands(low, high, inside):
+def test_an_interval_may_overlap_artificial_bands(low, high, inside):
     assert overlaps_any(low, high, [(0.0, 10.0), (100.0, np.inf)]) == inside

@@ -42,7 +42,7 @@ def test_finite_scans_have_their_numbers():
     assert not named("small_scan")
 
 
-def test_a_window_that_cuts_forces_off_is_named():
+def test_a_window_that_cuts_off_the_force_is_named():
     (here,) = named("window", force=force().assign(window_share=("rho", [1, 1, 0.36, 0.2, 0.1])))
     assert np.isnan(here["from"].value) and here["share"].value == 0.36 and here["at"].value == 5.6
     long = force().assign(window_share=("rho", [1, 1, 0.995, 0.95, 0.9]))
@@ -71,7 +71,7 @@ def test_measurements_that_contradict_each_other_are_named():
     assert not named("contradiction")
 
 
-def test_what_changes_the_force_is_grave():
+def test_cautions_that_change_the_force_are_grave():
     mild = force().assign(window_share=("rho", [1, 1, 0.95, 0.8, 0.7]))
     assert grave() == grave(force=mild) == []
     small = mild.assign(finite_scan_ratio=(("surface", "bound"), [[2.0, 4.0]]))
@@ -83,7 +83,7 @@ def test_what_changes_the_force_is_grave():
     assert grave(force=force().assign_attrs(contact_area=20.0)) == ["one_pixel"]
 
 
-def test_contacts_on_scans_that_are_reliable_nowhere_are_named():
+def test_contacts_on_unreliable_scans_are_named():
     blind = spectra()
     blind["reliable"].loc[{"measurement": 1}] = 0  # of the first, whose pixels contacts have
     assert "blind_scans" in grave(spectra=blind) and named("blind_scans", spectra=blind)
@@ -106,7 +106,7 @@ def test_contacts_that_touch_few_places_are_named():
     assert not named("few_places") and not named("conditional", force=few)
 
 
-def test_measurements_of_containers_have_both_names():
+def test_a_measurement_of_a_container_has_both_names():
     data = spectra().sel(surface=SURFACES[0]).isel(measurement=0)
     assert measurement_name(data) == "scans/fine.spm"
     assert measurement_name(data.assign(dataset=((), "map-1"))) == "scans/fine.spm: map-1"
@@ -121,13 +121,13 @@ def test_roughness_beyond_the_scans_is_named():
     assert (long["above"].value, long["rolloff"].value) == (25e3, 37.5e3)
 
 
-def test_the_exponent_has_an_interval_of_the_confidence_of_the_study():
+def test_the_hurst_exponent_has_an_interval_of_the_study_s_confidence():
     sure = edges().assign_attrs(confidence=0.6827)  # of one standard error, here 0.1
     (tail,) = named("tail", edges=sure)
     assert (tail["hurst"].low, tail["hurst"].high) == pytest.approx((0.7, 0.9), abs=1e-4)
 
 
-def test_more_power_than_scans_show_is_named():
+def test_a_spectrum_above_the_scans_is_named():
     data = spectra()
     wavelength = 2 * np.pi / data["bin_wavevector"]
     added = data["spectrum"].interp(wavevector=data["bin_wavevector"])
@@ -138,7 +138,7 @@ def test_more_power_than_scans_show_is_named():
     assert not named("more_than_measured")
 
 
-def test_no_answer_rests_on_roughness_that_the_scans_do_not_tell():
+def test_a_tail_of_unknown_exponent_gives_no_force():
     data = spectra().assign(tail_known=("surface", [0]))
     of = of_first(spectra=data, force=continued(force(), small=0.5))
     assert [one["known"] for one in cautions(of) if one["code"] == "tail"] == [False]

@@ -7,14 +7,14 @@ from refusals import assert_says, refusal
 from hardcontact.report.dataset_dictionary import rows_of
 
 
-def test_every_variable_of_the_study_is_described_and_no_other(results):
+def test_the_dictionary_describes_exactly_the_variables_of_the_study(results):
     page, variables = described(), made_variables(results)
     assert variables.keys() <= page.keys()
     for name, rows in variables.items():
         assert rows <= page[name] if name in SHARED else rows == page[name], name
 
 
-def test_a_row_for_one_dataset_counts_before_the_long_name_and_that_before_one_for_all():
+def test_the_meaning_for_one_dataset_overrides_the_long_name_and_this_the_general_meaning():
     attributes = {"units": "N", "long_name": "long name"}
     data = xr.Dataset(
         {name: ("x", [1.0], attributes) for name in ("own", "named", "named_interval")}

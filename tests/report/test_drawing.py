@@ -45,7 +45,7 @@ def test_curves_of_many_points_are_images_in_the_svg(points, images, tmp_path):
     assert (tmp_path / "figure.svg").read_text().count("<image") == images
 
 
-def test_only_the_substitutes_are_named():
+def test_a_figure_names_only_the_substitutes():
     (note,) = figure().texts
     assert note.get_text().startswith("substitute surfaces: NCD (")
     measured = SURFACES.assign(basis=("surface", ["measured"] * 2))

@@ -7,7 +7,7 @@ import xarray as xr
 from hardcontact.report.insight import edge_errors, half_factor, long_edge, scatter_errors
 
 
-def test_half_of_the_forces_lie_within_a_factor():
+def test_half_of_the_forces_lie_within_the_median_factor():
     errors = [[[[0.5, 1.1, 0.8]], [[9, 9, 9]]]]
     data = xr.Dataset(
         {"predicted_over_computed": (("map_size", "source", "surface", "rho"), errors)},
@@ -28,7 +28,7 @@ def test_an_open_long_edge_is_a_bound():
     assert (long_edge(known).value, long_edge(known).status) == (1e3, "no_interval")
 
 
-def test_errors_of_edges_are_those_of_surfaces_held_out_with_an_edge_by_regime():
+def test_errors_of_edges_come_from_held_out_surfaces_by_regime():
     error = np.array([1.0, 2.0, 3.0, 9.0, 9.0])  # the last two: looked at, and a bound
     data = xr.Dataset(
         {
@@ -52,7 +52,7 @@ def test_errors_of_edges_are_those_of_surfaces_held_out_with_an_edge_by_regime()
     assert rows[1]["closed form"].value == 9
 
 
-def test_errors_of_the_law_are_those_of_gaussian_surfaces_held_out():
+def test_errors_of_the_law_come_from_held_out_gaussian_surfaces():
     names = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
     columns = {
         "held_out": [1, 1, 0, 1],

@@ -63,12 +63,12 @@ def quantities(case, surface="my_coating"):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_numbers_are_as_the_schema_describes(case):
+def test_the_answer_follows_its_schema(case):
     Draft202012Validator.check_schema(SCHEMA)
     Draft202012Validator(SCHEMA).validate(content(case))
 
 
-def test_numbers_are_those_of_the_datasets():
+def test_the_answer_has_the_numbers_of_the_datasets():
     of_study, of_surface = quantities("one", ""), quantities("one")
     assert (of_study["range_of_adhesion"]["value"], of_study["work_of_adhesion"]["value"]) == (
         RANGE, WORK,
@@ -96,7 +96,7 @@ def test_cautions_are_codes_with_their_numbers():
 
 
 @pytest.mark.parametrize(("of_paper", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
-def test_who_gives_range_and_work_is_told_of_no_other_pairs(of_paper, count):
+def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(of_paper, count):
     made = own_answer(datasets(), setting()._replace(of_paper=of_paper))
     names = [row.fact.name for row in made.surfaces["my_coating"].rows]
     assert names.count("force_of_pair") == count

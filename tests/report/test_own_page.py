@@ -73,7 +73,7 @@ def words(text):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_nothing_is_loaded_or_missing_and_every_picture_is_told(case):
+def test_the_page_is_self_contained_and_describes_every_picture(case):
     texts = " ".join([*page(case).texts["main"], *page(case).values("alt")])
     assert not re.search(r"\bnan\b|\binf\b|None", texts)
     assert not {"link", "iframe", "object"} & set(page(case).attributes)
@@ -94,7 +94,7 @@ def test_sections_and_figures_have_anchors(case):
     assert inside <= set(ids)
 
 
-def test_what_is_not_folded_is_short():
+def test_the_unfolded_page_is_short():
     assert len(words(html("one"))) < 450
     (verdict,) = re.findall(r'<div class="answer">\s*<p>(.*?)</p>', html("one"), re.DOTALL)
     assert len(verdict.replace("\u00a0", " ").split()) <= 25
@@ -119,7 +119,7 @@ def test_names_of_the_user_are_escaped():
 
 
 @pytest.mark.parametrize("exact", [0, 1, 2])
-def test_a_fit_that_is_exact_by_construction_tells_no_error(exact):
+def test_a_fit_that_is_exact_by_construction_has_no_error(exact):
     of_two = fit(2)
     of_two["exact_pairs"][:] = exact
     made = page_of(own_answer(datasets(2, fit=of_two), setting()))
@@ -132,7 +132,7 @@ def lines_of(figure):
     return {line.get_label(): line for line in figure.axes[0].lines if line.get_label()[0] != "_"}
 
 
-def test_ratios_are_those_of_the_cutoffs_of_their_side():
+def test_the_figure_of_cutoffs_shows_the_ratios_of_both_sides():
     data = edges().sel(FIRST)
     table, figure = figures.draw_cutoffs(datasets())
     curves = lines_of(figure)
@@ -158,7 +158,7 @@ def test_all_ratios_are_shown_on_a_logarithmic_axis_if_they_differ_tenfold(large
     assert axes.get_yscale() == scale
 
 
-def test_spectra_are_shown_where_they_are_reliable_and_else_apart():
+def test_spectra_are_drawn_apart_where_they_are_not_reliable():
     data = spectra().sel(FIRST)
     table, figure = figures.draw_spectra(datasets())
     curves = lines_of(figure)
@@ -174,7 +174,7 @@ def test_spectra_are_shown_where_they_are_reliable_and_else_apart():
     assert len(measured) == np.isfinite(data["psd"]).sum()
 
 
-def test_forces_of_every_model_stand_over_the_range():
+def test_forces_of_both_models_are_drawn_over_the_range():
     _, figure = figures.draw_forces(datasets())
     curves = lines_of(figure)
     for model in ("plastic", "rigid"):
@@ -235,7 +235,7 @@ def test_tables_sort_and_figures_open_at_full_size(tmp_path):
     assert told["width"] >= 1100
 
 
-def test_defects_of_scans_are_told_with_their_numbers():
+def test_the_page_names_defects_of_scans_with_their_numbers():
     clipped = spectra()
     clipped["highest_share"].loc[{"measurement": 1}] = 0.04
     text = page_of(own_answer(datasets(spectra=clipped), setting()))

@@ -46,7 +46,7 @@ def with_fits(ranges, works):
     return sets
 
 
-def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
+def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
     head = paper_head(PAPER, CITATION["version"], paper_headline(answer()))
     text = answer_json(head, paper_quantities(answer()))
     content = json.loads(text)
@@ -63,7 +63,7 @@ def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
         assert [edge["value"], edge["low"], edge["high"]] == pytest.approx([60, 55.2, 76.8])
 
 
-def test_grids_coarser_than_the_papers_are_known():
+def test_grids_coarser_than_the_paper_s_are_recognized():
     assert not answer().coarse
     assert answer(**datasets(contacts=6)).coarse and answer(**datasets(pixels=128)).coarse
 
@@ -112,7 +112,7 @@ def test_a_claim_without_a_number_is_not_in_the_answer(name):
         assert ANSWER_CLAIMS.keys() - answer(rows).numbers.keys() == {name}
 
 
-def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
+def test_forces_on_scans_equal_those_on_windows_of_their_size():
     data = scan_size()
     place = {"surface": "mcd", "map_size": 2500.0}
     data["force_over_largest"].loc[place] = 2.24
@@ -122,7 +122,7 @@ def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
     assert made.surfaces["mcd"]["force_on_scans"] == expected
 
 
-def test_table_1_holds_published_and_computed_values_and_marks_what_is_by_construction():
+def test_table_1_compares_values_and_marks_those_by_construction():
     rows = table1_rows(topography(), published_table1())
     height, curvature = rows[0], rows[5:8]
     assert height[0] == "AFM scans: rms height (nm), published" and height[4] == "107.1 ± 12.0"
@@ -138,7 +138,7 @@ def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty
     assert decimals_of(value, uncertainty) == decimals
 
 
-def test_the_fits_with_protrusions_are_of_the_sets_that_agree():
+def test_fits_with_protrusions_count_only_sets_that_agree():
     data = datasets()
     numbers = answer().numbers
     agreeing = data["protruded"]["range_of_adhesion"].values[1]

@@ -35,7 +35,7 @@ def test_the_page_needs_nothing_else(shown):
     assert all(source.startswith("data:image/svg+xml;base64,") for source in shown.values("src"))
 
 
-def test_links_lead_into_the_page_beside_it_or_to_the_paper(shown):
+def test_links_lead_within_the_study_or_to_the_paper(shown):
     anchors, links = shown.values("id"), shown.values("href")
     assert len(anchors) == len(set(anchors))
     assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
@@ -58,7 +58,7 @@ def test_the_page_says_first_whether_the_paper_holds(shown):
         assert_says(said, print_as_paper(published.value, published.unit))
 
 
-def test_coarse_grids_are_said_before_any_number():
+def test_the_page_warns_of_coarse_grids_first():
     made = Page(made_page(answer(**datasets(pixels=128))))
     assert plain(made.texts["div"][0]).startswith("Coarse grids: ")
 
@@ -72,14 +72,14 @@ def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(shown):
         assert any(captions()[name].short in text for text in shown.texts["figcaption"])
 
 
-def test_main_findings_are_rows_of_the_same_numbers(shown):
+def test_main_findings_repeat_the_claims(shown):
     table = claims().set_index("id")
     rows = [[plain(cell) for cell in row] for row in shown.rows if len(row) == 5][1:]
     for cells, name in zip(rows, MAIN_FINDINGS, strict=False):
         assert (cells[0], cells[-1]) == (table["statement"][name], table["verdict"][name])
 
 
-def test_substitutes_are_said_to_be_and_only_they(shown):
+def test_only_substitutes_are_labelled_as_such(shown):
     assert any("UNCD (substitute)" in row[0] for row in shown.rows)
     measured = datasets()["topography"].assign(basis=("surface", ["measured"] * 5))
     made = Page(made_page(answer(topography=measured)))
@@ -87,14 +87,14 @@ def test_substitutes_are_said_to_be_and_only_they(shown):
 
 
 @pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
-def test_what_tables_say_is_text_not_markup(html, column):
+def test_text_of_tables_is_escaped(html, column):
     table = claims()
     table[column] = table[column].astype(object)
     table.loc[table["id"] == "range_of_adhesion", column] = HOSTILE
     assert made_page(answer(table)).count("<script") == html.count("<script")
 
 
-def test_a_page_without_the_numbers_of_the_answer_has_all_the_rest():
+def test_a_page_without_numbers_still_has_every_figure():
     table = claims().assign(computed=np.nan, low=np.nan, high=np.nan, frequency=np.nan)
     made = Page(made_page(answer(table)))
     assert len(made.attributes["img"]) == len(PAPER_FIGURES)

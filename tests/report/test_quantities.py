@@ -29,7 +29,7 @@ def force(value, low, high):
     [(4e-7, 6e-7, ""), (NAN, NAN, "no_interval"), (1e-12, 6e-7, "not_bounded"),
      (0, np.inf, "not_bounded")],
 )  # fmt: skip
-def test_an_interval_that_bounds_nothing_is_left_out(low, high, status):
+def test_an_endless_interval_is_left_out(low, high, status):
     number = number_of(force(5e-7, low, high), "force")
     assert (number.value, number.unit, number.status) == (5e-7, "N", status)
     assert np.isfinite(number.low) == (status == "")
@@ -55,7 +55,7 @@ def test_an_interval_that_bounds_nothing_is_left_out(low, high, status):
         (span([NAN]), "not known"),
     ],
 )  # fmt: skip
-def test_a_number_is_told_with_its_interval_and_its_status(number, words):
+def test_a_number_is_printed_with_its_interval_and_status(number, words):
     assert in_words(number) == words
 
 

@@ -73,7 +73,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
 @pytest.mark.parametrize(
     ("end", "shown"), [("high", "[2.75, 3.75 or more] nm"), ("low", "[2.75 or less, 3.75] nm")]
 )
-def test_facts_say_which_end_of_an_interval_is_open(end, shown):
+def test_a_claim_shows_the_open_end_of_its_interval(end, shown):
     rows = claim_facts(evaluated(open_end=end))["claims"]
     assert shown in rows["first"]["computed_text"]
     assert "or " not in rows["second"]["computed_text"]
@@ -147,7 +147,7 @@ def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(chapter, text), "expected", "'# '", "found")
 
 
-def test_every_departure_of_the_study_has_its_place():
+def test_every_departure_is_an_item_of_the_page():
     text = (ROOT / "workflow/report/departures.md").read_text()
     titles = re.findall(r"^\d+\. \*\*(.+?)\*\*", text, re.M)
     html = chapter(text).html
@@ -157,7 +157,7 @@ def test_every_departure_of_the_study_has_its_place():
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
-def test_every_chapter_of_the_study_has_a_title_and_anchors_of_its_own(path):
+def test_every_chapter_has_a_title_and_unique_anchors(path):
     made = chapter(path.read_text())
     anchors = [anchor for anchor, _ in made.sections]
     assert made.title and len(anchors) == len(set(anchors))

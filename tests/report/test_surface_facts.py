@@ -41,12 +41,12 @@ def rows(own=None, **others):
         (with_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
     ],
 )
-def test_ends_of_intervals_among_artificial_wavelengths_are_not_told(data, source):
+def test_artificial_ends_of_intervals_are_left_out(data, source):
     fact = plain(rows(edges=data)["short_edge"].fact)
     assert (fact["source"], fact["low"], fact["high"]) == source
 
 
-def test_the_change_at_an_edge_is_parted_where_scans_begin_to_be_reliable():
+def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
     data = with_edge(80.0, 70.0, 90.0)
     low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
@@ -80,7 +80,7 @@ def test_open_edges_are_bounds():
         (unresolved_edges(), [("short_edge", "finer", 55.0), ("long_edge", "larger", 25_000.0)]),
     ],
 )
-def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
+def test_open_and_extrapolated_edges_recommend_a_measurement(data, expected):
     # The scans are reliable from 55 nm to 25 µm.
     measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
     assert [(one["edge"], one["code"], one["limit"].value) for one in measurements] == expected
@@ -89,7 +89,7 @@ def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
 @pytest.mark.parametrize(
     ("at_least", "expected"), [(1, ("larger", 25_000.0)), (0, ("finer", 55.0))]
 )
-def test_an_open_edge_says_on_which_side_to_measure(at_least, expected):
+def test_an_open_edge_recommends_finer_or_larger_scans(at_least, expected):
     data = open_edges()
     data["edge_bound_is_lower"].loc[{"side": "large"}] = at_least
     measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
@@ -107,7 +107,7 @@ def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
     assert "cutoffs" not in rows(edges=with_edge(120.0, 90.0, 150.0))["short_edge"].about
 
 
-def test_what_has_no_interval_says_why():
+def test_a_missing_interval_has_a_reason():
     data = with_edge(120.0, np.nan, np.nan)
     assert rows(edges=data)["short_edge"].fact.status == "few_parts"
     for source, status in {"none": "whole_scan", "few_places": "few_places"}.items():
@@ -123,20 +123,20 @@ def test_what_has_no_interval_says_why():
     assert np.isnan([fact.low, fact.high]).all() and fact.status == "few_parts"
 
 
-def test_contacts_that_touch_too_few_places_answer_nothing():
+def test_contacts_that_touch_too_few_places_give_no_answer():
     few = without_interval(force()).assign(interval_source=("surface", ["few_places"]))
     verdict = facts.surface_verdict(list(rows(force=few).values()))
     assert (verdict["answer"], verdict["band"]) == ("no", "few_places")
 
 
-def test_a_force_at_its_bound_is_told():
+def test_a_force_at_the_smooth_bound_is_marked():
     assert rows()["force_mean"].about["bounded"] is False
     smooth = force()
     smooth["smooth_bound"] = smooth["force"].isel(surface=0)
     assert rows(force=smooth)["force_mean"].about["bounded"] is True
 
 
-def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_beyond():
+def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
     of = datasets().select_surface(SURFACES[0])
     assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
     bounds_only, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
@@ -168,7 +168,7 @@ def answer_of(data, measured, of_force=None):
         (unresolved_edges(), (6, 25e3), ("no", "none")),
     ],
 )
-def test_the_verdict_says_whether_scans_can_answer(data, measured, expected):
+def test_the_verdict_follows_from_the_edges_and_the_scans(data, measured, expected):
     assert answer_of(data, measured) == expected
 
 
@@ -177,7 +177,7 @@ def test_scans_that_lack_roughness_answer_in_part_at_most():
     assert answer_of(edges(), (400, 1000), continued(force(), small=0.25))[0] == "no"
 
 
-def test_continued_roughness_has_its_own_force_and_the_verdict_both():
+def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
     found = rows(force=continued(force(), small=0.25))
     row = found["force_extrapolated"]
     assert row.fact.value == pytest.approx(0.16e-6) and row.fact.source == "extrapolated"
@@ -195,7 +195,7 @@ def test_continued_roughness_has_its_own_force_and_the_verdict_both():
     assert len(alike["forces"]) == 1 and alike["edges"][0].value == 37.0
 
 
-def test_own_forces_have_rows_of_their_surface_alone():
+def test_own_forces_have_rows_only_for_their_surface():
     found = rows(fit())
     assert found["measured_force"].fact.source == "measured"
     assert found["measured_force"].about == {"tests": 40, "lopsided": False}
@@ -207,14 +207,14 @@ def test_own_forces_have_rows_of_their_surface_alone():
 
 
 @pytest.mark.parametrize(("high", "told"), [(700.0, False), (900.0, True)])
-def test_an_upper_end_that_few_tests_leave_open_is_told(high, told):
+def test_a_lopsided_interval_of_few_tests_is_marked(high, told):
     data = fit()
     data["measured_force_interval"].loc[{"bound": "high"}] = 1e-9 * high
     assert rows(data)["measured_force"].about["lopsided"] is told
 
 
 @pytest.mark.parametrize(("work", "told"), [(10.0, False), (50.8, True)])
-def test_a_work_beyond_that_of_any_solids_is_told(work, told):
+def test_a_work_beyond_that_of_solids_is_marked(work, told):
     data = fit()
     data["work_of_adhesion"] = data["work_of_adhesion"] * 0 + work
     assert rows(data)["measured_work"].about["beyond_solids"] is told

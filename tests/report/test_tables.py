@@ -38,14 +38,14 @@ def test_published_values_have_the_ends_of_their_uncertainty():
     assert np.allclose([row[end] for end in ("value", "low", "high")], [0.05, 0.04, 0.06])
 
 
-def test_rows_get_the_label_of_their_surface():
+def test_rows_have_the_label_of_their_surface():
     rows = pd.DataFrame({"group": ["mcd", "pooled"]})
     table = tables.label_rows([rows], FITS, ["group", "label", "basis"], "group")
     assert table.iloc[0].tolist() == ["mcd", "MCD", "substitute"]
     assert table.loc[1, "group"] == "pooled" and table.loc[1, ["label", "basis"]].isna().all()
 
 
-def test_sets_are_summed_up_by_their_median_and_nine_tenths():
+def test_sets_are_summarized_by_the_median_and_the_central_nine_tenths():
     values = xr.DataArray(np.arange(101.0), dims="set")
     summary = tables.summarize_sets(values[::-1])
     numbers = {str(name): number.item() for name, number in summary.items()}

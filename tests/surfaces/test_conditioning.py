@@ -81,7 +81,7 @@ def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
         ((6, 7, 8, 9, 10), ("rms_height", "rms_profile_slope", "rms_laplacian")),
     ],
 )
-def test_scans_have_the_statistics_that_they_are_given(spectrum, numbers, names):
+def test_conditioned_scans_have_the_given_statistics(spectrum, numbers, names):
     moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
     units = [conditioning.METRIC_PER_MOMENT[name] for name in names]
     targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
@@ -120,7 +120,7 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     assert_met(targets, synthesized_metrics(spectrum, group, grid, PAPER["seed"], surface))
 
 
-def test_targets_on_the_pixels_of_the_paper_are_what_the_spectrum_expects(spectrum):
+def test_targets_on_the_paper_s_pixels_are_the_expected_moments(spectrum):
     moments = spectrum.attrs["expected_scan_moments"]
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, GRID)
     np.testing.assert_array_equal(list(targets.means.values()), moments)
@@ -128,7 +128,7 @@ def test_targets_on_the_pixels_of_the_paper_are_what_the_spectrum_expects(spectr
     assert targets.rows == AFM_ROWS
 
 
-def test_on_coarser_pixels_the_rms_height_stays(spectrum):
+def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, coarse)
     height = spectrum.attrs["expected_scan_moments"][0]
@@ -139,7 +139,7 @@ def test_on_coarser_pixels_the_rms_height_stays(spectrum):
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
 
-def test_a_surface_that_nothing_is_published_of_is_left_as_it_is(spectrum):
+def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
     assert (
         conditioning.scan_targets(spectrum, TABLE1.iloc[:0], CONSTANTS, DEFINITIONS, GRID) is None
     )
@@ -166,7 +166,7 @@ def test_negative_heights_are_refused_in_one_line(spectrum):
     assert_says(message, "5 scans with the mean 20 nm and the deviation 40 nm", "expected", "found")
 
 
-def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
+def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
     height, slope, curvature = spectrum.attrs["expected_scan_moments"]
     rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
@@ -177,7 +177,7 @@ def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
     assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
 
 
-def test_on_another_size_nothing_of_table_1_is_met(spectrum):
+def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     grid = ScanGrid(128, 2 * GRID.size, 256)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
     moments = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
@@ -185,7 +185,7 @@ def test_on_another_size_nothing_of_table_1_is_met(spectrum):
     assert targets.rows == ()
 
 
-def test_bands_add_up_to_one_and_go_over_smoothly():
+def test_band_shares_are_smooth_and_add_up_to_one():
     shares = conditioning.component_shares(GRID)
     np.testing.assert_allclose(shares.sum(axis=0), 1, rtol=1e-12)
     assert (shares >= 0).all() and np.abs(np.diff(shares, axis=1)).max() < 0.1

@@ -83,7 +83,7 @@ def test_the_rms_height_of_all_scales_is_among_those_of_drawn_spectra(rolloff):
     assert contained >= 17
 
 
-def test_noise_is_not_taken_for_long_waves():
+def test_noise_does_not_lengthen_the_rolloff():
     rolloffs = []
     for number in range(4):
         scan, _ = scan_of(generator(9, number), SIZE / 3)
@@ -95,7 +95,7 @@ def test_noise_is_not_taken_for_long_waves():
     assert noisy - clean < 0.02
 
 
-def test_a_draw_follows_from_its_generator_alone_and_draws_unknown_tips():
+def test_a_draw_depends_on_its_generator_and_draws_unknown_tips():
     scan, _ = scan_of(generator(7), SIZE, level=1.0)
     spectra = [
         next(draw_spectra([generator(8, draw)], [scan], radii))[0].density
@@ -111,7 +111,7 @@ def extrapolate(density, wavevector=BINS):
     return extrapolate_short_waves(wavevector, values, fit)
 
 
-def test_a_power_law_goes_on_to_the_atoms_and_is_constant_above():
+def test_a_power_law_is_extrapolated_to_atoms_and_constant_at_long_waves():
     def gentle(q):
         return 1e-3 * uncd(q)
 
@@ -143,7 +143,7 @@ def coarse_surface(rng, model, size):
 
 
 @pytest.mark.study
-def test_coarse_maps_tell_exponent_and_force_within_their_intervals():
+def test_intervals_from_coarse_maps_contain_exponent_and_force():
     pixels, pixel, draws = 256, 400.0, 8
     contact = contact_of_area(250e3, 5.6, 0.05, 400.0)
 
@@ -175,7 +175,7 @@ def test_coarse_maps_tell_exponent_and_force_within_their_intervals():
     ("hurst", "bins", "is_exponent"),
     [(0.8, 11, True), (1.0, 11, False), (0.0, 11, False), (0.8, 3, False)],
 )
-def test_an_exponent_at_a_bound_or_of_few_bins_is_none(hurst, bins, is_exponent):
+def test_an_exponent_at_a_bound_or_from_few_bins_is_unknown(hurst, bins, is_exponent):
     assert (
         has_exponent(Tail(hurst, 0.1, 45.0, 45.0 * 10 ** ((bins - 1) / 10), "atoms")) == is_exponent
     )
@@ -183,7 +183,7 @@ def test_an_exponent_at_a_bound_or_of_few_bins_is_none(hurst, bins, is_exponent)
 
 
 @pytest.mark.parametrize(("slope", "hurst"), [(-1.2, 0.0), (-2.6, 0.3), (-4.7, 1.0)])
-def test_the_exponent_is_one_of_a_self_affine_surface(slope, hurst):
+def test_the_exponent_keeps_within_those_of_self_affine_surfaces(slope, hurst):
     spectrum, tail = extrapolate(lambda q: 1e-6 * q**slope)
     assert tail.tail_hurst == pytest.approx(hurst, abs=0.005)
     is_added = (WAVEVECTORS > BINS[-1] * 1.1) & (spectrum > 0)
@@ -209,7 +209,7 @@ def test_no_tail_takes_slope_and_curvature_beyond_those_of_known_surfaces(slope,
     assert tail.tail_ended_by == "atoms" or ends[nearest_bound] > 0.85
 
 
-def test_a_surface_that_is_measured_to_be_steeper_gets_no_tail():
+def test_a_steeper_surface_than_known_has_no_tail():
     steep = 1e8 * (BINS / 0.02) ** -2.0
     spectrum, tail = extrapolate(steep)
     assert (spectrum[WAVEVECTORS > BINS[-1] * 1.001] == 0).all()

@@ -29,7 +29,7 @@ def test_interpolation_passes_through_the_points(coarse, fine):
     assert (interpolated.periodic, interpolated.basis) == (True, "substitute")
 
 
-def test_interpolation_of_a_wave_is_that_wave():
+def test_interpolation_reproduces_a_wave():
     x = np.arange(24) / 24
     wave = np.cos(2 * np.pi * (3 * x[:, None] - 5 * x))
     u = np.arange(100) / 100
@@ -38,7 +38,7 @@ def test_interpolation_of_a_wave_is_that_wave():
 
 
 @pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0])
-def test_lowpass_keeps_just_the_long_waves(cutoff):
+def test_lowpass_keeps_only_long_waves(cutoff):
     surface = noise(64)
     band = lowpass(surface, cutoff)
     wave = 2 * np.pi * np.fft.fftfreq(64, 10.0)
@@ -48,7 +48,7 @@ def test_lowpass_keeps_just_the_long_waves(cutoff):
     assert band.size == pytest.approx(640.0)
 
 
-def test_a_wave_at_the_cutoff_is_kept_once():
+def test_a_wave_at_the_cutoff_belongs_to_one_side():
     x = np.arange(64) / 64
     wave = periodic(np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1)))  # 80 nm
     assert np.std(lowpass(wave, 80.0).heights) == pytest.approx(np.std(wave.heights))
@@ -64,14 +64,14 @@ def test_a_wave_at_the_cutoff_is_kept_once():
         ("small", 25.0, 32, "at least 52 pixels to interpolate to, found 32"),
     ],
 )
-def test_waves_that_the_pixels_do_not_hold_are_refused(side, cutoff, pixels, message):
+def test_waves_shorter_than_two_pixels_are_refused(side, cutoff, pixels, message):
     with pytest.raises(ValueError, match=message):
         filtered(noise(64), side, cutoff, pixels)
 
 
 @pytest.mark.parametrize("pixels", [64, 100])
 @pytest.mark.parametrize("side", ["small", "large"])
-def test_a_series_is_the_master_cut_off_at_each_wavelength(side, pixels):
+def test_a_series_is_the_master_filtered_at_each_cutoff(side, pixels):
     master, cutoffs = noise(64), [None, 25.0, 640.0, 60.0, None, 333.0]
     unfiltered = interpolate(master, pixels).heights
     for cutoff, surface in zip(
@@ -85,7 +85,7 @@ def test_a_series_is_the_master_cut_off_at_each_wavelength(side, pixels):
         assert surface.size == pytest.approx(master.size)
 
 
-def test_short_waves_left_out_need_no_more_pixels_than_the_rest():
+def test_a_filtered_master_needs_only_pixels_for_its_long_waves():
     shorter = filtered(noise(64), "small", 100.0, 32)
     interpolated = interpolate(lowpass(noise(64), 100.0), 32)
     np.testing.assert_allclose(shorter.heights, interpolated.heights, atol=1e-6)

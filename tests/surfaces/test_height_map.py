@@ -25,7 +25,7 @@ def scan_of(heights, pixel_size=10.0):
     return HeightMap(heights, pixel_size, periodic=False, basis="measured")
 
 
-def test_a_map_comes_back_as_it_was_written(tmp_path):
+def test_a_map_is_read_back_as_it_was_written(tmp_path):
     heights = np.random.default_rng(0).standard_normal((8, 12))
     surface = HeightMap(heights, 2500 / 512, periodic=True, basis="measured")
     dataset.write(surface.dataset(), tmp_path / "a.nc")
@@ -42,13 +42,13 @@ def test_a_map_comes_back_as_it_was_written(tmp_path):
 
 @pytest.mark.parametrize("shape", [(64, 64), (9, 12)])
 @pytest.mark.parametrize("dtype", [np.float32, float])
-def test_levelling_is_that_of_the_library_bit_by_bit(shape, dtype):
+def test_levelling_equals_that_of_surface_topography(shape, dtype):
     scan = scan_of(np.random.default_rng(0).standard_normal(shape).cumsum(0).astype(dtype))
     library_heights = library_map(scan).detrend("height").heights().T
     np.testing.assert_array_equal(level(scan).heights, library_heights)
 
 
-def test_levelling_by_lines_is_a_fit_and_a_median_of_each_along_x():
+def test_levelling_by_lines_subtracts_a_fit_and_a_median_from_each_line():
     heights = np.random.default_rng(4).standard_normal((24, 24)).cumsum(axis=0).cumsum(axis=1)
     x = np.arange(24)
     lines = [line - np.polyval(np.polyfit(x, line, 1), x) for line in heights]
@@ -65,7 +65,7 @@ def test_a_sphere_is_removed_wherever_its_apex_lies():
     np.testing.assert_allclose(flat.heights, level(scan_of(wave)).heights, atol=1e-8)
 
 
-def test_mirrored_edges_match():
+def test_a_stitched_map_is_mirror_symmetric():
     scan = scan_of(np.random.default_rng(0).standard_normal((7, 7)))
     stitched = mirror_stitch(scan)
     assert stitched.heights.shape == (14, 14) and stitched.periodic
@@ -75,7 +75,7 @@ def test_mirrored_edges_match():
         np.testing.assert_array_equal(stitched.heights, mirrored)
 
 
-def test_metrics_of_a_wave():
+def test_a_wave_has_the_metrics_in_closed_form():
     pixels, pixel_size, amplitude, order = 256, 3.0, 2.0, 16
     wave = amplitude * np.sin(2 * np.pi * order * np.arange(pixels) / pixels)
     values = metrics(scan_of(wave * np.ones((pixels, 1)), pixel_size))
@@ -89,7 +89,7 @@ def test_metrics_of_a_wave():
 
 
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
-def test_metrics_are_those_of_the_library(shape):
+def test_metrics_equal_those_of_surface_topography_and_scipy(shape):
     scan = scan_of(np.random.default_rng(3).standard_normal(shape).cumsum(axis=0), 4.9)
     values, topography = metrics(scan), library_map(scan)
     for name, value in (

@@ -249,7 +249,7 @@ def chatter(_):
         (chatter, "(RuntimeError: two lines [31m)"),
     ],
 )
-def test_whatever_a_reader_does(folder, monkeypatch, capfd, reader, message_part):
+def test_a_misbehaving_reader_is_stopped(folder, monkeypatch, capfd, reader, message_part):
     monkeypatch.setattr(limited_process, "MAX_SECONDS", 1)
     path = scan(folder / "a.nc")
     message = refusal(limited_process.read_in_child, reader, path)
@@ -281,7 +281,7 @@ def imported_late(path):
                 yield resolve_name(name, package.replace("/", ".")) if late.level else name
 
 
-def test_what_readers_import_while_they_read_is_there_before():
+def test_late_imports_of_readers_are_loaded_before():
     folder = Path(SurfaceTopography.__file__).parent / "IO"
     late = {name for path in folder.glob("*.py") for name in imported_late(path)}
     assert "tifffile" in late

@@ -9,7 +9,7 @@ from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
 
 @pytest.mark.parametrize("sharpness", [1, 2, 4, 20])
 @pytest.mark.parametrize("rolloff", [200.0, 400.0, 1000.0])
-def test_the_rolloff_is_not_taken_for_the_exponent(rolloff, sharpness):
+def test_the_rolloff_does_not_bias_the_hurst_exponent(rolloff, sharpness):
     def bent(q):
         return (1 + (q * rolloff / 2 / np.pi) ** (2 * sharpness)) ** (-1.7 / sharpness)
 

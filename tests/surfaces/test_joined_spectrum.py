@@ -14,7 +14,7 @@ from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import WAVEVECTORS, smooth_rolloff
 
 
-def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scatter():
+def test_two_maps_and_a_line_give_the_spectrum_of_the_surface():
     errors = []
     for seed in range(8):
         joined_data = joined_spectrum(two_sizes_and_a_line(seed), [None] * 3)
@@ -77,7 +77,7 @@ def test_a_noise_floor_is_not_extrapolated():
     assert np.median(largest_errors) < 1.0
 
 
-def test_draws_know_calibration_and_exponent_no_better_than_they_are():
+def test_draws_scatter_by_calibration_and_exponent():
     scans = [map_of(generator(24), 128, 8.0, gentle), map_of(generator(25), 128, 40.0, gentle)]
     rngs = (generator(26, draw) for draw in range(100))
     spectra, factors = zip(*draw_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
@@ -91,19 +91,19 @@ def test_draws_know_calibration_and_exponent_no_better_than_they_are():
     assert HURST_SCATTER < exponents.std() < 2 * HURST_SCATTER  # and the error of the fit
 
 
-def test_the_radius_given_counts_before_that_of_the_file():
+def test_a_given_tip_radius_overrides_that_of_the_file():
     scan = map_of(generator(15), 128, 5.0, tip_radius=20.0)
     radii = [joined_spectrum([scan], [radius])["tip_radius"].item() for radius in (None, 8.0)]
     assert radii == [20.0, 8.0]
 
 
-def test_measurements_that_show_nothing_reliable_are_refused_in_one_line():
+def test_measurements_without_reliable_wavelengths_are_refused_in_one_line():
     noise = measurement(generator(17).normal(size=(64, 64)), 10.0, path="noise.spm")
     message = refusal(joined_spectrum, [noise], [None])
     assert_says(message, "expected", "at least 3", "found 0", "noise.spm", "noise floor")
 
 
-def test_only_what_is_reliable_is_joined():
+def test_only_reliable_wavelengths_are_joined():
     scans = two_sizes_and_a_line(10)
     noise = generator(11).normal(0, 10.0, scans[0].heights.shape)
     scans[0] = measurement(scans[0].heights + noise, scans[0].pixel_size)

@@ -41,7 +41,7 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
             assert joined_power[peak] == pytest.approx(power[peak], rel=0.05)
 
 
-def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
+def test_drawn_curves_scatter_with_the_stated_variance():
     waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
     is_measured = (
         (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))

@@ -19,7 +19,7 @@ from hardcontact.surfaces.measured_spectrum import (
 from hardcontact.surfaces.spectrum import BIN_EDGES, profile_over_isotropic
 
 
-def test_a_tilt_does_not_matter():
+def test_a_tilt_does_not_change_the_spectrum():
     for scan in (map_of(generator(2), 64, PIXEL), line_of(generator(2), 300, PIXEL)):
         tilted = measurement(scan.heights + 3.0 * np.arange(scan.heights.shape[-1]), PIXEL)
         np.testing.assert_allclose(measured_psd(tilted)[1], measured_psd(scan)[1], rtol=1e-6)
@@ -40,7 +40,7 @@ def test_line_scans_have_the_spectrum_of_their_surface():
 
 
 @pytest.mark.parametrize("kind", ["map", "profile"])
-def test_scatter_is_that_of_the_independent_waves(kind):
+def test_spectra_scatter_by_their_number_of_independent_waves(kind):
     draws = [
         map_of(generator(4, k), 64, 20.0) if kind == "map" else line_of(generator(5, k), 256, 20.0)
         for k in range(100)
@@ -59,7 +59,7 @@ def test_scatter_is_that_of_the_independent_waves(kind):
     )
 
 
-def test_local_slopes_and_their_errors_are_those_of_power_laws():
+def test_power_laws_have_known_local_slopes_and_errors():
     wavevector = np.geomspace(0.01, 10, 31)
     variance = np.full(31, 0.1)
     slope, error = local_slopes(wavevector, wavevector**-3.3, variance)
@@ -99,7 +99,7 @@ def two_rolloffs(q):
 
 
 @pytest.mark.parametrize("hurst", [0.1, 0.5, 0.8, 1.0, 1.4])
-def test_power_laws_are_converted_as_in_closed_form(hurst):
+def test_converted_power_laws_match_the_closed_form(hurst):
     profile = 3.0 * WAVEVECTORS ** (-1 - 2 * hurst)
     density = profile / profile_over_isotropic(WAVEVECTORS, hurst)
     np.testing.assert_allclose(
@@ -110,7 +110,7 @@ def test_power_laws_are_converted_as_in_closed_form(hurst):
 @pytest.mark.parametrize(
     ("density", "tolerance"), [(two_slopes, 0.02), (uncd, 0.07), (two_rolloffs, 0.11)]
 )
-def test_bent_spectra_come_back_from_their_integrals(density, tolerance):
+def test_bent_spectra_are_recovered_from_their_profiles(density, tolerance):
     converted = isotropic_from_profile(WAVEVECTORS, profile_of(density, WAVEVECTORS), MANY_WAVES)
     np.testing.assert_allclose(converted / density(WAVEVECTORS), 1, atol=tolerance)
 

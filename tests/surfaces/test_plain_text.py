@@ -65,7 +65,7 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
 
 
-def test_the_size_is_the_longer_edge_and_of_files_that_state_none(tmp_path):
+def test_the_given_size_is_the_longer_edge_of_files_without_a_size(tmp_path):
     path = written(tmp_path / "a.txt", matrix(" ")[:20])
     assert read_measurement(path, unit="nm", edge=240.0).pixel_size == pytest.approx(10.0)
     path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
@@ -138,16 +138,16 @@ def test_points_that_make_no_map_are_refused(tmp_path, points):
     "content",
     [b"\0\1\2", b"PK\3\4" + bytes(9), b"", b"words, and; others\n", b"1,2\n3,4\n", b"x\n1.5 2\n"],
 )
-def test_what_is_no_text_of_numbers_between_commas_keeps_its_words(content):
+def test_other_texts_keep_their_words(content):
     assert readable_text(content)[0].replace(b" ", b",") == content.replace(b" ", b",")
 
 
-def test_values_that_are_no_lengths_are_refused_with_their_unit(tmp_path):
+def test_values_other_than_lengths_are_refused_with_their_unit(tmp_path):
     lines = [*HEAD[:3], "# Value units: mV", *matrix(" ")]
     path = written(tmp_path / "a.txt", [line.replace(",", ".") for line in lines])
     assert_says(refusal(read_measurement, path), "found a text of values in mV")
 
 
-def test_ragged_rows_say_so(tmp_path):
+def test_ragged_rows_are_refused(tmp_path):
     path = written(tmp_path / "a.txt", [*matrix(" "), "1 2 3 4 5 6"])
     assert_says(refusal(read_measurement, path), "found a text that is neither a matrix")

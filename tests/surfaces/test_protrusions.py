@@ -51,7 +51,7 @@ def test_rms_height_and_slope_follow_campbells_theorem(density, width):
 
 
 @pytest.mark.parametrize("on_sphere", [False, True])
-def test_what_is_drawn_is_as_smooth_as_published(on_sphere):
+def test_drawn_protrusions_keep_within_the_published_roughness(on_sphere):
     rng = np.random.default_rng(2)
     surfaces = [draw_protrusions(rng, POLISHED, on_sphere) for _ in range(2000)]
     densities = np.array([protrusions.density for protrusions in surfaces])

@@ -20,14 +20,14 @@ MEMBER = "gain_control_uncd_35.001"
     ("path", "member", "size", "rms_height"),
     [(AFM, "", 10_000.0, 14.3), (CONTAINER, MEMBER, 100.0, 4.69)],
 )
-def test_levelled_rms_height(path, member, size, rms_height):
+def test_real_scans_have_their_levelled_rms_height(path, member, size, rms_height):
     scan = read_scan(path, member)
     assert scan.heights.shape == (512, 512)
     assert scan.size == pytest.approx(size)
     assert level(scan).heights.std() == pytest.approx(rms_height, abs=0.05)
 
 
-def test_the_whole_container():
+def test_the_real_container_is_read_whole():
     measurements = [
         read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)
     ]
@@ -44,7 +44,7 @@ def test_the_whole_container():
     assert [measurement.undefined for measurement in measurements] == [0, 0, 0]
 
 
-def test_no_defect_is_named():
+def test_real_scans_have_no_defect():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_measurements(CONTAINER))]
     assert not any(examine(read_measurement(*file)).defects for file in files)
 

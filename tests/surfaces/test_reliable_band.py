@@ -22,7 +22,7 @@ def steep(q):
 
 @pytest.mark.parametrize("make", [map_of, line_of])
 @pytest.mark.parametrize("density", [uncd, steep])
-def test_a_surface_seen_as_it_is_ends_at_its_pixels_and_its_size(make, density):
+def test_a_faithful_scan_is_limited_by_its_pixels_and_its_size(make, density):
     for k in range(3):
         band = reliable_band(make(generator(1, k), 256, PIXEL, density), None)
         assert band.shortest == 4 * PIXEL and band.limited_by == "pixels"
@@ -38,7 +38,7 @@ def imaged_by_tip(heights, pixel, radius):
     return grey_dilation(heights, footprint=distance <= radius**2, structure=cap, mode="nearest")
 
 
-def test_a_tip_ends_the_band_where_its_image_leaves_the_surface():
+def test_a_tip_limits_the_band_where_its_image_leaves_the_surface():
     pixel, radius = 2.5, 40.0
     heights = random_surface(generator(2), 384, pixel, uncd).heights
     image = imaged_by_tip(heights, pixel, radius)
@@ -84,7 +84,7 @@ def test_white_noise_alone_is_nowhere_reliable():
 
 
 @pytest.mark.parametrize("is_along_lines", [True, False])
-def test_smoothing_is_cut_before_it_takes_much(is_along_lines):
+def test_smoothing_limits_the_band(is_along_lines):
     surface = random_surface(generator(8), 512, PIXEL, uncd).heights.astype(float)
     if is_along_lines:  # a feedback that lags
         smoothed = gaussian_filter1d(surface, 3.0, axis=1, mode="wrap")
@@ -102,7 +102,7 @@ def test_smoothing_is_cut_before_it_takes_much(is_along_lines):
     assert (transfer[(wavelength > 4 * PIXEL) & (wavelength < band.shortest / 2)] < 0.4).all()
 
 
-def test_noise_beyond_smoothing_does_not_hide_it():
+def test_noise_does_not_hide_smoothing():
     surface = random_surface(generator(9), 512, PIXEL, uncd).heights.astype(float)
     smoothed = gaussian_filter(surface, 4.0, mode="wrap")[:256, :256]
     noisy = measurement(smoothed + generator(10).normal(0, 0.3, smoothed.shape), PIXEL)

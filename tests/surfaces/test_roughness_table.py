@@ -26,7 +26,7 @@ SETTINGS = dict(
 )
 
 
-def test_averages_over_scans():
+def test_means_over_scans_have_student_s_interval():
     rows = [[1.0, 2.0, 3.0], [5.0, 7.0, np.nan]]
     scans = xr.Dataset({name: (("surface", "scan"), rows, {"units": "nm"}) for name in METRICS})
     mean = scan_averages(scans, 0.95)
@@ -61,7 +61,7 @@ def table(maps):
     return roughness_table(scans, spectra, conditionings, examples, **SETTINGS)
 
 
-def test_table_has_every_scan_and_what_is_missing_is_nan(table, maps):
+def test_the_table_has_every_scan_and_nan_for_missing_scans(table, maps):
     for (surface, scan), heights in maps.items():
         row = table.sel(surface=surface, scan=scan)
         assert row.rms_height == metrics(heights)["rms_height"]
@@ -79,7 +79,7 @@ def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
 
 
 @pytest.mark.parametrize("radius", [None, 250e3])
-def test_a_prepared_scan_is_levelled_stitched_and_keeps_what_its_file_says(maps, radius):
+def test_a_prepared_scan_is_levelled_and_stitched_and_keeps_its_notes(maps, radius):
     scan = replace(measurement(maps["ruby", 1].heights, PIXEL), notes=("cropped", "filled"))
     levelled, stitched = level_and_stitch(scan, "substitute", radius, "lines")
     np.testing.assert_array_equal(stitched.heights[48:, 48:], levelled.heights[::-1, ::-1])

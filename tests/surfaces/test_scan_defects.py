@@ -96,7 +96,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_each_kind_is_named_with_its_numbers(case):
+def test_each_defect_is_named_with_its_numbers(case):
     heights, true_defects = CASES[case]
     defects = defects_of(heights)
     assert set(defects) == set(true_defects)
@@ -118,7 +118,7 @@ def test_a_sentence_has_every_number_with_its_unit(code):
     assert "{" not in sentence
 
 
-def test_the_share_of_the_rms_height_without_a_curvature():
+def test_curvature_has_the_share_of_the_rms_height_without_it():
     defects = defects_of(curved(31, 1.0, 30e3, 30e3))
     bow = (X**2 + Y**2).std() / 60e3
     share = 1 / np.hypot(1, bow)
@@ -134,7 +134,7 @@ def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
 
 
 @pytest.mark.parametrize("batch", range(4))
-def test_no_self_affine_surface_is_alarmed(batch):
+def test_no_self_affine_surface_has_a_defect(batch):
     """Forty: H from 0.3 to 1, roll-offs from a twentieth to twice the size of the scan."""
     rng = generator(100 + batch)
     for _ in range(10):
@@ -160,5 +160,5 @@ def protruded(seed):
     ],
     ids=["protrusions", "heavy tail", "noise", "few levels", "levels", "line", "digits"],
 )  # fmt: skip
-def test_no_sound_scan_is_alarmed(heights):
+def test_no_sound_scan_has_a_defect(heights):
     assert not defects_of(heights)

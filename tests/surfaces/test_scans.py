@@ -77,7 +77,7 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     assert "21 undefined pixels of 1024 filled" in measurement.notes
 
 
-def test_only_gaps_in_the_square_count_and_at_most_half_are_filled(tmp_path):
+def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
     values = np.ma.masked_array(heights(48, 32), False)
     values[:8] = values[40:] = np.ma.masked
     assert read_measurement(scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined == 0
@@ -125,7 +125,7 @@ def test_an_offset_is_subtracted_before_heights_are_judged(tmp_path):
         assert_says(message, "b.nc: expected")
 
 
-def test_a_unit_counts_for_files_that_state_none(tmp_path):
+def test_a_given_unit_serves_files_without_a_unit(tmp_path):
     positions, values = np.arange(100) * 0.01, 1e-3 * heights(100)
     np.savetxt(tmp_path / "a.txt", np.column_stack([positions, values]))
     assert_says(refusal(read_measurement, tmp_path / "a.txt"), "unit", "found none", "--unit")
@@ -156,7 +156,7 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
 
 @pytest.mark.parametrize("form", UNEVEN_LINES)
 @pytest.mark.parametrize(("unit", "nanometres"), [("nm", 1.0), ("m", 1e9)])
-def test_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form, unit, nanometres):
+def test_an_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form, unit, nanometres):
     # 1e-6 of the unit, which the reader of text takes for nothing, is 1 um for metres.
     positions = np.concatenate([np.arange(0, 300, 10.0), np.arange(300, 401, 20.0)])
     corner = np.abs(positions - 200.0) / 50  # straight between points: interpolation is exact
@@ -192,7 +192,7 @@ BACKWARDS, REPEATED = (np.cumsum([0.0, *[10.0] * 20, step, *[10.0] * 20]) for st
         (np.arange(9) * 10, ["16 to 1048576 points", "found 9"]),
     ],
 )
-def test_positions_of_no_line_scan_are_refused(tmp_path, positions, message_parts):
+def test_faulty_positions_of_a_line_scan_are_refused(tmp_path, positions, message_parts):
     path = coordinates(tmp_path / "a.xyz", positions, heights(len(positions)))
     assert_says(refusal(read_measurement, path), "a.xyz: expected", *message_parts)
 
@@ -235,7 +235,7 @@ def test_the_channel_that_a_container_names_is_read(tmp_path):
     assert measurement.heights.std() == pytest.approx(0.1 * counts.std())  # never scaled twice
 
 
-def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_path):
+def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
     np.savetxt(tmp_path / "a.txt", heights())
     entries = [
         {"name": name, "datafile": {"original": file}, "size": [320, 320], "unit": "nm"}
@@ -255,7 +255,7 @@ def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_p
     "topography", [map_of(heights(48, 32)), UniformLineScan(heights(40), 400.0, unit="nm")]
 )
 @pytest.mark.parametrize("fields", [{"tip_radius": 8.0}, {"tip_radius": None, "notes": ()}])
-def test_a_measurement_is_stored_whole(tmp_path, topography, fields):
+def test_a_stored_measurement_keeps_every_field(tmp_path, topography, fields):
     file = write_and_list(MAPS["nc"], tmp_path / "a.nc", topography)
     measured = replace(read_measurement(*file), **fields)
     dataset.write(measured.to_dataset(), tmp_path / "stored.nc")
@@ -288,15 +288,13 @@ WORDS = {"description": "tip radius 7 nm"}
         ({}, instrument(1, "km"), None),
     ],
 )
-def test_the_stated_tip_radius_is_that_of_the_file_and_the_largest_in_words(
-    file, container, radius
-):
+def test_the_tip_radius_is_read_from_the_file_or_from_words(file, container, radius):
     stated_radius, notes = stated_tip_radius(file, container)
     assert stated_radius == (None if radius is None else pytest.approx(radius))
     assert len(notes) == (radius is not None)
 
 
-def test_radius_in_a_stylus_file(tmp_path):
+def test_a_stylus_file_states_its_radius(tmp_path):
     rows = "\n".join(f"{0.1 * k:.1f},{height:.6f}," for k, height in enumerate(heights(40) / 100))
     text = "Scan Parameters,\nStylus,Radius: 2.5 um\nScan Data,\n\nLateral um,Raw Micrometer,\n"
     (tmp_path / "a.csv").write_text(text + rows + "\n")
@@ -325,16 +323,14 @@ def write_in_folder(path):
         (lambda path: path.write_bytes(b"DIGITAL SURF" + bytes(600)), ["SURReader: "]),
     ],
 )
-def test_a_file_that_no_reader_takes_is_refused_with_the_reason_of_its_own(
-    tmp_path, write, message_parts
-):
+def test_an_unreadable_file_is_refused_with_its_own_reason(tmp_path, write, message_parts):
     write(tmp_path / "a.dat")
     message = refusal(read_measurement, tmp_path / "a.dat")
     assert_says(message, "a.dat: expected a whole file in a format", *message_parts)
     assert "none of its readers" not in message
 
 
-def test_scan_without_physical_size(tmp_path):
+def test_a_scan_without_physical_size_is_refused(tmp_path):
     np.save(tmp_path / "a.npy", heights())
     np.savetxt(tmp_path / "a.txt", heights())
     for name in ("a.npy", "a.txt"):

@@ -9,7 +9,7 @@ from hardcontact.surfaces import spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms, measured_psds
 
 
-def test_profile_and_isotropic_spectra_are_twins():
+def test_published_profile_and_isotropic_spectra_agree():
     # C_1D = 1.1e5 nm3 [1 + (q/q_r)^2]^-1.34 has C_iso = 6.1e7 nm4 [...]^-1.84: published pair.
     q = np.linspace(0, 400, 2_000_001) * 2 * np.pi / 930
     profile = np.trapezoid(uncd(q), q) / np.pi
@@ -33,7 +33,7 @@ def test_moments_of_a_band_are_its_integrals():
     np.testing.assert_allclose(moments, np.sqrt(squares), rtol=1e-6)
 
 
-def test_measured_psd_of_scans_is_the_spectrum():
+def test_scans_have_the_measured_psd_of_their_spectrum():
     psds = [measured_psds(levelled_scan(generator(3, k), 256)) for k in range(12)]
     wave, isotropic = psds[0][0], np.array([density for _, _, density in psds])
     is_reliable = (wave > 0.03) & (wave < 0.3)
@@ -49,7 +49,7 @@ def test_profile_of_a_power_law_is_its_integral():
     assert ratio * q ** (-2 - 2 * hurst) == pytest.approx(integral, rel=1e-4)
 
 
-def test_points_of_a_profile_give_the_power_law_they_lie_on():
+def test_points_of_a_profile_give_their_power_law():
     wavelengths, hurst = np.array([66.0, 7.0, 24.0, 15.0]), 0.7
     isotropic = Spectrum(WAVEVECTORS, WAVEVECTORS ** (-2 - 2 * hurst))
     q = 2 * np.pi / wavelengths
@@ -58,13 +58,13 @@ def test_points_of_a_profile_give_the_power_law_they_lie_on():
     np.testing.assert_allclose(density, isotropic.density, rtol=1e-6)
 
 
-def test_published_model_of_ncd_has_its_published_height():
+def test_the_published_model_of_ncd_has_its_published_height():
     q = np.geomspace(1e-6, 2 * np.pi / 72, 200_001)
     table = Spectrum(q, spectrum.self_affine(q, 5e9, 2000.0, 0.8))
     assert all_scales_rms(table)[0] == pytest.approx(94, abs=0.5)
 
 
-def test_a_varying_hurst_exponent_is_that_of_the_power_law_at_each_wavelength():
+def test_a_varying_hurst_exponent_is_the_local_slope():
     q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])
     step = 1e-6
     log_densities = [
@@ -80,7 +80,7 @@ def longer_waves():
     return np.where(2 * np.pi / WAVEVECTORS > 20, WAVEVECTORS**-3.6, 0)
 
 
-def test_a_tail_continues_the_power_law_above_it(longer_waves):
+def test_a_tail_continues_the_power_law_of_longer_waves(longer_waves):
     tail = spectrum.power_law_tail(longer_waves, 0.8, 1.0)
     is_in_tail = 2 * np.pi / WAVEVECTORS > 1.1
     np.testing.assert_allclose(
@@ -89,7 +89,7 @@ def test_a_tail_continues_the_power_law_above_it(longer_waves):
     assert (tail[2 * np.pi / WAVEVECTORS < 0.9] == 0).all()
 
 
-def test_without_change_a_varying_hurst_exponent_is_a_self_affine_spectrum():
+def test_a_constant_hurst_exponent_gives_a_self_affine_spectrum():
     np.testing.assert_allclose(
         spectrum.varying_hurst(WAVEVECTORS, 1e7, 800.0, 0.9, 0.0),
         spectrum.self_affine(WAVEVECTORS, 1e7, 800.0, 0.9),

@@ -29,7 +29,7 @@ def substitute(bands=BANDS):
     )
 
 
-def test_known_bands_are_those_of_published_or_measured_sources():
+def test_only_published_or_measured_bands_are_known():
     spectrum = convert_described_spectrum(substitute(), "x.csv")
     assert spectrum.notes.values.tolist() == ["a", "b"]
     np.testing.assert_allclose(spectrum.longest_reliable, [1e6, 100.0])
@@ -43,13 +43,13 @@ def test_known_bands_are_those_of_published_or_measured_sources():
     assert set(spectrum.limited_by.values) == {"source"}
 
 
-def test_what_is_not_known_is_artificial():
+def test_unknown_bands_are_artificial():
     table = stack_spectra({"x": convert_described_spectrum(substitute(), "x.csv")}, {"x": "X"})
     bands = artificial_bands(table.sel(surface="x"))
     np.testing.assert_allclose(bands, [(0, 10), (100, 1000), (1e6, np.inf)])
 
 
-def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
+def test_surfaces_are_stacked_with_their_limits_and_empty_entries(tmp_path):
     coat = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
     rough = joined_spectrum([map_of(generator(20), 128, 10.0)], [None])
     labels = {"rough": "Rough", "coat": "My coat"}

@@ -36,7 +36,7 @@ SPHERE_RADIUS = 250e3
 WINDOW = 128
 
 
-def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
+def test_the_apex_of_a_sphere_lies_in_the_middle_half_of_its_scan():
     flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, basis="substitute")
     for k in range(20):
         scan = add_sphere(generator(k), flat, SPHERE_RADIUS)
@@ -60,7 +60,7 @@ def read_back(tmp_path, synthesized):
     return read_scan(tmp_path / "a.nc", basis="substitute")
 
 
-def test_a_synthesized_scan_is_read_as_any_other_flat_or_of_the_sphere(tmp_path):
+def test_a_synthesized_scan_is_read_like_a_measured_scan(tmp_path):
     grid = ScanGrid(64, 64 * PIXEL, 128)
     scan = read_back(tmp_path, synthesize_scan(generator(1), uncd, grid, 0.7))
     assert (scan.basis, scan.periodic) == ("substitute", False)
@@ -74,7 +74,7 @@ def test_a_synthesized_scan_is_read_as_any_other_flat_or_of_the_sphere(tmp_path)
 
 
 @pytest.mark.parametrize("radius", [None, SPHERE_RADIUS])
-def test_a_synthesized_scan_is_prepared_as_if_it_was_read_from_its_file(tmp_path, radius):
+def test_a_synthesized_scan_is_prepared_as_if_read_from_its_file(tmp_path, radius):
     grid, path = ScanGrid(48, 48 * PIXEL, 96), str(tmp_path / "a.nc")
     synthesized = synthesize_scan(generator(1), uncd, grid, 0.7, sphere_radius=radius)
     dataset.write(synthesized, path, "NETCDF3_64BIT")
@@ -99,7 +99,7 @@ def scan_with(pixels=128, **choices):
 
 
 @pytest.mark.parametrize("skewness", [-1.0, 1.0])
-def test_a_skewed_scan_is_as_high_as_the_gaussian_one(skewness):
+def test_a_skewed_scan_has_the_rms_height_of_the_gaussian_scan(skewness):
     plain, skewed = scan_with(256), scan_with(256, skewness=skewness)
     assert level(skewed).heights.std() == pytest.approx(level(plain).heights.std(), rel=1e-12)
     assert np.abs(skewed.heights - plain.heights).max() > 1
@@ -175,7 +175,7 @@ def standard_error(values):
 
 @pytest.mark.study
 @pytest.mark.skipif(not AFM.is_file(), reason="no folder ../shared/scans")
-def test_the_scan_that_it_was_fitted_to_is_reproduced():
+def test_the_model_of_skewness_reproduces_its_scan():
     """A check of the fit, no test of it: forces within two errors of their mean, summits in 20 %.
 
     Windows of a surface with skewness 0.65 have a mean skewness of 0.53, as windows of the scan.
@@ -203,7 +203,7 @@ def test_tops_are_rounded_as_by_grey_morphology(reach):
     np.testing.assert_array_equal(_open_with_paraboloid(heights, depth), opened)
 
 
-def test_heights_and_lengths_have_no_scale_of_their_own(surface):
+def test_skewing_has_no_scale_of_height_or_length(surface):
     skewed = skew_surface(surface, 0.5).heights
     larger = replace(surface, heights=4 * surface.heights, pixel_size=2 * surface.pixel_size)
     np.testing.assert_allclose(skew_surface(larger, 0.5).heights, 4 * skewed, rtol=1e-9)

@@ -36,7 +36,7 @@ def weights():
         ("varying Hurst", 2000.0, (1.0e10, 1.6, -0.5), ["plateau_nm4", "hurst", "hurst_change"]),
     ],
 )
-def test_a_spectrum_is_found_again_from_its_scans(weights, model, rolloff, truth, names):
+def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff, truth, names):
     if model == "self-affine":
         density = spectrum.self_affine(WAVEVECTORS, *truth)
     else:
@@ -79,7 +79,7 @@ def test_a_tail_completes_slope_and_curvature(longer_waves, moments):
         ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
     ],
 )
-def test_a_tail_refuses_what_it_cannot_add(longer_waves, moments, message):
+def test_a_tail_beyond_a_power_law_is_refused(longer_waves, moments, message):
     with pytest.raises(ValueError, match=message):
         substitute_spectra.calibrate_tail(longer_waves, *moments)
 
@@ -113,7 +113,7 @@ def write_description(tmp_path):
     return write
 
 
-def test_bands_with_all_parameters_are_their_models(write_description, tmp_path):
+def test_bands_with_all_parameters_follow_their_models(write_description, tmp_path):
     (tmp_path / "points.csv").write_text("wavelength_nm,c1d_nm3\n66,234\n24,6.7\n7,0.095\n")
     path = write_description(
         "inf,1000,varying Hurst,5e9,2000,0.8,-0.1,",
@@ -156,7 +156,7 @@ def default_spectrum(surface):
 
 
 @pytest.mark.parametrize("surface", SURFACES)
-def test_no_default_spectrum_jumps(surface):
+def test_default_spectra_are_continuous(surface):
     density = default_spectrum(surface)[1].spectrum.values
     density = density[density > 0][:-1]  # the last cell counts by its share
     step = np.diff(np.log(density)) / np.diff(np.log(WAVEVECTORS[: len(density)]))
@@ -174,7 +174,7 @@ def test_default_spectra_meet_every_row_of_table_1_but_the_height_over_all_scale
     np.testing.assert_allclose(all_moments, table1.value[calibrated], rtol=1e-9)
 
 
-def test_uncd_is_near_what_is_measured_of_it_in_public():
+def test_default_uncd_is_near_the_public_measurements():
     """The ratios that workflow/report/departures.md reports."""
     table1, default = default_spectrum("uncd")
     path = ROOT / "resources/spectra/uncd-measured.csv"
@@ -202,7 +202,7 @@ def test_a_band_that_cannot_be_made_is_named(write_description, band, message_pa
 MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 
 
-def test_expected_moments_are_those_of_scans():
+def test_expected_moments_agree_with_scans():
     weights = substitute_spectra.transfer_weights(1024, PIXEL, 256)
     moments = substitute_spectra.expected_moments(uncd, weights)
     squares = []

@@ -33,7 +33,7 @@ def test_random_surface_has_the_variance_of_its_spectrum():
     assert abs(np.mean(variances) - grid_variance(uncd, 256, 20.0)) < 4 * error
 
 
-def test_psd_in_is_psd_out_over_the_ensemble():
+def test_scans_have_the_spectrum_they_are_made_from():
     pixels, pixel_size = 256, 20.0
     mean = np.zeros((pixels, pixels))
     for k in range(60):

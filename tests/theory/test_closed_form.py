@@ -29,7 +29,7 @@ def contact(rho=5.6, area=400.0, radius=RADIUS):
 
 
 @pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
-def test_both_terms_are_the_integral_over_gaps_and_heights(sigma, m, rho):
+def test_both_terms_equal_the_integral_over_gaps_and_heights(sigma, m, rho):
     gap = np.linspace(m, m + 20 * rho + 8 * sigma, 1501)
     height_share = np.linspace(0, 1, 1001)[:, None]
     height = -10 * sigma + height_share * (gap + 10 * sigma)  # up to the sphere
@@ -40,13 +40,13 @@ def test_both_terms_are_the_integral_over_gaps_and_heights(sigma, m, rho):
     assert both_terms == pytest.approx(force, rel=3e-4)
 
 
-def test_the_first_term_freezes():
+def test_the_first_term_freezes_at_short_range():
     sigma, m, rho = 100.0, 300.0, 0.5
     frozen = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
     assert gaussian_share(sigma, m, rho) == pytest.approx(frozen, rel=1e-3)
 
 
-def test_without_roughness_the_force_is_that_of_a_smooth_sphere():
+def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     flat = Spectrum(rough().wavevector, 0 * rough().density)
     form = closed_form(flat, contact())
     # The area in contact attracts, too, with A/(2 pi R rho) of this force.
@@ -59,7 +59,7 @@ def test_without_roughness_the_force_is_that_of_a_smooth_sphere():
     assert np.isnan(edges(flat, contact(), 0.1)).all()
 
 
-def test_the_force_of_a_wide_contact_goes_to_its_limit_as_roughness_vanishes():
+def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
     wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().range)
     nearly_smooth = closed_form(rough(0.02), wide)
     smooth = closed_form(rough(0.0), wide)
@@ -67,7 +67,7 @@ def test_the_force_of_a_wide_contact_goes_to_its_limit_as_roughness_vanishes():
     assert np.isnan(edges(rough(0.02), wide, 0.1)).all()
 
 
-def test_a_single_smooth_summit_is_a_sphere_of_its_radius():
+def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     sigma, length, rho = 40.0, 300.0, 1e-3  # the range is so short that only one summit counts
     flat = 1e9  # so that the summit is high
     form = closed_form(rounded(sigma, length), contact(rho, 0.0, flat))
@@ -90,7 +90,7 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
     ("rms", "rho", "error", "error_at_contacts"),
     [(4, 5.6, 0.2, 0.05), (4, 20, 0.05, 0.02), (40, 5.6, 0.4, 0.4)],
 )
-def test_forces_on_random_surfaces(rms, rho, error, error_at_contacts):
+def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error, error_at_contacts):
     pixels, size, radius = 512, 10e3, 50e3
     spectrum = rough(rms, 800.0, 0.8, 80.0)
     touching = Contact(radius=radius, preload=1e-5, hardness=25e9, window=size, count=8)
@@ -107,7 +107,7 @@ def test_forces_on_random_surfaces(rms, rho, error, error_at_contacts):
     assert form.force == pytest.approx(np.mean(forces), rel=error_at_contacts)
 
 
-def test_edges_are_where_the_force_has_changed():
+def test_the_force_has_left_the_tolerance_at_the_edges():
     spectrum = rough(17, 1000, 0.8, 10.0)
     short, long = edges(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000

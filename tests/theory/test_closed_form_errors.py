@@ -22,7 +22,7 @@ def errors():
     return closed_form_errors({"a": rough(4, 500, 0.8, 40)}, TRIAL)
 
 
-def test_a_grid_holds_the_height_of_its_surfaces():
+def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
     spectrum = rough(4, 500, 0.8, 10)
     heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
     height = np.sqrt(moment(spectrum_of_grid(spectrum, 2560.0, 256), 0))
@@ -31,7 +31,7 @@ def test_a_grid_holds_the_height_of_its_surfaces():
         spectrum_of_grid(spectrum, 1e-3, 4)
 
 
-def test_errors_are_predicted_over_computed(errors):
+def test_errors_are_ratios_of_predicted_to_computed_forces(errors):
     assert set(errors.predicted_over_computed.dims) == {"surface", "map_size", "source", "rho"}
     ratio = errors.predicted_force / errors.computed_force
     assert errors.predicted_over_computed.values == pytest.approx(

@@ -32,7 +32,7 @@ def master(rms):
     return HeightMap(heights, 10.0, periodic=True, basis="substitute")
 
 
-def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
+def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range_and_area():
     forces = filtered_pull_off(master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
     mean_force = forces["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
     radius, rho = (np.array(values) for values in COMBINATIONS)
@@ -48,7 +48,7 @@ def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
     np.testing.assert_allclose(mean_force[:, 1], plastic, rtol=2e-3)
 
 
-def test_every_combination_is_that_of_single_contacts():
+def test_every_combination_equals_its_single_contact():
     forces = filtered_pull_off(master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
     single = filtered_pull_off(
         master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, range=5.0)]
@@ -111,7 +111,7 @@ def edges(data, samples):
 
 
 @pytest.mark.parametrize("exponents", [(1.0, 1.0, 0.0), (0.0, 0.2, 0.9), (0.0, 0.0, -0.8)])
-def test_exponents_are_those_of_a_known_power_law(exponents):
+def test_exponents_of_a_known_power_law_are_recovered(exponents):
     data, edge = curves(*exponents, scatter=0.02)
     scaling = edges(data, 50).sel(side="large", surface="a")
     np.testing.assert_allclose(scaling["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
@@ -120,13 +120,13 @@ def test_exponents_are_those_of_a_known_power_law(exponents):
     assert (low <= scaling["exponent"]).all() and (scaling["exponent"] <= high).all()
 
 
-def test_open_edges_are_left_out_and_few_give_no_exponent():
+def test_open_edges_give_no_exponent():
     data, _ = curves(1.0, 1.0, 0.0)
     scaling = edges(data, 0).sel(side="small", surface="a")
     assert scaling["edge"].isnull().all() and scaling["exponent"].isnull().all()
 
 
-def test_a_force_that_is_a_power_of_the_radius_has_this_exponent():
+def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
     factor = xr.DataArray([1.0, 3.0], dims="contact_x")
@@ -146,7 +146,7 @@ def test_a_force_that_is_a_power_of_the_radius_has_this_exponent():
 SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
 
 
-def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
+def test_regime_coordinates_follow_from_the_closed_form():
     contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
     coordinates = regime_coordinates(SPECTRA, contact).sel(surface="b")
     form = closed_form(SPECTRA["b"], contact)

@@ -53,7 +53,7 @@ def test_the_mean_gap_is_that_of_a_flattened_surface():
         assert mean_gap == pytest.approx(flattened, rel=0.02, abs=1e-3 * sigma)
 
 
-def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
+def test_the_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
     def log_force(sigma):
         level = formulas.level_of_area(WIDE.area / (2 * np.pi * WIDE.radius * sigma))
         return np.log(gaussian_share(sigma, level * sigma, WIDE.range))
@@ -65,7 +65,7 @@ def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
     assert elasticity == pytest.approx(-slope, rel=0.03)
 
 
-def test_elasticity_of_single_peaks_is_that_of_their_number():
+def test_the_elasticity_of_single_peaks_follows_from_their_number():
     """For rigid bodies F ~ 1/(1 - k), k = t rho/sigma: E = k/(1 - k)."""
     contact, level = contact_of_area(250e3, 1.0, 1.0, 1e-30), 8.0
     for modulus in (0.05, 0.2):
@@ -76,7 +76,7 @@ def test_elasticity_of_single_peaks_is_that_of_their_number():
         assert elasticity == pytest.approx(modulus / (1 - modulus), rel=0.03)
 
 
-def test_edges_of_many_points_are_those_of_the_power_law_and_of_the_closed_form():
+def test_edges_of_many_points_match_the_power_law_and_the_closed_form():
     edge_pair = formulas.formula_edges(GENTLE, WIDE, 0.1)
     waves = rough_waves(GENTLE, WIDE.radius)
     sigma = np.sqrt(moment(waves, 0))
@@ -96,7 +96,7 @@ def test_edges_of_many_points_are_those_of_the_power_law_and_of_the_closed_form(
     assert edge_pair[:2] == pytest.approx(edges(surface, contact, 0.1), rel=0.2)
 
 
-def test_mean_curvature_of_summits_is_that_of_random_surfaces():
+def test_the_mean_curvature_of_summits_matches_random_surfaces():
     spectrum = rounded(1.0, 16.0)
     curvatures = []
     for number in range(3):
@@ -110,7 +110,7 @@ def test_mean_curvature_of_summits_is_that_of_random_surfaces():
 
 
 @pytest.mark.parametrize("area", [30.0, 300.0, 6000.0])
-def test_exponents_of_the_short_edge_are_those_of_the_theory(area):
+def test_exponents_of_the_short_edge_match_the_theory(area):
     """2/(H + 2e) against sqrt(rho), 2e/(H + 2e) against sqrt(A), with e = (h - t) Phi/(t + L)."""
     spectrum = rough(60.0, 20e3, HURST, shortest=0.5)
     contact = contact_of_area(5e9, 1.0, 1.0, area)
@@ -132,7 +132,7 @@ def test_exponents_of_the_short_edge_are_those_of_the_theory(area):
         assert np.log(short[1] / short[0]) / step == pytest.approx(exponent, abs=0.07)
 
 
-def test_the_table_has_the_edges_of_the_formulas_and_they_hold_out_of_sample():
+def test_the_table_repeats_the_formulas_which_predict_held_out_edges():
     table = pd.read_csv(validate_edges.TABLE).set_index("surface")
     recomputed = pd.DataFrame(validate_edges.rows(3)).set_index("surface")
     pd.testing.assert_frame_equal(table.loc[recomputed.index], recomputed, rtol=1e-3)
@@ -142,5 +142,5 @@ def test_the_table_has_the_edges_of_the_formulas_and_they_hold_out_of_sample():
         assert np.exp(np.median(abs(np.log(held_out[name] / formula)))) < max_error
 
 
-def test_a_surface_that_hardly_keeps_bodies_apart_has_no_edges():
+def test_an_almost_smooth_surface_has_no_edges():
     assert np.isnan(formulas.formula_edges(rough(0.01), WIDE, 0.1)).all()

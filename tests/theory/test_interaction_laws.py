@@ -36,7 +36,7 @@ def test_pressure_is_the_slope_of_the_energy_and_adds_up_to_the_work(law):
 
 @pytest.mark.parametrize("law", POWERS, ids=lambda law: law.name)
 @pytest.mark.parametrize(("anchor", "error"), [(5.6, 3e-4), (7.95, 6e-3), (8.4, 3e-4)])
-def test_ranges_of_the_study_give_the_pressure_of_every_law(law, anchor, error):
+def test_mixtures_of_the_study_s_ranges_give_the_pressure_of_every_law(law, anchor, error):
     ranges, gap = range_grid(anchor, **MIXED_RANGES), np.append(0.0, np.geomspace(0.01, 300.0, 100))
     assert np.isclose(ranges, anchor, rtol=1e-12).any()
     assert ranges[0] <= MIXED_RANGES["low"] and ranges[-1] >= MIXED_RANGES["high"]
@@ -46,7 +46,7 @@ def test_ranges_of_the_study_give_the_pressure_of_every_law(law, anchor, error):
         np.testing.assert_allclose(mixture, pressure(law, gap, rho), rtol=error)
 
 
-def test_power_law_of_large_exponent_is_the_exponential_law():
+def test_a_power_law_of_large_exponent_is_the_exponential_law():
     steep = type(EXPONENTIAL)("steep", "steep", 1e7, np.nan)
     gap = np.linspace(0, 20, 50)
     np.testing.assert_allclose(
@@ -54,7 +54,7 @@ def test_power_law_of_large_exponent_is_the_exponential_law():
     )
 
 
-def test_known_strengths():
+def test_known_laws_have_their_known_strengths():
     # A = 12 pi g0² W; ideal mirrors attract with 1.30 mPa at 1 µm; 1 V over 1 nm is 4.4 MPa.
     work = 5e-19 / (12 * np.pi * (0.3e-9) ** 2)
     assert strength_over_known(BY_NAME["van_der_waals"], 0.15, work) == pytest.approx(1)

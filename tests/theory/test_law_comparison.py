@@ -117,7 +117,7 @@ def test_fit_finds_the_law_that_made_the_forces(number):
     np.testing.assert_allclose(laws.error_over_exponential, ratio, rtol=1e-9)
 
 
-def test_equivalent_lengths_are_those_of_the_closed_form():
+def test_equivalent_lengths_match_the_closed_form():
     laws = compared_at_published_pair()
     target = 0.05 * 5.6**SLOPES
     for law in LAWS:
@@ -129,7 +129,7 @@ def test_equivalent_lengths_are_those_of_the_closed_form():
         assert equivalent.work_of_adhesion.item() == pytest.approx(work, rel=0.02)
 
 
-def test_edges_are_alike_where_filters_change_every_range_alike():
+def test_edges_agree_if_filters_change_all_ranges_alike():
     laws = compared_at_published_pair()
     cutoffs = masters().cutoff_wavelength.values
     # 10 % is half way between 8 % and 12 %, in the logarithm of the cutoff.

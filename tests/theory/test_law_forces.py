@@ -38,7 +38,7 @@ def direct_forces(bodies, contact_pixels, law, rho):
 @pytest.mark.parametrize("law", POWERS, ids=lambda law: law.name)
 @pytest.mark.parametrize("contact_pixels", [1, 17])
 @pytest.mark.parametrize(("rms", "rough"), [(20.0, False), (60.0, False), (20.0, True)])
-def test_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
+def test_the_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
     roughness = periodic_noise(96, 0.7, 4) if rough else None
     bodies = over(periodic_noise(96, rms, 3), roughness, 50.0, 160, 3)
     ranges = range_grid(5.6, 0.45, 0.01, 1e5)
@@ -49,7 +49,7 @@ def test_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
         np.testing.assert_allclose(mixture, direct, rtol=3e-5)
 
 
-def test_sums_at_small_ranges_of_a_place_far_below_the_peak_elsewhere():
+def test_a_high_peak_outside_the_window_does_not_overflow():
     # The windows of the contacts in the first row and column exclude a tower: exp(height/rho)
     # overflows.
     heights = periodic_noise(96, 20.0, 3)
@@ -67,7 +67,7 @@ def test_sums_at_small_ranges_of_a_place_far_below_the_peak_elsewhere():
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
-def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin(law):
+def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force(law):
     # 2 pi R times the energy, without the attraction beyond the window: it lies between that beyond
     # the inscribed circle and that beyond the circumscribed circle of the window.
     pixel_size, rho, window = 100.0, 5.6, 800

@@ -20,7 +20,7 @@ from hardcontact.theory.closed_form_errors import spectrum_of_grid
 TABLE = pd.read_csv(prediction_errors.VALIDATION)
 
 
-def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
+def test_the_table_repeats_the_design_and_the_closed_form():
     designed = pd.DataFrame(validate_prediction.design(validate_prediction.SURFACES))
     pd.testing.assert_frame_equal(TABLE[designed.columns], designed, rtol=1e-4, check_dtype=False)
     for row in TABLE.to_dict("records"):
@@ -36,7 +36,7 @@ def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
     assert predicted["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 
 
-def test_a_surface_computed_again_has_the_numbers_of_the_table():
+def test_the_forces_of_a_designed_surface_are_reproduced():
     number = int(np.argmax(TABLE["pixels"] == 1024))
     computed = validate_prediction.computed(validate_prediction.design(number + 1)[number])
     row = TABLE[list(computed)].iloc[[number]].reset_index(drop=True)
@@ -44,7 +44,7 @@ def test_a_surface_computed_again_has_the_numbers_of_the_table():
 
 
 @pytest.mark.parametrize("name", prediction_errors.VALIDATED_QUANTITIES)
-def test_intervals_hold_what_they_should_on_the_other_half(name):
+def test_intervals_contain_nine_tenths_of_the_other_half(name):
     """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""
     table = TABLE[TABLE["held_out"] == 0]
     closed_edges = table[table.get(f"{name}_status", pd.Series("found", table.index)) == "found"]

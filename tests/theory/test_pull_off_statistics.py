@@ -68,7 +68,7 @@ def drawn_radii(rng, level, count=400000):
 
 
 @pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
-def test_the_mean_is_the_closed_form(rho, low, high):
+def test_the_mean_force_equals_the_closed_form(rho, low, high):
     """Rough summits below the sphere lessen it where single peaks decide, not for many points."""
     contact, spectrum = replace(SPHERE, range=rho), rough(30, 1000, 0.8, 5.0)
     expected = closed_form(spectrum, contact).force
@@ -76,7 +76,7 @@ def test_the_mean_is_the_closed_form(rho, low, high):
     assert low < expected / closed_form(spectrum, contact, rough_below=False).force < high
 
 
-def test_radii_of_summits_scatter_as_drawn_ones():
+def test_radii_of_summits_scatter_like_drawn_radii():
     waves = spectrum_between(SURFACE, 0, np.inf)
     levels = closest_approaches(waves, FLAT, 0.0)
     radii = drawn_radii(generator(1, "radii"), levels.mean())
@@ -84,7 +84,7 @@ def test_radii_of_summits_scatter_as_drawn_ones():
 
 
 @pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
-def test_many_points_make_weibull_s_law(modulus):
+def test_many_points_follow_weibull_s_law(modulus):
     computed = predict_statistics(SURFACE, flat_contact(modulus))
     weibull = stats.weibull_min(computed.modulus, scale=1 / special.gamma(1 + 1 / computed.modulus))
     assert computed.modulus == pytest.approx(modulus, rel=1e-3)
@@ -95,7 +95,7 @@ def test_many_points_make_weibull_s_law(modulus):
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
-def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
+def test_the_level_of_n_clumps_scatters_like_a_gamma_variable(clumps):
     computed = predict_statistics(SURFACE, flat_contact(3.0, clumps))
     # Exponential areas fill the contact with 1 + Poisson's number of clumps.
     number = 1 + np.arange(200)
@@ -106,7 +106,7 @@ def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
-def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
+def test_n_clumps_attract_like_the_mean_power_of_a_gamma_variable(clumps):
     contact = flat_contact(3.0, clumps)
     many = predict_statistics(SURFACE, contact)
     rigid = predict_statistics(SURFACE, replace(contact, preload=0.0))
@@ -120,7 +120,7 @@ def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
 
 
 @pytest.mark.parametrize("cover", [0.05, 0.3, 0.6])
-def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
+def test_numbers_of_hard_discs_scatter_by_their_compressibility(cover):
     def pressure(share):
         return share / (1 - share) ** 2
 
@@ -129,13 +129,13 @@ def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
 
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
-def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
+def test_few_summits_scatter_like_sums_of_poisson_clumps(modulus):
     computed, sums = predict_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
     assert computed.spread == pytest.approx(np.log(sums).std(), rel=0.1)
     assert computed.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
 
 
-def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
+def test_a_field_of_large_heights_scatters_like_the_sum_over_powers():
     # exp(n s² exp(-d²/2l²)) expanded, and each power averaged over exp(-d²/2 spot).
     rho, power = 3.0, np.arange(1, 40)
     contact = contact_of_area(250e3, rho, 1.0, 0.0)
@@ -146,7 +146,7 @@ def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
     assert computed > 1.2 * np.sqrt(terms[0])
 
 
-def test_moments_and_quantiles_are_those_of_the_mixture():
+def test_moments_and_quantiles_agree_in_a_mixture():
     computed = ForceStatistics(
         1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
@@ -158,7 +158,7 @@ def test_moments_and_quantiles_are_those_of_the_mixture():
     assert computed.probability(forces[::20000]) == pytest.approx(shares[::20000], rel=1e-12)
 
 
-def test_a_quantile_does_not_depend_on_levels_that_have_no_probability():
+def test_levels_without_probability_change_no_quantile():
     computed = ForceStatistics(
         1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
@@ -167,14 +167,14 @@ def test_a_quantile_does_not_depend_on_levels_that_have_no_probability():
     assert beside.quantile(0.5) == pytest.approx(computed.quantile(0.5), rel=1e-12)
 
 
-def test_without_roughness_all_places_are_alike():
+def test_without_roughness_all_places_have_the_same_force():
     smooth = predict_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
     assert smooth.spread == 0
     assert smooth.quantile(0.3) == pytest.approx(smooth.force)
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9
 
 
-def test_scans_add_the_scatter_of_their_means():
+def test_scans_add_the_scatter_of_their_mean_forces():
     places = predict_statistics(rough(4.0), SPHERE)
     assert over_scans(rough(4.0), SPHERE, 0.0).spread == pytest.approx(places.spread)
     ends = [predict_statistics(rough(4.0 + change), SPHERE).force for change in (-0.1, 0.1)]
@@ -183,7 +183,7 @@ def test_scans_add_the_scatter_of_their_means():
     assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(expected, rel=0.02)
 
 
-def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_tolerance():
+def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
     scatter = force_scatter(
         {"a": rough(10.0)}, SPHERE, [5.6], {"a": 0.0}, tolerance=0.1, confidence=0.9
     )
@@ -199,7 +199,7 @@ def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_toleranc
     assert needed > 50 and within.mean() == pytest.approx(0.9, abs=0.02)
 
 
-def test_the_table_is_that_of_the_law():
+def test_the_validation_table_repeats_the_law():
     stored = dataset.read(validate_statistics.DATASET)
     for place in (0, 31, 69):
         rows = list(validate_statistics.compared(stored.isel(surface=place)))
@@ -207,7 +207,7 @@ def test_the_table_is_that_of_the_law():
         pd.testing.assert_frame_equal(pd.DataFrame(rows)[list(known)], known, rtol=2e-3, atol=1e-3)
 
 
-def test_forces_are_those_of_the_designed_surfaces():
+def test_forces_of_a_designed_surface_are_reproduced():
     row = validate_statistics.design(52)[51]
     computed = validate_statistics.computed(row)
     stored = dataset.read(validate_statistics.DATASET).isel(surface=51)

@@ -37,7 +37,7 @@ def random_heights(rms):
     return rms * np.random.default_rng(5).standard_normal((64, 64))
 
 
-def test_the_table_holds_what_its_rule_predicts():
+def test_the_table_repeats_its_rule():
     table = dataset.read(TABLE)
     rule = ScanSizeRule(table["rule_factor"].item(), table["exponent"].values)
     for surface in table["surface"].values:
@@ -56,7 +56,7 @@ def test_the_table_holds_what_its_rule_predicts():
         np.testing.assert_allclose(error, np.sqrt((residual**2).mean()))
 
 
-def test_a_rule_is_found_again_and_corrects_surfaces_it_was_not_fitted_to():
+def test_a_known_rule_is_recovered_and_corrects_other_surfaces():
     true_rule = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
     fitted_cases = random_cases(1)
     other_cases = random_cases(2)
@@ -93,7 +93,7 @@ def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface
     assert np.isnan(window_forces[-1]) and surface_forces[-1] == pytest.approx(1, abs=1e-6)
 
 
-def test_the_ratio_is_that_of_a_surface_less_its_long_waves():
+def test_the_ratio_equals_that_of_a_surface_without_its_long_waves():
     heights = random_heights(3.0)
     order = np.fft.fftfreq(64, 1 / 64)
     transform = np.fft.fft2(heights)
@@ -103,7 +103,7 @@ def test_the_ratio_is_that_of_a_surface_less_its_long_waves():
     assert ratio * force == pytest.approx(mean_forces(short_waves, WINDOWS)[0], rel=1e-5)
 
 
-def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
+def test_known_ratios_have_known_or_open_edges():
     ratios = [[1.5, 1.0, np.nan], [1.5, 1.2, np.nan], [2.0, 1.21, 1.0]]
     forces = xr.Dataset(
         {

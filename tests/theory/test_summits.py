@@ -22,14 +22,14 @@ def full_band(spectrum):
     return spectrum_between(spectrum, 0, np.inf)
 
 
-def test_moments_are_those_of_a_gaussian_autocorrelation():
+def test_a_gaussian_autocorrelation_has_known_moments():
     waves = full_band(rounded(4, 100))
     assert moment(waves, 0) == pytest.approx(16, rel=0.01)
     assert moment(waves, 2) == pytest.approx(2 * (4 / 100) ** 2, rel=0.01)
     assert moment(waves, 4) == pytest.approx(8 * 16 / 100**4, rel=0.02)
 
 
-def test_clumps_of_a_gaussian_autocorrelation():
+def test_a_gaussian_autocorrelation_has_clumps_of_known_radius():
     levels = np.array([1.5, 2.5, 4.0])
     radii = 100 * np.sqrt(-2 * np.log(1 - 1 / levels**2))  # exp(-d²/2l²) = 1 - 1/t²
     assert summits.clump_radius(full_band(rounded(4, 100)), levels) == pytest.approx(
@@ -56,7 +56,7 @@ def test_short_waves_of_no_height_make_no_clumps():
     )
 
 
-def test_without_area_the_highest_point_is_gumbel_s():
+def test_the_highest_point_follows_gumbel_s_law():
     waves = full_band(rounded(4, 100))
     approaches = summits.closest_approaches(waves, FLAT, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
@@ -69,7 +69,7 @@ def test_without_area_the_highest_point_is_gumbel_s():
 
 
 @pytest.mark.parametrize("area", [0.0, 0.3, 4.0, 49.0])
-def test_exponential_areas_of_poisson_clumps_stay_below_the_contact(area):
+def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
     # n such areas stay below it as often as Poisson's number of a mean `area` is n or more.
     clumps, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
     terms = stats.poisson.pmf(number, clumps) * stats.poisson.sf(number - 1, area)
@@ -78,7 +78,7 @@ def test_exponential_areas_of_poisson_clumps_stay_below_the_contact(area):
     np.testing.assert_allclose(below, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
 
 
-def test_a_large_area_of_contact_is_the_bearing_area():
+def test_a_large_contact_area_is_the_bearing_area():
     waves, area = full_band(rounded(4, 100)), 3e6
     level = summits.closest_approaches(waves, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
@@ -86,7 +86,7 @@ def test_a_large_area_of_contact_is_the_bearing_area():
     assert level < summits.closest_approaches(waves, FLAT, 400).mean()
 
 
-def test_the_highest_point_of_random_surfaces():
+def test_the_highest_point_matches_random_surfaces():
     spectrum, pixels, size, radius = rough(4, 300, 0.8, 40), 256, 2560.0, 20e3
     waves = spectrum_between(spectrum, 2 * np.pi / size / 2, np.inf)
     offset = (np.arange(pixels) - pixels / 2) * 10.0
@@ -99,7 +99,7 @@ def test_the_highest_point_of_random_surfaces():
     assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
 
 
-def test_a_sphere_follows_flat_waves():
+def test_a_sphere_follows_waves_flatter_than_itself():
     spectrum = rough(4, 1e6)  # roughness without end
     rough_waves = summits.rough_waves(spectrum, RADIUS)
     assert rough_waves.wavevector[0] > 10 * spectrum.wavevector[0]

@@ -37,7 +37,7 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(finished, tmp_
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason=f"no real scans in {SHARED}")
-def test_real_scans(folder):
+def test_real_scans_give_plausible_roughness_edges_and_forces(folder):
     files = [SHARED / name for name in ("uncd-demo-container.zip", "afm-10um-512.di")]
     results, _ = made(folder, "both", *files)
     surface = quantities(results)["both"]

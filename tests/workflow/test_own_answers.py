@@ -27,7 +27,7 @@ def several(own_study):
     return own_study / "results/several-quick"
 
 
-def test_every_variable_of_own_surfaces_is_described_and_no_other(several):
+def test_the_dictionary_describes_exactly_the_variables_of_own_surfaces(several):
     page, variables = described(), made_variables(several)
     for name, rows in variables.items():
         assert rows <= page[name] if name in SHARED else rows == page[name], name
@@ -81,7 +81,7 @@ def assert_bounded(side):
 # Files of all kinds, surfaces on different grids
 
 
-def test_files_of_all_kinds_are_told_and_used(own_study, several):
+def test_files_of_all_kinds_are_reported_and_used(own_study, several):
     output = (own_study / "said.txt").read_text()
     assert_says(output, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
     overlay = yaml.safe_load((own_study / "config/several.yaml").read_text())
@@ -93,7 +93,7 @@ def test_files_of_all_kinds_are_told_and_used(own_study, several):
     assert spectra["label"].values[0] == "My film"
 
 
-def test_surfaces_on_different_grids_have_each_their_answer(several):
+def test_surfaces_on_different_grids_have_their_own_answers(several):
     assert_honest(several, fitted=True)
     surfaces = quantities(several)
     film, twin = (surfaces[name] for name in ("my_film", "twin"))
@@ -105,7 +105,7 @@ def test_surfaces_on_different_grids_have_each_their_answer(several):
 # Own forces
 
 
-def test_the_interval_of_own_forces_holds_the_truth(several):
+def test_the_interval_from_own_forces_contains_the_true_work(several):
     fit = xr.load_dataset(several / "fit.nc").sel(contact_model="plastic")
     assert fit.test_count.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
     works = fit.work_of_adhesion_interval
@@ -115,7 +115,7 @@ def test_the_interval_of_own_forces_holds_the_truth(several):
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()
 
 
-def test_own_forces_stand_on_the_page_as_measured(several):
+def test_the_page_shows_own_forces_as_measured(several):
     assert "forces" in [section["id"] for section in page_of(several).attributes["section"]]
     for name in ("my_film", "twin"):
         surface = quantities(several)[name]
@@ -141,7 +141,7 @@ def gaussian_relative(adhesion, rms_height):
     return mean_over_contacts(relative)
 
 
-def test_a_rough_sphere_sticks_less(own_study, several):
+def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     assert numbers(several)["contact"]["sphere"] == "sphere"
     adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
     assert adhesion.sizes["sphere_scan"] == 2
@@ -181,7 +181,7 @@ def test_a_rough_sphere_sticks_less(own_study, several):
 # A colloidal probe
 
 
-def test_a_colloidal_probe_has_its_own_force(probe):
+def test_a_colloidal_probe_has_a_force_below_the_smooth_limit(probe):
     assert_honest(probe)
     answer = numbers(probe)
     assert answer["contact"] == {
@@ -195,7 +195,7 @@ def test_a_colloidal_probe_has_its_own_force(probe):
     assert surface["force_mean"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
 
 
-def test_the_report_shows_the_answer_and_nothing_of_the_paper(folder, probe):
+def test_the_report_shows_only_the_answer(folder, probe):
     report = probe / "report.html"
     run = quick(folder, "probe", "--report", str(report.relative_to(folder)))
     assert run.returncode == 0, run.stdout[-3000:]

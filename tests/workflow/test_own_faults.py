@@ -107,7 +107,7 @@ def kill(study, moment):
     run(study, "--unlock")
 
 
-def test_killed_while_planning_and_computing_a_study_goes_on(empty, own_study):
+def test_a_killed_study_continues(empty, own_study):
     kill(empty, lambda: "Planning" in (empty / "output").read_text())
     kill(empty, lambda: results_made(empty) >= 1)
     kill(empty, lambda: results_made(empty) >= 8)
@@ -180,7 +180,7 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
         assert list(folder.glob("made/*")) == []
 
 
-def test_after_a_full_disk_a_study_goes_on(empty, own_study):
+def test_a_study_continues_after_a_full_disk(empty, own_study):
     with disk(empty / "results", "20M") as folder:
         filler = fill(folder, 500_000)
         full = run(empty, "topography")
@@ -234,7 +234,7 @@ def assert_refused(study, path):
     assert_says(messages, f"{path.relative_to(study)}: expected the file that the study wrote")
 
 
-def test_altered_files_are_never_used_and_made_again(copy, own_study):
+def test_altered_files_are_refused_and_made_again(copy, own_study):
     scales, spectra = (copy / RESULTS / f"{name}.nc" for name in ("scales", "spectra"))
     (stitched,) = (copy / STORE / "stitched").glob("*/twin/study/scan-1-flat.nc")
     flip_a_bit(scales)
@@ -282,7 +282,7 @@ if not tried:
 """
 
 
-def test_a_job_that_fails_is_tried_again_and_does_not_stop_others(copy, own_study):
+def test_a_failing_job_is_repeated_and_does_not_stop_others(copy, own_study):
     alter(copy, "keep_configuration", FAILS_ONCE)
     alter(copy, "answer_surfaces", 'raise RuntimeError("fails always")')
     (copy / RESULTS / "fit.nc").unlink()

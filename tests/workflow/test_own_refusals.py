@@ -21,7 +21,7 @@ def files_of(folder):
     return {path for path in folder.rglob("*") if ".snakemake" not in path.parts}
 
 
-def test_targets_left_out_say_why(folder, probe):
+def test_omitted_targets_report_the_reason(folder, probe):
     targets = sorted(LEFT_OUT | {"fit"})
     run = quick(folder, "probe", *targets, "-n")
     assert run.returncode == 0
@@ -41,7 +41,7 @@ def test_targets_left_out_say_why(folder, probe):
         ({"forces": "unitless.csv"}, ["unitless.csv: line 2: expected a force with a unit"]),
     ],
 )
-def test_a_bad_overlay_is_refused_in_the_users_units(folder, probe, change, message_parts):
+def test_a_faulty_overlay_is_refused_in_the_user_s_units(folder, probe, change, message_parts):
     (folder / "unitless.csv").write_text("surface,value,unit\nprobe,1,\n")
     (folder / "bad.yaml").write_text(yaml.safe_dump(change))
     files_before = files_of(folder)

@@ -49,7 +49,7 @@ SCANS = {"prepare_scan"} | TOPOGRAPHY
         ("contact.preload", "20 uN", FORCES | {"filter_masters", "aggregate_scales"}),
     ],
 )
-def test_a_key_makes_again_what_depends_on_it(own_study, key, value, rules):
+def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rules):
     for key_name in reversed(key.split(".")):
         value = {key_name: value}
     (own_study / "other.yaml").write_text(yaml.safe_dump(value))
@@ -59,7 +59,7 @@ def test_a_key_makes_again_what_depends_on_it(own_study, key, value, rules):
 @pytest.mark.parametrize(
     ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic")]
 )
-def test_another_study_replaces_nothing_that_the_first_has_made(own_study, key, value):
+def test_another_study_replaces_no_file_of_the_first(own_study, key, value):
     (own_study / "other.yaml").write_text(yaml.safe_dump({"study": "other", "scan": {key: value}}))
     run = quick(own_study, "several", "-n", overlays=["few.yaml", "other.yaml"])
     outputs = [
@@ -69,13 +69,13 @@ def test_another_study_replaces_nothing_that_the_first_has_made(own_study, key, 
     assert outputs and not any((own_study / path).exists() for path in outputs)
 
 
-def test_more_forces_make_the_fit_again(own_study):
+def test_more_forces_repeat_only_the_fit(own_study):
     path = own_study / "my.csv"
     with changed(path, path.read_text() + "twin,1.0,uN\n"):
         assert planned(own_study) == {"fit_forces", "answer_surfaces", "describe_crate"}
 
 
-def test_a_column_makes_again_what_depends_on_it(own_study):
+def test_a_changed_column_repeats_exactly_its_dependents(own_study):
     path = own_study / "config/several.tsv"
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"

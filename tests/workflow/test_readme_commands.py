@@ -182,7 +182,7 @@ def typed_in(folder, readme):
 
 
 @pytest.mark.usefixtures("loaded")
-def test_every_command_does_what_it_says(tmp_path):
+def test_every_command_of_the_documentation_works(tmp_path):
     planned = set()
     for readme in READMES:
         folder = copy_repository(tmp_path / readme.replace("/", "-"))

@@ -21,7 +21,7 @@ def test_links_lead_to_files(path):
 
 
 @pytest.mark.parametrize("path", TEXTS, ids=lambda path: str(path.relative_to(ROOT)))
-def test_files_that_a_text_names_exist(path):
+def test_files_named_in_the_documentation_exist(path):
     folders = "tests|profiles|workflow|config|resources"
     paths_named = set(re.findall(rf"`(?:python )?((?:{folders})/[\w./-]+)[` ]", path.read_text()))
     made_by_the_user = {

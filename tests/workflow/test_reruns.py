@@ -178,7 +178,7 @@ def said_otherwise(folder):
         append_line(path)(folder)
 
 
-def test_what_says_the_same_makes_nothing(dry):
+def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
     assert dry(change=said_otherwise) == []
 
 
@@ -208,19 +208,19 @@ def overlay(key, value):
             "synthesize_masters", "filter_masters", "compute_law_forces", "aggregate_scales"}),
     ],
 )  # fmt: skip
-def test_a_key_makes_again_what_depends_on_it(dry, graph, key, value, concerned):
+def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, concerned):
     assert rules_of(dry(overlay(key, value))) == graph.following(
         graph.files_of_rules(concerned | KEPT)
     )
 
 
-def test_a_realization_more_computes_that_realization_alone(dry):
+def test_one_more_realization_computes_only_this_realization(dry):
     jobs = dry(overlay("scales.realizations", 3))
     force_files = [output for _, output in jobs if "store-quick" in output]
     assert force_files and all(re.search("realizations?-3", output) for output in force_files)
 
 
-def test_swept_values_lie_side_by_side_and_share_masters(dry):
+def test_swept_values_share_masters(dry):
     values = {
         "contact": {"preload": "12 uN"},
         "sphere": {"radius": "300 um"},
@@ -261,7 +261,7 @@ def reworded(folder):
     path.write_text(path.read_text().replace("The rms height of", "The rms roughness of"))
 
 
-def test_words_about_a_statement_compute_no_sets(dry):
+def test_rewording_a_statement_computes_no_sets(dry):
     jobs = rules_of(dry(change=reworded))
     assert "evaluate_claims" in jobs and "judge_sets" not in jobs
 
@@ -286,7 +286,7 @@ def append_line(path):
         "workflow/hardcontact/base/statistics.py",
     ],
 )
-def test_a_file_makes_again_what_is_made_from_it(dry, graph, path):
+def test_a_changed_file_repeats_exactly_its_dependents(dry, graph, path):
     readers = graph.readers(path)
     assert readers
     assert rules_of(dry(change=append_line(path))) == graph.following(readers)

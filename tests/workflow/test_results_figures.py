@@ -83,7 +83,7 @@ def unseen_tick_labels(axes):
         yield from labels - artists if axes.axison else axis.findobj(Text)
 
 
-def test_no_text_is_small_leaves_the_figure_or_covers_another(draw_checked, name):
+def test_texts_are_large_enough_inside_the_figure_and_do_not_overlap(draw_checked, name):
     _, figure = draw_checked(name)
     width, height = figure.get_size_inches()
     assert width == drawing.WIDTH and 2 < height < 9
@@ -150,7 +150,7 @@ def test_a_surface_has_one_colour(draw_checked, name):
         }
 
 
-def test_caption_is_short_and_names_what_is_published(draw_checked, name):
+def test_the_caption_is_short_and_names_published_values(draw_checked, name):
     title, short, rest_of_caption = caption(name, PAPER)
     assert 10 < len(title) < 80 and 20 < len(short.split()) <= 65 and rest_of_caption
     assert not any(
@@ -162,7 +162,7 @@ def test_caption_is_short_and_names_what_is_published(draw_checked, name):
         assert PUBLISHED_IN[name] in f"{short} {rest_of_caption}"
 
 
-def test_the_files_hold_the_same_table(draw_checked, results, name):
+def test_the_files_of_a_figure_have_the_same_table(draw_checked, results, name):
     table, _ = draw_checked(name)
     folder = results / "figures"
     written = table.to_csv(index=False, float_format="%.8g", lineterminator="\n")

@@ -20,7 +20,7 @@ from hardcontact.report.paper_answer import ANSWER_CLAIMS, EDGE_SIDES
 from hardcontact.report.quantities import printed
 
 
-def test_claims(results):
+def test_every_claim_has_a_verdict_and_a_basis(results):
     claims = pd.read_csv(results / "claims.csv")
     assert tuple(claims.columns) == COLUMNS
     assert set(claims.verdict) <= set(VERDICTS)
@@ -38,7 +38,7 @@ def not_told(texts, page):
     return [text for text in texts if text not in page_text]
 
 
-def test_pages_of_the_report(results):
+def test_every_page_of_the_report_is_complete(results):
     folder = results / "report"
     pages = {path.stem: path.read_text() for path in folder.iterdir() if path.is_file()}
     assert set(pages) == set(PAGES)
@@ -64,7 +64,7 @@ def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
     assert surfaces == set(SUBSTRATES)
 
 
-def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(results):
+def test_the_answer_shows_every_figure_and_is_self_contained(results):
     page = Page((results / "answer.html").read_text())
     sources = page.values("src")
     assert len(sources) == len(PAPER_FIGURES)
@@ -72,7 +72,7 @@ def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(result
     assert len(" ".join(page.texts["main"]).split()) <= 3000
 
 
-def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results):
+def test_the_page_on_the_band_is_complete_and_self_contained(results):
     page = Page((results / "insight.html").read_text())
     sources = page.values("src")
     assert len(sources) == len(page.texts["h2"]) == len(INSIGHT_FIGURES)
@@ -93,7 +93,7 @@ def test_the_page_on_the_band_has_the_edges_of_the_answer(results):
 
 
 @needs_browser
-def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
+def test_a_browser_shows_the_answer_on_phone_and_desk(results, tmp_path):
     page = (results / "answer.html").read_text()
     for fold in ("<details", 'class="chapter"'):
         page = page.replace(f"{fold}>", f"{fold} open>")
@@ -102,7 +102,7 @@ def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
         assert text_box["loaded"] == len(PAPER_FIGURES)
 
 
-def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
+def test_the_report_contains_the_answer_every_figure_and_every_page(finished, tmp_path):
     run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
     assert run.returncode == 0, run.stdout[-3000:]
     text = (tmp_path / "report.html").read_text()

@@ -19,7 +19,7 @@ def robustness(results):
     return dataset.read(results / "robustness.nc")
 
 
-def test_only_what_a_variant_concerns_is_another(robustness):
+def test_a_variant_changes_only_its_quantities(robustness):
     fitted = [name for name in robustness if robustness[name].dtype.kind == "f"]
     fitted = robustness[[name for name in fitted if "side" not in robustness[name].dims]]
     rough = fitted.sel(variant="rough_sphere")
@@ -32,7 +32,7 @@ def test_only_what_a_variant_concerns_is_another(robustness):
         assert (cutoffs.sel(variant=name) != cutoffs.sel(variant="baseline")).any(), name
 
 
-def test_loads_that_as_many_pixels_carry_are_one(robustness):
+def test_loads_carried_by_equally_many_pixels_have_equal_results(robustness):
     preload, hardness = (robustness.sel(variant=name) for name in ("preload-5uN", "hardness-47GPa"))
     for pixel in (2500 / 128, 5000 / 1024, 20000 / 1024):  # scans, masters of either side
         half, hard, study = (
@@ -47,7 +47,7 @@ def test_loads_that_as_many_pixels_carry_are_one(robustness):
     )
 
 
-def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished):
+def test_a_variant_of_a_surface_uses_the_same_random_numbers(finished):
     def heights(surface, variant):
         path = QUICK_PATTERNS.levelled.format(
             surface=surface, variant=variant, scan=1, shape="flat"

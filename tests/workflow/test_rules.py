@@ -6,12 +6,12 @@ import yaml
 from repository import ROOT, snakemake
 
 
-def test_lint_misses_nothing_but_environments(repository):
+def test_lint_finds_only_missing_environments(repository):
     lint_messages = re.findall(r"^    \* (.*):$", snakemake(repository, "--lint").stdout, re.M)
     assert set(lint_messages) == {"Specify a conda environment or container for each rule."}
 
 
-def test_the_cluster_profile_names_rules_there_are_and_the_resources_of_all_others(repository):
+def test_the_cluster_profile_names_existing_rules(repository):
     """Snakemake passes over a name that no rule has."""
     rules = {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
     for name in ("own_surfaces", "answer_surfaces"):  # of studies of own surfaces

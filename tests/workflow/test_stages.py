@@ -81,7 +81,7 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     assert "2 of 3 jobs done, about 0:01:20 left" in line  # 2 of 10 took 20 s
 
 
-def test_silence_is_broken(capsys, monkeypatch):
+def test_a_long_job_is_reported(capsys, monkeypatch):
     monkeypatch.setattr("snakemake_logger_plugin_stages.MAX_SILENCE_SECONDS", 0)
 
     def slow():
@@ -146,7 +146,7 @@ def test_the_message_of_a_rule_is_shown(capsys):
     assert lines[-1] == "claims is left out"
 
 
-def test_what_the_study_says_and_warnings_are_shown(capsys):
+def test_messages_of_the_study_and_warnings_are_shown(capsys):
     records = [
         (logging.INFO, STUDY_LOGGER, "open answer.html", {}),
         (logging.WARNING, "snakemake.logging", "disk is nearly full", {}),
@@ -156,12 +156,12 @@ def test_what_the_study_says_and_warnings_are_shown(capsys):
 
 
 @pytest.mark.parametrize("setting", ["dryrun", "verbose", "quiet"])
-def test_all_of_the_log_is_shown_where_it_is_asked_for(capsys, setting):
+def test_options_show_the_whole_log(capsys, setting):
     lines = show(capsys, [info("Select jobs to execute...")], **{setting: True})
     assert lines == ["Select jobs to execute..."]
 
 
-def test_a_file_that_does_not_exist_is_named_in_one_line(capsys):
+def test_a_missing_file_is_named_in_one_line(capsys):
     text = "Traceback (most recent call last):\n  File \"x.py\"\nFileNotFoundError: 'a.yaml'\n\n"
     fields = {"event": LogEvent.ERROR, "exception": "FileNotFoundError"}
     (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", text, fields)])
@@ -181,7 +181,7 @@ def test_a_file_that_does_not_exist_is_named_in_one_line(capsys):
          "--config: expected KEY=VALUE, found figures (targets stand before --config)"),
     ],
 )  # fmt: skip
-def test_words_of_the_command_line_are_refused_with_a_remedy(
+def test_misplaced_arguments_are_refused_with_a_remedy(
     capsys, monkeypatch, project_folder, words, message
 ):
     monkeypatch.setattr(sys, "argv", ["snakemake", *words])

@@ -112,7 +112,7 @@ def plans(finished, tmp_path_factory):
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
-def test_keys_that_no_path_has_change_no_file(plans, folder):
+def test_keys_outside_paths_change_no_file(plans, folder):
     independent_keys = IN_PATHS | FIXED
     other_keys = [
         key
