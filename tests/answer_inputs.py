@@ -80,40 +80,42 @@ MEASUREMENTS = {
 }  # fmt: skip
 
 
-def spectra(count=1, measured=MEASUREMENTS):
+def spectra(count=1, scans=MEASUREMENTS):
     """Return joined spectra; the last surface has one measurement less, as far as there are two."""
     bins = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    parts = []
-    for place in range(count):
-        names = list(measured)[: len(measured) - (place > 0)]
-        parts.append(_spectra_of(bins, {name: measured[name] for name in names}))
+    surfaces_spectra = []
+    for index in range(count):
+        names = list(scans)[: len(scans) - (index > 0)]
+        surfaces_spectra.append(_spectra_of(bins, {name: scans[name] for name in names}))
     # Where a surface has fewer measurements, numbers are padded by NaN and texts by "".
-    joined = xr.concat(parts, "surface", join="outer", fill_value={
-        name: "" if parts[0][name].dtype.kind == "U" else np.nan for name in parts[0].data_vars
-    })  # fmt: skip
-    return joined.assign_coords(surface=SURFACES[:count]).assign(label=("surface", LABELS[:count]))
+    padding = {
+        name: "" if values.dtype.kind == "U" else np.nan
+        for name, values in surfaces_spectra[0].data_vars.items()
+    }
+    table = xr.concat(surfaces_spectra, "surface", join="outer", fill_value=padding)
+    return table.assign_coords(surface=SURFACES[:count]).assign(label=("surface", LABELS[:count]))
 
 
-def _spectra_of(bins, measured):
+def _spectra_of(bins, scans):
     rng = generator()
     wavelength = 2 * np.pi / bins
     columns = dict(zip(
         ("kind", "size", "pixel_size", "shortest_reliable", "longest_reliable",
          "limited_by", "tip_radius"),
-        zip(*measured.values(), strict=True), strict=True,
+        zip(*scans.values(), strict=True), strict=True,
     ))  # fmt: skip
     psd, reliable = [], []
-    for _, size, pixel, short, long, *_ in measured.values():
-        inside = (wavelength > 2 * pixel) & (wavelength < size)
+    for _, size, pixel, short, long, *_ in scans.values():
+        is_resolved = (wavelength > 2 * pixel) & (wavelength < size)
         noisy = power_law(bins) * np.exp(0.15 * rng.normal(size=bins.size)) + power_law(
             2 * np.pi / short
         ) * (wavelength < short)
-        psd.append(np.where(inside, noisy, np.nan))
-        reliable.append((inside & (wavelength >= short) & (wavelength <= long)).astype("int8"))
-    known = np.where(reliable, psd, np.nan)
-    logarithm = np.log(known)
+        psd.append(np.where(is_resolved, noisy, np.nan))
+        reliable.append((is_resolved & (wavelength >= short) & (wavelength <= long)).astype("int8"))
+    reliable_psd = np.where(reliable, psd, np.nan)
+    logarithm = np.log(reliable_psd)
     count = np.isfinite(logarithm).sum(axis=0)
-    joined = np.exp(np.nansum(logarithm, axis=0) / np.where(count, count, np.nan))
+    joined_density = np.exp(np.nansum(logarithm, axis=0) / np.where(count, count, np.nan))
     texts = {name: [str(value) for value in columns.pop(name)]
              for name in ("kind", "limited_by")}  # fmt: skip
     return xr.Dataset(
@@ -122,13 +124,13 @@ def _spectra_of(bins, measured):
                                                 power_law(WAVEVECTORS), 0)),
             "psd": (("measurement", "bin_wavevector"), psd),
             "reliable": (("measurement", "bin_wavevector"), reliable),
-            "joined_psd": ("bin_wavevector", joined),
+            "joined_psd": ("bin_wavevector", joined_density),
             **{name: ("measurement", np.array(values, float)) for name, values in columns.items()},
             **{name: ("measurement", values) for name, values in texts.items()},
-            **{name: ("measurement", np.full(len(measured), np.nan)) for name in DEFECT_UNITS},
-            "path": ("measurement", [f"scans/{name}" for name in measured]),
-            "dataset": ("measurement", [""] * len(measured)),
-            "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(measured) - 1)),
+            **{name: ("measurement", np.full(len(scans), np.nan)) for name in DEFECT_UNITS},
+            "path": ("measurement", [f"scans/{name}" for name in scans]),
+            "dataset": ("measurement", [""] * len(scans)),
+            "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(scans) - 1)),
             "shortest_measured": min(columns["shortest_reliable"]),
             "longest_measured": max(columns["longest_reliable"]),
             "rolloff": 1.5 * max(columns["longest_reliable"]),
@@ -139,7 +141,7 @@ def _spectra_of(bins, measured):
             "tail_fit_longest": 10 * min(columns["shortest_reliable"]),
             "tail_ended_by": "atoms",
         },
-        {"measurement": np.arange(1, len(measured) + 1), "wavevector": WAVEVECTORS,
+        {"measurement": np.arange(1, len(scans) + 1), "wavevector": WAVEVECTORS,
          "bin_wavevector": bins},
     )  # fmt: skip
 
@@ -149,11 +151,11 @@ def edges(count=1):
     surfaces = SURFACES[:count]
     cutoffs = np.unique(np.concatenate(list(CUTOFFS.values())))
     ratio = np.full((count, 2, cutoffs.size), np.nan)
-    for place, side in enumerate(SIDES):
-        known = np.isin(cutoffs, CUTOFFS[side])
+    for index, side in enumerate(SIDES):
+        is_computed = np.isin(cutoffs, CUTOFFS[side])
         # The change is a tenth at the edge and grows in proportion away from the unfiltered end.
-        share = cutoffs[known] / EDGES[side]
-        ratio[:, place, known] = 1 + 0.1 * (share if side == "small" else 1 / share)
+        share = cutoffs[is_computed] / EDGES[side]
+        ratio[:, index, is_computed] = 1 + 0.1 * (share if side == "small" else 1 / share)
     edge = np.tile([EDGES[side] for side in SIDES], (count, 1))
     data = xr.Dataset(
         between_multiples("scale_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
@@ -173,21 +175,21 @@ def edges(count=1):
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
 
 
-def with_edge(edge, low, high, side="small"):
-    """Return edges of which one lies elsewhere, beyond which the change grows fast."""
+def move_edge(edge, low, high, side="small"):
+    """Return edges with another edge on a side; the change grows fast beyond it."""
     data = edges()
     data["edge"].loc[{"side": side}] = edge
     data["edge_interval"].loc[{"side": side}] = [low, high]
     share = (
         data["cutoff_wavelength"] / edge if side == "small" else edge / data["cutoff_wavelength"]
     )
-    known = data["scale_ratio"].sel(side=side).notnull()
-    data["scale_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(known)
+    is_computed = data["scale_ratio"].sel(side=side).notnull()
+    data["scale_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(is_computed)
     return data
 
 
 def unresolved_edges():
-    """Return edges of which neither is found, as the force changes at no cutoff."""
+    """Return edges without values, because the force changes at no cutoff."""
     data = edges()
     data["scale_ratio"] = data["scale_ratio"] * 0 + 1.01
     data["edge"] *= np.nan
@@ -201,22 +203,22 @@ def unresolved_edges():
 
 
 def open_edges(count=1):
-    """Return edges of which the long one lies beyond the cell; intervals of one scan's parts."""
+    """Return edges whose long edge lies beyond the cell, with intervals from parts of one scan."""
     data = edges(count)
-    at = {"side": "large"}
-    data["edge"].loc[at] = np.nan
-    data["edge_interval"].loc[at] = np.nan
-    data["edge_bound"].loc[at] = CUTOFFS["large"][-1]
-    data["edge_bound_is_lower"].loc[at] = 1
+    large_side = {"side": "large"}
+    data["edge"].loc[large_side] = np.nan
+    data["edge_interval"].loc[large_side] = np.nan
+    data["edge_bound"].loc[large_side] = CUTOFFS["large"][-1]
+    data["edge_bound_is_lower"].loc[large_side] = 1
     for name, value in {
         "edge_status": "beyond the cell",
         "edge_interval_status": "open",
     }.items():
         values = data[name].astype(object)
-        values.loc[at] = value
+        values.loc[large_side] = value
         data[name] = values.astype(str)
     ratio = data["scale_ratio"].sel(side="large")
-    data["scale_ratio"].loc[at] = ratio.where(ratio.isnull(), 1.2)
+    data["scale_ratio"].loc[large_side] = ratio.where(ratio.isnull(), 1.2)
     data["conditional"][:] = 1
     return data.assign(interval_source=("surface", ["quarters"] * count))
 
@@ -254,13 +256,11 @@ def force(count=1):
 
 
 def extrapolated_force(count=1):
-    """Return forces with continued roughness, as on the scans."""
-    continued = np.tile(0.64e-6 * np.arange(1, count + 1)[:, None], 2)
+    """Return forces with extrapolated roughness, which changes no force."""
+    forces = np.tile(0.64e-6 * np.arange(1, count + 1)[:, None], 2)
     axes = ("surface", "side")
     data = xr.Dataset(
-        between_multiples(
-            "extrapolated_force", axes, continued, (0.8, 1.25), CONFIDENCE, units="N"
-        ),
+        between_multiples("extrapolated_force", axes, forces, (0.8, 1.25), CONFIDENCE, units="N"),
         {"surface": SURFACES[:count], "side": SIDES},
     )
     return data.assign(
@@ -271,26 +271,26 @@ def extrapolated_force(count=1):
     )
 
 
-def continued(data, **factors):
-    """Return forces that continued roughness changes by a factor on a side, beyond the interval."""
-    changed = data.copy(deep=True)
+def scale_extrapolated_force(data, **factors):
+    """Return forces that extrapolated roughness changes by a factor, beyond the interval."""
+    scaled = data.copy(deep=True)
     for side, factor in factors.items():
         for name in ("extrapolated_force", "extrapolated_force_interval"):
-            changed[name].loc[{"side": side}] *= factor
-        changed["extrapolation_matters"].loc[{"side": side}] = 1
-    return changed
+            scaled[name].loc[{"side": side}] *= factor
+        scaled["extrapolation_matters"].loc[{"side": side}] = 1
+    return scaled
 
 
-def without_interval(of_force):
+def drop_interval(force_data):
     """Return forces without an interval: one scan that is too small to be cut."""
-    return of_force.assign(
-        force_interval=of_force["force_interval"] * np.nan,
-        interval_source=("surface", ["none"] * of_force.sizes["surface"]),
+    return force_data.assign(
+        force_interval=force_data["force_interval"] * np.nan,
+        interval_source=("surface", ["none"] * force_data.sizes["surface"]),
     )
 
 
 def fit(count=1):
-    """Return the fit to forces measured on so many surfaces: W(RANGE) = WORK on each of them."""
+    """Return the fit to forces measured on a number of surfaces: W(RANGE) = WORK on each."""
     surfaces = SURFACES[:count]
     rho = np.union1d(np.geomspace(RHOS[0], RHOS[-1], 41), RHOS)
     exponents = np.array([0.5, 0.9])[:count]
@@ -326,7 +326,7 @@ def fit(count=1):
 
 
 def extrapolated_work(count):
-    """Return the works of adhesion with continued roughness, half of WORK, on so many surfaces."""
+    """Return works of adhesion with extrapolated roughness, half of WORK on each surface."""
     axes = ("surface", "side")
     work = np.full((count, 2), WORK / 2)
     return between_multiples(
@@ -339,10 +339,10 @@ def extrapolated_work(count):
 
 
 def datasets(count=1, **others):
-    """Return all datasets of so many surfaces, without a fit; `others` replace some."""
-    made = {"topography": topography(count), "spectra": spectra(count), "edges": edges(count),
+    """Return all datasets of a number of surfaces, without a fit; `others` replace datasets."""
+    defaults = {"topography": topography(count), "spectra": spectra(count), "edges": edges(count),
             "force": force(count), "fit": None}  # fmt: skip
-    return Datasets(**made | others)
+    return Datasets(**defaults | others)
 
 
 PAIRS = [
@@ -362,5 +362,5 @@ def setting(left_out=(), effort="full"):
         "preload": "10 µN",
     }  # fmt: skip
     citation = {"title": "Which scales of roughness matter?", "version": "4.0.0"}
-    of_paper = ["hardness", "work of adhesion"]
-    return Setting("my-coating", effort, contact, of_paper, list(left_out), citation, PAIRS)
+    paper_values = ["hardness", "work of adhesion"]
+    return Setting("my-coating", effort, contact, paper_values, list(left_out), citation, PAIRS)

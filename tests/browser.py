@@ -36,37 +36,37 @@ PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify
     }})) }</script>"""
 
 
-def shown(html, folder):
-    """Open a page at each of WIDTHS (pixels) and return what was measured, lengths in pixels."""
+def measure_page(html, folder):
+    """Open a page at each of WIDTHS (pixels) and return measures, lengths in pixels."""
     frames = "".join(
         f'<iframe width="{width}" height="844" style="border: 0" srcdoc="{escape(html)}"></iframe>'
         for width in WIDTHS
     )
-    return _told(frames + PROBE, folder)
+    return _run_in_browser(frames + PROBE, folder)
 
 
-def used(html, script, folder):
-    """Open a page and return what a script tells that acts on it.
+def run_on_page(html, script, folder):
+    """Open a page and return the result of a script that acts on it.
 
-    `script` is the body of a function of the page's `document` and `window` that returns what JSON
-    can say.
+    `script` is the body of a function of the page's `document` and `window`. JSON can hold its
+    result.
     """
     page = f'<iframe width="1200" height="844" srcdoc="{escape(html)}"></iframe>'
     act = f"""<script>onload = async () => {{
       const window = document.querySelector("iframe").contentWindow;
       const told = await (async (document, window) => {{{script}}})(window.document, window);
       document.body.dataset.shown = JSON.stringify(told); }}</script>"""
-    return _told(page + act, folder)
+    return _run_in_browser(page + act, folder)
 
 
-def _told(body, folder):
-    """Return what the script of a document leaves in it."""
+def _run_in_browser(body, folder):
+    """Return the result that the script of a document leaves in it."""
     probe = folder / "probe.html"
     probe.write_text(f'<!DOCTYPE html><meta charset="utf-8"><body>{body}</body>', "utf-8")
-    as_root = ["--no-sandbox"] if os.geteuid() == 0 else []  # which the browser asks of root
-    command = [BROWSER, *OPTIONS, *as_root, f"--user-data-dir={folder / 'profile'}"]
-    made = subprocess.run(
+    root_options = ["--no-sandbox"] if os.geteuid() == 0 else []  # which the browser asks of root
+    command = [BROWSER, *OPTIONS, *root_options, f"--user-data-dir={folder / 'profile'}"]
+    run = subprocess.run(
         [*command, probe.as_uri()], capture_output=True, text=True, timeout=120, check=True
     )
-    found = re.search(r'<body data-shown="(.*?)">', made.stdout)
-    return json.loads(unescape(found[1]))
+    result = re.search(r'<body data-shown="(.*?)">', run.stdout)
+    return json.loads(unescape(result[1]))

@@ -1,4 +1,4 @@
-"""Fixtures: a copy of the repository, one of them with the finished quick study, and the tiers."""
+"""Fixtures: a copy of the repository, the finished quick study, and the tiers of tests."""
 
 import os
 import shutil
@@ -22,18 +22,18 @@ STUDIES = {"finished", "own", "probe"}
 
 
 def pytest_unconfigure():
-    """Remove what hypothesis kept."""
+    """Remove the files of hypothesis."""
     HYPOTHESIS.cleanup()
 
 
 def pytest_xdist_auto_num_workers(config):
-    """Run in one process what starts Snakemake, which uses all cores itself."""
+    """Run tests that start Snakemake in one process, because it uses all cores itself."""
     return None if "not study" in config.option.markexpr else 0
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Mark what needs a finished study with `study`, unless it is a test of the system.
+    """Mark tests that need a finished study with `study`, unless they test the system.
 
     A process takes whole files, and all files on own surfaces, whose studies they share.
     """
@@ -60,7 +60,7 @@ def repository(tmp_path_factory):
 def finished(tmp_path_factory):
     """Run the quick study in a copy of the repository; not to be changed.
 
-    Processes that share the tests share the run, too, and have a copy each.
+    Processes that share the tests also share the run, and each has a copy.
     """
     shared = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
@@ -85,6 +85,6 @@ def quick_study(folder):
 
 @pytest.fixture
 def finished_copy(finished, tmp_path):
-    """Copy the finished quick study, to be changed; its some 90 MB are removed again."""
+    """Copy the finished quick study, to be changed, and remove the copy (90 MB) afterwards."""
     yield shutil.copytree(finished, tmp_path / "copy")
     shutil.rmtree(tmp_path / "copy")

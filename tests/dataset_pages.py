@@ -9,19 +9,19 @@ from hardcontact.report.dataset_dictionary import PAGE, meanings, rows_of
 SHARED = {"adhesion", "scales", "topography"}
 
 
-def described():
+def described_rows():
     """Return the names of variables on the page, by dataset."""
-    _, *parts = re.split(r"^## (\w+)\.nc$", PAGE.read_text("utf-8"), flags=re.M)
+    _, *sections = re.split(r"^## (\w+)\.nc$", PAGE.read_text("utf-8"), flags=re.M)
     return {
         name: set(re.findall(r"^\| (`.+?) \| ", text, re.M))
-        for name, text in zip(parts[::2], parts[1::2], strict=True)
+        for name, text in zip(sections[::2], sections[1::2], strict=True)
     }
 
 
 def made_variables(results):
-    """Return the same of the datasets in a folder of results."""
-    known = meanings()
+    """Return the names of variables of the datasets in a folder of results."""
+    variable_meanings = meanings()
     return {
-        path.stem: set(rows_of(path.stem, dataset.read(path), known))
+        path.stem: set(rows_of(path.stem, dataset.read(path), variable_meanings))
         for path in results.glob("*.nc")
     }

@@ -1,4 +1,4 @@
-"""Eq. 3 summed over every pixel: what the fast sums are checked against."""
+"""Eq. 3 summed over every pixel: the oracle of the fast sums."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Snakemake, run within a process of its own in which the other packages are loaded already."""
+"""Run Snakemake in a separate process that has already loaded the other packages."""
 
 import multiprocessing
 import os
@@ -11,7 +11,7 @@ from repository import PARTS
 
 
 def forked(function, *arguments):
-    """Return what a function returns in a process of its own, which starts without the library."""
+    """Return the result of a function in a separate process, which starts without the library."""
     context = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe()
     process = context.Process(target=lambda: theirs.send(function(*arguments)))
@@ -25,29 +25,29 @@ def forked(function, *arguments):
         process.join()
 
 
-def without_library():
+def forget_library():
     """Forget the library that this process has loaded."""
     for name in [name for name in sys.modules if name.partition(".")[0] == "hardcontact"]:
         del sys.modules[name]
 
 
 def linked_copy(finished, folder):
-    """Copy what a finished study needs, to be changed, beside links to its results."""
+    """Copy the sources of a finished study, to be changed, and link its results."""
     folder.mkdir()
-    for part in PARTS:
-        copy = shutil.copytree if (finished / part).is_dir() else shutil.copy2
-        copy(finished / part, folder / part)
-    for part in ("results", ".snakemake"):
-        (folder / part).symlink_to(finished / part)
+    for name in PARTS:
+        copy = shutil.copytree if (finished / name).is_dir() else shutil.copy2
+        copy(finished / name, folder / name)
+    for name in ("results", ".snakemake"):
+        (folder / name).symlink_to(finished / name)
     return folder
 
 
 def run_here(folder, *arguments):
-    """Run Snakemake in this process, in a folder with its own library; return what it printed."""
+    """Run Snakemake in this process, in a folder with its own library; return its output."""
     from snakemake.cli import main
 
     os.chdir(folder)
-    without_library()
+    forget_library()
     sys.path.insert(0, str(folder / "workflow"))
     sys.stdout = sys.stderr = open("output", "w", buffering=1)
     code = 0

@@ -1,4 +1,4 @@
-"""What a browser makes of a page: its tags, texts, pictures, links and rows of tables."""
+"""A page as a browser sees it: tags, texts, pictures, links and rows of tables."""
 
 from html.parser import HTMLParser
 
@@ -7,9 +7,9 @@ VOID = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "sour
 
 
 class Page(HTMLParser):
-    """A page as it is read, whose every element ends where it has to.
+    """A parsed page; every element must have its end.
 
-    `attributes` are those of every element by its tag, `texts` what stands in them.
+    `attributes` and `texts` have the attributes and the text of every element, by tag.
     """
 
     def __init__(self, html):
@@ -33,11 +33,16 @@ class Page(HTMLParser):
         assert tag not in VOID and self.inside.pop()[0] == tag, (tag, self.getpos())
 
     def handle_data(self, data):
-        for tag, place in self.inside:
-            self.texts[tag][place] += data
+        for tag, index in self.inside:
+            self.texts[tag][index] += data
         if {"td", "th"} & {tag for tag, _ in self.inside}:
             self.rows[-1][-1] += data + " "
 
     def values(self, name):
-        """All values of an attribute, of whatever elements."""
-        return [of[name] for every in self.attributes.values() for of in every if name in of]
+        """Return all values of an attribute, of any element."""
+        return [
+            attributes[name]
+            for elements in self.attributes.values()
+            for attributes in elements
+            if name in attributes
+        ]

@@ -13,7 +13,7 @@ SLOPES = np.array([2.0, 1.3, 0.7, 0.4])
 
 
 def power_curves(rho=4.0, work=0.05):
-    """Forces (surface, rho) at 1 J/m² that meet the published ones at rho and work."""
+    """Forces (surface, rho) at 1 J/m² that meet the published forces at rho and work."""
     return MEAN_FORCE[:, None] / work * (RHOS / rho) ** SLOPES[:, None]
 
 

@@ -1,4 +1,4 @@
-"""Forces on masters whose ratios to the unfiltered ones are known, as in scales.nc."""
+"""Forces on masters with known ratios to the unfiltered force, as in scales.nc."""
 
 import numpy as np
 import xarray as xr

@@ -11,19 +11,19 @@ from hardcontact.surfaces.synthesis import random_surface
 
 
 def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
-    """A map or a line scan, by the dimensions of its heights in nm."""
+    """Return a map or a line scan, by the dimensions of its heights (nm)."""
     kind = "map" if heights.ndim == 2 else "profile"
     return Measurement(path, "", "Height", "nm", kind, heights, pixel_size, tip_radius, (), 0)
 
 
 def map_of(rng, pixels, pixel_size, density=uncd, **stated):
-    """A map, cut out of a random surface of twice its size."""
+    """Return a map, cut out of a random surface of twice its size."""
     surface = random_surface(rng, 2 * pixels, pixel_size, density)
     return measurement(surface.heights[:pixels, :pixels].astype(float), pixel_size, **stated)
 
 
 def line_of(rng, points, spacing, density=uncd, **stated):
-    """A line scan of a surface that has waves below and above what the scan resolves.
+    """A line scan of a surface with waves below and above the range of the scan.
 
     A sum of waves of random phases on a profile of four times the length, with the C_1D of the
     surface.
@@ -37,7 +37,7 @@ def line_of(rng, points, spacing, density=uncd, **stated):
 
 
 def two_sizes_and_a_line(seed):
-    """A map of 10 µm, one of 1 µm and a line of 40 µm of one surface."""
+    """Return a map of 10 µm, a map of 1 µm and a line of 40 µm of the same surface."""
     return [
         map_of(generator(seed, 0), 256, 40.0, gentle, path="large.spm"),
         map_of(generator(seed, 1), 256, 4.0, gentle, path="small.spm"),
@@ -54,6 +54,6 @@ def periodic_profile(density, count, spacing):
 def profile_of(density, wavevector):
     """C_1D in nm³ by numerical integration of (1/pi) ∫ C_iso dq_y."""
     ratio = np.logspace(-5, 4, 1001)
-    across = wavevector[:, None] * ratio
-    values = density(np.hypot(wavevector[:, None], across)) * across
+    q_y = wavevector[:, None] * ratio
+    values = density(np.hypot(wavevector[:, None], q_y)) * q_y
     return np.trapezoid(values, np.log(ratio), axis=1) / np.pi

@@ -12,9 +12,9 @@ from scan_files import nanoscope
 
 #: Real scans, which stay where they are.
 SHARED = ROOT.parent / "shared" / "scans"
-#: Of the counts of a Nanoscope file, in nm.
+#: Height of a count of a Nanoscope file, in nm.
 COUNT = 0.1
-#: In nm, one of those computed, and in J/m²: what own forces follow.
+#: Range in nm (a computed one) and work in J/m² of the own forces.
 RANGE, WORK = 5.6, 0.05
 #: Targets of the paper's study that own surfaces leave out.
 LEFT_OUT = {
@@ -40,8 +40,8 @@ def quick(folder, name, *arguments, overlays=()):
     )
 
 
-def made(folder, name, *arguments):
-    """Make a study from files by both commands; return its results and what `new` said."""
+def make_study(folder, name, *arguments):
+    """Make a study from files by both commands; return its results and the messages."""
     done = new(folder, name, *arguments)
     assert done.returncode == 0, done.stderr
     run = quick(folder, name)
@@ -76,17 +76,17 @@ def spm(path, heights, size):
 
 def forces_on(adhesion, surface, rng):
     """Forty forces in µN, log-normal about the mean force of a surface at RANGE and WORK."""
-    of_surface = adhesion.pull_off_force.sel(surface=surface, contact_model="plastic")
-    mean = WORK * float(of_surface.sel(rho=RANGE, method="nearest").mean()) * 1e6
+    surface_forces = adhesion.pull_off_force.sel(surface=surface, contact_model="plastic")
+    mean = WORK * float(surface_forces.sel(rho=RANGE, method="nearest").mean()) * 1e6
     return mean * np.exp(rng.normal(-(0.5**2) / 2, 0.5, size=40))
 
 
 @contextmanager
-def changed(path, text):
-    """Change a file for a while."""
-    before = path.read_text()
+def change_file(path, text):
+    """Change a file inside a block."""
+    original = path.read_text()
     path.write_text(text)
     try:
         yield
     finally:
-        path.write_text(before)
+        path.write_text(original)

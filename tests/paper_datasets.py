@@ -1,4 +1,4 @@
-"""Datasets and Table 1 of which the page of the paper's study takes numbers, as small as it can."""
+"""Small datasets and Table 1 for the page of the paper's study."""
 
 import json
 
@@ -27,10 +27,10 @@ def published_table1() -> pd.DataFrame:
 
 
 def topography(pixels: int = 512) -> xr.Dataset:
-    """Return surfaces whose moments are the published ones, those of scans by construction."""
+    """Return surfaces with the published moments; scans have them by construction."""
     names = [*SUBSTRATES, "ruby"]
     printed = {name: np.array(values) for name, (values, _) in TABLE1.items()}
-    on_scans = {
+    scan_moments = {
         "rms_height": printed["afm_rms_height"],
         "rms_gradient": printed["afm_rms_slope"],
         "rms_profile_slope": printed["afm_rms_slope"] / np.sqrt(2),
@@ -44,8 +44,8 @@ def topography(pixels: int = 512) -> xr.Dataset:
         "rms_half_laplacian": printed["all_rms_curvature"],
         "rms_laplacian": printed["all_rms_curvature"] * 2,
     }
-    moments = {f"{name}_mean": [*values, 0.7] for name, values in on_scans.items()}
-    moments |= {f"{name}_std": [*(0.1 * values), 0.07] for name, values in on_scans.items()}
+    moments = {f"{name}_mean": [*values, 0.7] for name, values in scan_moments.items()}
+    moments |= {f"{name}_std": [*(0.1 * values), 0.07] for name, values in scan_moments.items()}
     moments |= {f"all_scales_{name}": [*values, np.nan] for name, values in all_scales.items()}
     constructed = "afm_rms_height,afm_rms_slope,afm_rms_curvature"
     return xr.Dataset(
@@ -68,9 +68,9 @@ def topography(pixels: int = 512) -> xr.Dataset:
 def band() -> xr.Dataset:
     """Return a band with both edges of all substrates, changes NaN where a side has no cutoff."""
     cutoffs = np.concatenate(list(CUTOFFS.values()))
-    known = np.array([np.isin(cutoffs, of_side) for of_side in CUTOFFS.values()])
+    is_computed = np.array([np.isin(cutoffs, side_cutoffs) for side_cutoffs in CUTOFFS.values()])
     groups = [*SUBSTRATES, "pooled"]
-    change = xr.DataArray(np.where(known, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
+    change = xr.DataArray(np.where(is_computed, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
     return xr.Dataset(
         {
             "scale_change": change.expand_dims(group=groups),
@@ -104,7 +104,7 @@ def sets() -> xr.Dataset:
 
 
 def scales(contacts: int = 20) -> xr.Dataset:
-    """Return how many contacts and realizations the forces on filtered surfaces have."""
+    """Return forces on filtered surfaces, with a number of contacts and realizations."""
     forces = ("contact_y", "realization"), np.ones((contacts, 5))
     return xr.Dataset({"pull_off_force": forces}, attrs={"rho": 5.6})
 
@@ -138,7 +138,7 @@ def leave_one_out() -> xr.Dataset:
 
 
 def protruded() -> xr.Dataset:
-    """Return fits of sets with two protruded surfaces, of which one has the published forces."""
+    """Return fits of sets with two protruded surfaces; only the second has the published forces."""
     scatter = np.random.default_rng(3).lognormal(0, 0.2, (2, SETS))
     axes = ("draw", "set")
     return xr.Dataset(

@@ -1,4 +1,4 @@
-"""What the paper prints of its surfaces, in their order."""
+"""Numbers that the paper prints about its surfaces, in their order."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What the page of the paper's study is made from, small: claims, datasets, figures, captions."""
+"""Small inputs of the page of the paper's study: claims, datasets, figures, captions."""
 
 from functools import cache
 
@@ -27,7 +27,7 @@ CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 
 
 def claims():
-    """Every statement of the paper, each with numbers of its own and one verdict after another."""
+    """Return every statement of the paper with its own numbers; the verdicts alternate."""
     numbers = np.arange(len(STATEMENTS)) + 1.0
     return STATEMENTS.assign(
         computed=1.01 * numbers,
@@ -44,7 +44,7 @@ def claims():
 
 @cache
 def datasets(contacts=20, pixels=512):
-    """The datasets that the page takes numbers from, not to be changed; the band has two edges."""
+    """Return the datasets of the page, not to be changed; the band has two edges."""
     return {
         "topography": topography(pixels),
         "scales": scales(contacts),
@@ -58,7 +58,7 @@ def datasets(contacts=20, pixels=512):
 
 
 def answer(rows=None, **changed):
-    """The answer of the study, of other claims or datasets if they are given."""
+    """Return the answer of the study, from other claims or datasets if given."""
     table = claims() if rows is None else rows
     return paper_answer(table, datasets() | changed, CONSTANTS, published_table1())
 
@@ -69,8 +69,8 @@ def svg(colour):
 
 
 def figures():
-    """A picture for each figure of the study, each of another colour."""
-    return {name: svg(f"#{place:03}") for place, name in enumerate(PAPER_FIGURES)}
+    """Return a picture for each figure of the study, with different colours."""
+    return {name: svg(f"#{index:03}") for index, name in enumerate(PAPER_FIGURES)}
 
 
 def captions():
@@ -81,8 +81,8 @@ def captions():
     }
 
 
-def made_page(of=None):
+def make_page(page_answer=None):
     """The page."""
-    of = answer() if of is None else of
-    head = paper_head(PAPER, CITATION["version"], paper_headline(of))
-    return paper_page(of, head, figures(), captions(), CITATION)
+    page_answer = answer() if page_answer is None else page_answer
+    head = paper_head(PAPER, CITATION["version"], paper_headline(page_answer))
+    return paper_page(page_answer, head, figures(), captions(), CITATION)

@@ -6,6 +6,14 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry, contact_positi
 from hardcontact.surfaces.height_map import HeightMap
 
 RADIUS = 250e3  # nm
+#: Pixels, pixel size (nm), rms height (nm), pixels of the sphere's roughness and pixels of the
+#: window; tiles of the map fit the window or not.
+CASES = [
+    (128, 40.0, 20.0, 128, 320),
+    (100, 50.0, 3.0, 100, 250),
+    (96, 50.0, 60.0, 70, 200),
+    (256, 20.0, 10.0, 256, 200),
+]
 
 
 def periodic_noise(pixels, rms, seed):
@@ -22,7 +30,7 @@ def height_map(heights, pixel_size):
     return HeightMap(heights, pixel_size, True, "substitute")
 
 
-def over(heights, roughness, pixel_size, window, contacts, radius=RADIUS):
+def make_bodies(heights, roughness, pixel_size, window, contacts, radius=RADIUS):
     """Bodies of a substrate (n, n), and of a roughness (m, m) or a smooth sphere (None)."""
     positions = contact_positions(len(heights), contacts)
     return Bodies(

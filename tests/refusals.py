@@ -1,10 +1,10 @@
-"""Refusals of bad input: one line a fault that says what was expected."""
+"""Refusals of faulty input have one line per fault, with the expected input."""
 
 import pytest
 
 
 def refusal(call, *arguments):
-    """Return the lines with which a call refuses its input: each says what was expected."""
+    """Return the message of a call that refuses its input; each line has "expected"."""
     with pytest.raises(ValueError) as caught:
         call(*arguments)
     message = str(caught.value)
@@ -14,5 +14,5 @@ def refusal(call, *arguments):
 
 def assert_says(message, *parts):
     """Expect all parts in a message."""
-    for part in parts:
-        assert part in message, message
+    for text in parts:
+        assert text in message, message

@@ -9,7 +9,7 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).parents[1]
-#: What a study needs.
+#: Files and folders that a study needs.
 PARTS = [
     "Snakefile", "environment.txt", "README.md", "CITATION.cff", "workflow", "config", "resources",
     "profiles",
@@ -17,8 +17,8 @@ PARTS = [
 QUICK = "config/quick.yaml"
 PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
-#: What robustness makes otherwise in the quick study, as it stands in paths.
-OTHERWISE = [
+#: Variants of surfaces in the robustness of the quick study, as in paths.
+VARIANT_SURFACES = [
     "polished_uncd/laplacian", "uncd/laplacian", "ncd/laplacian", "mcd/laplacian",
     "polished_uncd/skewness+0.5",
 ]  # fmt: skip
@@ -27,18 +27,18 @@ CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")
 
 
 def copy_repository(target):
-    """Copy what a study needs, without results; return `target`."""
+    """Copy the files that a study needs, without results; return `target`."""
     target.mkdir()
-    for part in PARTS:
-        if (ROOT / part).is_dir():
-            shutil.copytree(ROOT / part, target / part, ignore=CACHES)
+    for name in PARTS:
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, target / name, ignore=CACHES)
         else:
-            shutil.copy2(ROOT / part, target / part)
+            shutil.copy2(ROOT / name, target / name)
     return target
 
 
 def environment(folder):
-    """Return the environment in which a copy of the repository runs with its own library.
+    """Return the environment that makes a copy of the repository use its own library.
 
     The installed package is the library of the original.
     """
@@ -50,7 +50,7 @@ def environment(folder):
 
 
 def snakemake(folder, *arguments):
-    """Run Snakemake in a copy of the repository; its output is one text."""
+    """Run Snakemake in a copy of the repository, with one text as output."""
     return subprocess.run(
         [sys.executable, "-m", "snakemake", *arguments],
         cwd=folder,

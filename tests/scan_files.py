@@ -1,4 +1,4 @@
-"""Small scans and containers of scans, whole or cut short."""
+"""Write small scans and containers of scans, and truncate them."""
 
 import zipfile
 
@@ -9,7 +9,7 @@ from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContaine
 
 
 def heights(*shape):
-    """Return random heights, on 32 x 32 pixels if nothing else is said."""
+    """Return random heights, by default on 32 x 32 pixels."""
     return np.random.default_rng(1).standard_normal(shape or (32, 32))
 
 
@@ -33,14 +33,14 @@ def container(path, entries, files):
     return path
 
 
-def cut(path, share):
+def truncate_file(path, share):
     """Keep the first share of a file's bytes."""
     content = path.read_bytes()
     path.write_bytes(content[: int(share * len(content))])
     return path
 
 
-def as_array(topography):
+def filled_heights(topography):
     """Return heights with NaN where they are undefined; first axis x."""
     return np.ma.filled(topography.heights().astype(float), np.nan)
 
@@ -53,7 +53,7 @@ def write_coordinates(topography, path):
     else:
         spaced = [np.arange(n) * size / n for n, size in zip(counts, sizes, strict=True)]
         axes = np.meshgrid(*spaced, indexing="ij")
-    columns = [axis.ravel() for axis in (*axes, as_array(topography))]
+    columns = [axis.ravel() for axis in (*axes, filled_heights(topography))]
     units = f"Lateral units: {topography.unit}\nValue units: {topography.unit}"
     np.savetxt(path, np.column_stack(columns), header=units)
 
@@ -61,13 +61,13 @@ def write_coordinates(topography, path):
 def write_described_array(topography, path):
     """Write a container of an array of numpy, whose size and unit the container states."""
     array = path.with_suffix(".npy")
-    np.save(array, as_array(topography))
+    np.save(array, filled_heights(topography))
     size = [float(size) for size in topography.physical_sizes]
     entry = {"name": "one", "datafile": {"original": "a.npy"}, "size": size}
     container(path, [entry | {"unit": topography.unit}], {"a.npy": array})
 
 
-#: Writers of a topography of SurfaceTopography, and what each can hold.
+#: Writers of a topography of SurfaceTopography, by the data that they can hold.
 MAPS_AND_LINES = {
     "nc": lambda topography, path: topography.to_netcdf(str(path)),
     "asc": lambda topography, path: topography.to_matrix(str(path)),
@@ -83,9 +83,9 @@ UNEVEN_LINES = {name: MAPS_AND_LINES[name] for name in ("nc", "xyz", "zip")}
 
 
 def nanoscope(path, values, size, channels=("Height",)):
-    """Write a Nanoscope file: counts (y, x), of which each is 0.1 nm, in every channel.
+    """Write a Nanoscope file with counts (y, x) of 0.1 nm in every channel.
 
-    The first line of `values` is the top of the scan. A channel Phase is in degrees.
+    The first line of the counts is the top of the scan. A channel Phase is in degrees.
     """
     rows, columns = values.shape
     data = np.asarray(values, "<i2").tobytes()

@@ -27,7 +27,7 @@ def scans(rng, heights):
 
 
 def make_pool(surface, count=12):
-    """A pool of which the forces fall with the height, about those of the paper."""
+    """A pool whose forces fall with the height, near those of the paper."""
     rng = np.random.default_rng(SUBSTRATES.index(surface))
     mean = HEIGHTS[surface]
     force_heights = mean * np.linspace(0.3, 1.8, 5)
@@ -56,28 +56,28 @@ def make_pool(surface, count=12):
     )
 
 
-def make_topography(measured=()):
+def make_topography(measured_surfaces=()):
     """The study's topography, of as many scans of each surface."""
     rng = np.random.default_rng(10)
-    parts = [
+    surfaces_scans = [
         xr.Dataset(scans(rng, HEIGHTS.get(name, 0.5) * np.linspace(0.9, 1.1, SCANS)))
         for name in SURFACES
     ]
-    stacked = xr.concat(parts, pd.Index(SURFACES, name="surface"))
-    stacked = stacked.assign_coords(scan=range(1, SCANS + 1))
-    basis = ["measured" if name in measured else "substitute" for name in SURFACES]
-    named = {"label": SURFACES, "basis": basis, "table1_rows_met": [""] * len(SURFACES)}
+    scan_table = xr.concat(surfaces_scans, pd.Index(SURFACES, name="surface"))
+    scan_table = scan_table.assign_coords(scan=range(1, SCANS + 1))
+    basis = ["measured" if name in measured_surfaces else "substitute" for name in SURFACES]
+    descriptions = {"label": SURFACES, "basis": basis, "table1_rows_met": [""] * len(SURFACES)}
     names = json.dumps(table1_variables("gradient", "half_laplacian"))
     return (
-        xr.merge([stacked, scan_averages(stacked, CONFIDENCE)])
+        xr.merge([scan_table, scan_averages(scan_table, CONFIDENCE)])
         .assign({f"all_scales_{name}": ("surface", np.ones(len(SURFACES))) for name in METRICS})
-        .assign({name: ("surface", values) for name, values in named.items()})
+        .assign({name: ("surface", values) for name, values in descriptions.items()})
         .assign_attrs(table1_variables=names, confidence=CONFIDENCE, sphere_surface="ruby")
     )
 
 
 def make_adhesion():
-    """The study's forces, on two scans of the sphere and more contacts than those of pools."""
+    """The study's forces, on two scans of the sphere and more contacts than in the pools."""
     rng = np.random.default_rng(11)
     force = MEAN_FORCE[:, None, None] * np.array([0.5, 1.0])[:, None] * (np.array(RHO) / 5.6) ** 0.5
     spread = rng.normal(0, 0.5, (4, SCANS, 2, 1, 1, 4, 4))
@@ -124,12 +124,14 @@ def make_masters(realizations=6):
     )
 
 
-def make_sources(measured=()):
-    """What sets are made from; these surfaces have no pool."""
+def make_sources(measured_surfaces=()):
+    """Sources of sets; measured surfaces have no pool."""
     factor = xr.DataArray(
         np.full((2, 4, len(RHO)), [[[0.9]], [[0.95]]]),
         {"contact_model": MODELS, "surface": SUBSTRATES, "rho": RHO},
         ("contact_model", "surface", "rho"),
     )
-    pools = {name: make_pool(name) for name in SUBSTRATES if name not in measured}
-    return Sources(make_topography(measured), make_adhesion(), pools, factor, make_masters())
+    pools = {name: make_pool(name) for name in SUBSTRATES if name not in measured_surfaces}
+    return Sources(
+        make_topography(measured_surfaces), make_adhesion(), pools, factor, make_masters()
+    )

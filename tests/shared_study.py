@@ -1,4 +1,4 @@
-"""One study for all processes that share the tests: computed once, or failed once."""
+"""All processes that share the tests share one study, which is computed once."""
 
 import fcntl
 import tempfile

@@ -23,29 +23,31 @@ QUICK_PATTERNS = Patterns(
 )
 
 
-def selection(scans=(1, 2), measured=()):
+def selection(scans=(1, 2), measured_surfaces=()):
     """Return the paper's surfaces with these scans; those that are measured have files."""
     table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
     table = table.assign(use=CONTACT, tip_radius="")
     rows = table[table.scan.isin(scans)].copy()
-    own = rows.surface.isin(measured)
-    rows.loc[own, "source"] = "measured"
-    rows.loc[own, "path"] = [f"{row.surface}-{row.scan}.nc" for row in rows[own].itertuples()]
+    is_measured = rows.surface.isin(measured_surfaces)
+    rows.loc[is_measured, "source"] = "measured"
+    rows.loc[is_measured, "path"] = [
+        f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
+    ]
     return Selection(rows, "ruby")
 
 
 def configuration(**changes):
-    """Return the paper's configuration in numbers, with other texts of ``scales__range``."""
-    changed = copy.deepcopy(PAPER)
+    """Return the paper's configuration in numbers; changes have keys such as ``scales__range``."""
+    config = copy.deepcopy(PAPER)
     for name, value in changes.items():
-        *above, key = name.split("__")
-        part = changed
-        for step in above:
-            part = part[step]
-        part[key] = value
-    return model.numeric_configuration(changed)
+        *sections, key = name.split("__")
+        section = config
+        for step in sections:
+            section = section[step]
+        section[key] = value
+    return model.numeric_configuration(config)
 
 
-def files(scans=(1, 2), measured=(), **changes):
+def files(scans=(1, 2), measured_surfaces=(), **changes):
     """Return the files of a study of these scans, with other values of some keys."""
-    return Files(configuration(**changes), selection(scans, measured), PATTERNS)
+    return Files(configuration(**changes), selection(scans, measured_surfaces), PATTERNS)

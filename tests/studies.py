@@ -1,4 +1,4 @@
-"""Studies that differ from that of the paper, and their checks."""
+"""Studies that differ from the paper's study, and their checks."""
 
 from functools import reduce
 
@@ -10,20 +10,22 @@ from hardcontact.config import selection as surface_table
 from hardcontact.config.model import numeric_configuration
 
 
-def changed(config, path, value):
+def replace_value(config, path, value):
     """Return a configuration with the value at one path (list of keys) replaced."""
-    *branch, last = path
-    copy = place = dict(config)
+    *branch, last_key = path
+    copy = section = dict(config)
     for key in branch:
-        place[key] = place = dict(place[key])
-    place[last] = value
+        section[key] = section = dict(section[key])
+    section[last_key] = value
     return copy
 
 
 def numbers(*values):
     """Return the paper's configuration in numbers with other values: key, value, key, value."""
     pairs = zip(values[::2], values[1::2], strict=True)
-    config = reduce(lambda config, pair: changed(config, pair[0].split("."), pair[1]), pairs, PAPER)
+    config = reduce(
+        lambda config, pair: replace_value(config, pair[0].split("."), pair[1]), pairs, PAPER
+    )
     return numeric_configuration(config)
 
 

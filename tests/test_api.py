@@ -148,7 +148,7 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
 
 
 def test_ratios_equal_those_of_the_remaining_wave():
-    """A cutoff between two waves leaves one of them."""
+    """A cutoff between two waves removes either the short or the long wave."""
     phase = 2 * np.pi * np.arange(128) / 128
     long, short = np.tile(4 * np.cos(2 * phase), (128, 1)), np.tile(np.cos(16 * phase), (128, 1))
     sphere = SPHERE | LOAD | ARRAY
@@ -168,7 +168,7 @@ def test_ratios_equal_those_of_the_remaining_wave():
     assert np.isnan(ratios.ratio.sel(side="small", cutoff_wavelength=1000))
     edge = ratios.sel(side="small")
     assert 30 < edge.edge < 200 and edge.edge_status == "found"
-    # At least as much of the force as the tolerance asks for: the edge is open.
+    # The force stays within the tolerance: the edge is open.
     open_edge = hc.force_ratios(two_waves, {"small": [30, 60]}, rho=5.6, **sphere).sel(side="small")
     assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60 and open_edge.edge_bound_is_lower
 
@@ -185,7 +185,7 @@ def test_the_prediction_equals_that_of_the_command(files):
         )
 
 
-#: Arguments that are refused, and how the line begins or what it finds.
+#: Arguments that are refused, and parts of the message.
 WRONG = [
     ({"radius": -1.0}, ["radius: expected a positive number, found -1.0"]),
     ({"radius": "50 um"}, ["radius: expected a positive number, found '50 um'"]),

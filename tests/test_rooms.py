@@ -9,7 +9,7 @@ from repository import ROOT
 import hardcontact
 
 LIBRARY = ROOT / "workflow/hardcontact"
-#: In the order in which the library's docstring names them.
+#: Rooms in the order of the library's docstring.
 ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 
 

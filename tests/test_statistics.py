@@ -6,11 +6,6 @@ import xarray as xr
 from scipy import stats
 
 from hardcontact.base import statistics
-from hardcontact.base.statistics import bounds
-
-
-def ends(dataset, name="value"):
-    return [end.values.tolist() for end in bounds(dataset, name)]
 
 
 @pytest.mark.parametrize("confidence", [0.5, 0.95])
@@ -37,10 +32,10 @@ def test_student_interval_equals_that_of_a_t_test(confidence):
     )
     assert interval.dims == ("surface", "bound") and interval.attrs == {"confidence": confidence}
     for row, row_values in zip(interval.values, values, strict=True):
-        expected = stats.ttest_1samp(row_values[np.isfinite(row_values)], 0).confidence_interval(
-            confidence
-        )
-        np.testing.assert_allclose(row, expected, rtol=1e-12)
+        t_test_interval = stats.ttest_1samp(
+            row_values[np.isfinite(row_values)], 0
+        ).confidence_interval(confidence)
+        np.testing.assert_allclose(row, t_test_interval, rtol=1e-12)
 
 
 def test_student_log_interval_equals_a_t_test_on_logarithms_about_the_mean():
@@ -52,9 +47,9 @@ def test_student_log_interval_equals_a_t_test_on_logarithms_about_the_mean():
     assert interval.dims == ("surface", "bound") and interval.attrs == {"confidence": 0.9}
     for row, row_values in zip(interval.values, values, strict=True):
         logarithms = np.log(row_values[np.isfinite(row_values)])
-        expected = stats.ttest_1samp(logarithms, 0).confidence_interval(0.9)
+        t_test_interval = stats.ttest_1samp(logarithms, 0).confidence_interval(0.9)
         shift = np.log(np.nanmean(row_values)) - logarithms.mean()
-        np.testing.assert_allclose(np.log(row), np.array(expected) + shift, rtol=1e-12)
+        np.testing.assert_allclose(np.log(row), np.array(t_test_interval) + shift, rtol=1e-12)
 
 
 @pytest.mark.parametrize("count", [3, 5])
@@ -73,10 +68,10 @@ def test_student_log_interval_covers_the_mean_with_its_confidence(count, shape):
 def test_samples_have_the_percentiles_of_the_interval_at_every_range():
     values = np.random.default_rng(1).lognormal(0, 0.4, (5, 3))
     samples = statistics.student_log_samples(np.random.default_rng(2), values, 200000)
-    expected = statistics.student_log_interval(
+    interval = statistics.student_log_interval(
         xr.DataArray(values, dims=("scan", "rho")), 0.9, "scan"
     )
-    np.testing.assert_allclose(statistics.percentile_interval(samples, 0.9), expected, rtol=0.01)
+    np.testing.assert_allclose(statistics.percentile_interval(samples, 0.9), interval, rtol=0.01)
 
 
 def test_samples_keep_the_correlation_between_ranges():
@@ -102,9 +97,9 @@ def test_one_scan_has_no_interval_and_no_samples():
 def test_jackknife_of_a_geometric_mean_equals_the_t_test_on_logarithms():
     values = np.random.default_rng(0).lognormal(0, 0.5, 6)
     left_out = [stats.gmean(np.delete(values, scan)) for scan in range(6)]
-    expected = stats.ttest_1samp(np.log(values), 0).confidence_interval(0.9)
+    t_test_interval = stats.ttest_1samp(np.log(values), 0).confidence_interval(0.9)
     interval = statistics.jackknife_interval(stats.gmean(values), left_out, 0.9)
-    np.testing.assert_allclose(np.log(interval), expected, rtol=1e-12)
+    np.testing.assert_allclose(np.log(interval), t_test_interval, rtol=1e-12)
 
 
 def test_shapes_from_published_forces_are_the_published_ones():
@@ -132,9 +127,9 @@ def test_censored_fit_has_the_greatest_likelihood(floor):
     is_below = forces < floor
     shape, median, share = statistics.lognormal_fit(forces, floor)
     data = stats.CensoredData(uncensored=forces[~is_below], left=np.full(is_below.sum(), floor))
-    expected, _, scale = stats.lognorm.fit(data, floc=0)
+    scipy_shape, _, scipy_scale = stats.lognorm.fit(data, floc=0)
     assert share == is_below.mean()
-    assert (shape, median) == pytest.approx((expected, scale), rel=1e-3)
+    assert (shape, median) == pytest.approx((scipy_shape, scipy_scale), rel=1e-3)
 
     def negative_log_likelihood(shape, median):
         distribution = stats.lognorm(shape, scale=median)
@@ -142,7 +137,10 @@ def test_censored_fit_has_the_greatest_likelihood(floor):
             floor
         )
 
-    assert negative_log_likelihood(shape, median) <= negative_log_likelihood(expected, scale) + 1e-7
+    assert (
+        negative_log_likelihood(shape, median)
+        <= negative_log_likelihood(scipy_shape, scipy_scale) + 1e-7
+    )
 
 
 def test_censored_fit_recovers_the_distribution_below_the_floor():

@@ -23,7 +23,7 @@ def edge_of_ratios(side, cutoffs, ratio, low, high):
 
 
 def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance():
-    # The known curve is (3 µm / cutoff)^0.16: one at 3 µm, 0.91 and 1.12 at the cutoffs around it.
+    # The known curve is (3 µm / cutoff)^0.16: 1 at 3 µm, 0.91 and 1.12 at the cutoffs around it.
     cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
     ratio = (3e3 / cutoffs) ** 0.16
     ratio[0] = 0.95  # flat again where no roughness remains to be removed

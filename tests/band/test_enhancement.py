@@ -1,4 +1,4 @@
-"""Bands of plastic and rigid contact: each has the load and the range of its name."""
+"""Bands of plastic and rigid contact have the load and range of their names."""
 
 import numpy as np
 import xarray as xr

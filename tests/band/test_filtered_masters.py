@@ -1,4 +1,4 @@
-"""Forces at cutoffs: a wave counts until the cutoff passes its length, on either side."""
+"""Forces at cutoffs change where the cutoff passes the length of a wave."""
 
 import numpy as np
 import pytest

@@ -35,7 +35,7 @@ def library(tmp_path, monkeypatch):
 
 
 def traced(*modules):
-    """Return what a script uses, without the folder that all lies in, itself and the pins."""
+    """Return the modules that a script uses, without itself and the pins."""
     *files, direct, transitive = code.code_inputs("script.py", *modules)
     assert (direct, transitive) == ("results/environment.txt", "results/constraints.txt")
     assert files == sorted(files)

@@ -1,4 +1,4 @@
-"""A study described for archives, and redrawn from what an archive keeps."""
+"""The crate describes a study for archives, which can redraw its figures."""
 
 import re
 import shutil
@@ -52,13 +52,13 @@ def test_a_damaged_crate_is_refused(folder, content):
 def test_the_crate_describes_results_inputs_and_packages(finished, monkeypatch):
     monkeypatch.chdir(finished)
     folder = Path("results/quick")
-    read = ROCrate(str(folder))
-    root = read.root_dataset
+    described_study = ROCrate(str(folder))
+    root = described_study.root_dataset
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
     assert root["name"].startswith(citation["title"]) and root["license"]["name"] == "MIT"
     assert root["author"][0]["name"] == citation["authors"][0]["name"]
     assert root["citation"].id == "https://doi.org/10.1007/s11340-021-00733-6"
-    action = read.get("#study")
+    action = described_study.get("#study")
     results = {folder / entity.id: entity["sha256"] for entity in action["result"]}
     assert {path.suffix for path in results} >= {".nc", ".csv", ".pdf", ".png", ".html", ".yaml"}
     assert {folder / "answer.html", folder / "answer.json"} <= results.keys()
@@ -91,10 +91,15 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
         "answer_insight",
     }
     # Nothing is computed: no store, only the lists of packages.
-    made = {path.name for path in (study / "results").iterdir()}
-    assert made == {"quick", "environment.txt", "constraints.txt"}
-    drawn = finished / "results/quick"
-    for path in [*(drawn / "figures").glob("[!.]*"), *(drawn / "report").glob("*.html"),
-                 drawn / "answer.html", drawn / "answer.json", drawn / "insight.html"]:  # fmt: skip
-        assert (results / path.relative_to(drawn)).read_bytes() == path.read_bytes(), path
+    result_folders = {path.name for path in (study / "results").iterdir()}
+    assert result_folders == {"quick", "environment.txt", "constraints.txt"}
+    finished_results = finished / "results/quick"
+    redrawn_paths = [*(finished_results / "figures").glob("[!.]*")]
+    redrawn_paths += (finished_results / "report").glob("*.html")
+    redrawn_paths += (
+        finished_results / name for name in ("answer.html", "answer.json", "insight.html")
+    )
+    for path in redrawn_paths:
+        redrawn_path = results / path.relative_to(finished_results)
+        assert redrawn_path.read_bytes() == path.read_bytes(), path
     assert "fig6" in (results / "report.html").read_text()

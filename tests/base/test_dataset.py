@@ -1,10 +1,10 @@
-"""Labelled datasets: whole or not there, joined along new dimensions."""
+"""Datasets are written whole or not at all, and stacked along new dimensions."""
 
 import numpy as np
 import pytest
 import xarray as xr
 from refusals import assert_says, refusal
-from scan_files import cut, heights
+from scan_files import heights, truncate_file
 
 from hardcontact.base import dataset
 
@@ -19,8 +19,8 @@ def test_a_dataset_is_read_back_as_it_was_written(tmp_path, file_format):
 def test_texts_of_different_length_are_stacked_whole(tmp_path):
     for name, word in {"a": "pixels", "b": "smoothing"}.items():
         dataset.write(xr.Dataset({"limit": ("scan", [word])}), tmp_path / name)
-    parts = {(name,): dataset.read(tmp_path / name) for name in ("a", "b")}
-    dataset.write(dataset.stack(parts, ["surface"]), tmp_path / "both")
+    datasets = {(name,): dataset.read(tmp_path / name) for name in ("a", "b")}
+    dataset.write(dataset.stack(datasets, ["surface"]), tmp_path / "both")
     limits = dataset.read(tmp_path / "both")["limit"].values
     assert limits.ravel().tolist() == ["pixels", "smoothing"]
 
@@ -33,11 +33,11 @@ def test_equal_datasets_make_equal_files(tmp_path):
 
 @pytest.mark.parametrize("content", [b"", b"CDF", b"no netCDF", 0.01, 0.5, 0.999, None])
 def test_a_damaged_dataset_is_refused(tmp_path, content):
-    """Another file, a dataset that is cut to a share of its length, and no file."""
+    """The file has other content, is truncated to a share of its length, or is missing."""
     path = tmp_path / "a.nc"
     if isinstance(content, float):
         dataset.write(xr.Dataset({"heights": (("y", "x"), heights(64, 64))}), path)
-        cut(path, content)
+        truncate_file(path, content)
     elif content is not None:
         path.write_bytes(content)
     assert_says(refusal(dataset.read, path), "a.nc: expected a complete netCDF file, found: ")
@@ -45,8 +45,8 @@ def test_a_damaged_dataset_is_refused(tmp_path, content):
 
 def test_datasets_are_stacked_in_the_order_of_their_keys_with_nan_for_missing_ones():
     labels = [("uncd", 2), ("uncd", 1), ("mcd", 2)]
-    parts = {label: xr.Dataset({"force": ("contact", [*label[1:]])}) for label in labels}
-    joined = dataset.stack(parts, ("surface", "scan"))["force"]
-    assert joined.dims == ("surface", "scan", "contact")
-    assert joined["surface"].values.tolist() == ["uncd", "mcd"]
-    np.testing.assert_array_equal(joined.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])
+    datasets = {label: xr.Dataset({"force": ("contact", [*label[1:]])}) for label in labels}
+    forces = dataset.stack(datasets, ("surface", "scan"))["force"]
+    assert forces.dims == ("surface", "scan", "contact")
+    assert forces["surface"].values.tolist() == ["uncd", "mcd"]
+    np.testing.assert_array_equal(forces.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])

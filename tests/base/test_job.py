@@ -1,4 +1,4 @@
-"""A job writes whole files that say what they were made from, and keeps its log."""
+"""A job writes whole files with a record of their origin, and keeps its log."""
 
 import json
 import logging
@@ -28,13 +28,13 @@ class Named(list):
             setattr(self, name, entry)
             self.extend(entry if isinstance(entry, list) else [entry])
 
-    def __getitem__(self, place):
-        return getattr(self, place) if isinstance(place, str) else super().__getitem__(place)
+    def __getitem__(self, key):
+        return getattr(self, key) if isinstance(key, str) else super().__getitem__(key)
 
 
 @pytest.fixture
 def snakemake(tmp_path, monkeypatch):
-    """Return what a script is given: a scan, code, and two outputs."""
+    """Return the object that Snakemake passes to a script: a scan, code and two outputs."""
     monkeypatch.chdir(tmp_path)
     for name in ("scan.txt", "script.py"):
         (tmp_path / name).write_text(name)
@@ -47,8 +47,10 @@ def snakemake(tmp_path, monkeypatch):
 
 
 def test_a_dataset_is_written_with_its_origin(snakemake):
-    with job(snakemake) as this:
-        this.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data")
+    with job(snakemake) as running_job:
+        running_job.write(
+            xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data"
+        )
     written = dataset.read("made/data.nc")
     assert written.a.values.tolist() == [1.0] and written.attrs["basis"] == "measured"
     assert written.attrs["title"] == "a title" and written.attrs["Conventions"].startswith("CF-")
@@ -58,9 +60,9 @@ def test_a_dataset_is_written_with_its_origin(snakemake):
 
 
 def test_every_file_has_a_record(snakemake, tmp_path):
-    with job(snakemake) as this:
-        this.write_text("µ\n", "text")
-        this.copy(this.input.scan, "data")
+    with job(snakemake) as running_job:
+        running_job.write_text("µ\n", "text")
+        running_job.copy(running_job.input.scan, "data")
     assert (tmp_path / "made/text.txt").read_bytes() == "µ\n".encode()
     assert (tmp_path / "made/data.nc").read_text() == "scan.txt"
     for path in snakemake.output:
@@ -74,8 +76,8 @@ def test_a_changed_input_stops_the_job(snakemake, tmp_path, monkeypatch, capsys)
     monkeypatch.setattr(os, "_exit", sys.exit)
     logger = logging.getLogger("hardcontact")
     monkeypatch.setattr(logger, "handlers", [])
-    with job(snakemake) as this:
-        this.write_text("made", "text")
+    with job(snakemake) as running_job:
+        running_job.write_text("made", "text")
     snakemake.input, snakemake.output = Named(text="made/text.txt"), Named(data="made/data.nc")
     (tmp_path / "made/text.txt").write_text("madf")
     with pytest.raises(SystemExit), job(snakemake):

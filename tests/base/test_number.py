@@ -1,4 +1,4 @@
-"""The record of a number, and what JSON can say of it."""
+"""Numbers are written as JSON, unknown numbers as None."""
 
 import json
 import math
@@ -7,8 +7,10 @@ from hardcontact.base.number import Number, plain
 
 
 def test_unknown_numbers_are_none_in_json():
-    given = {"edges": [Number("short", 37.0, "nm", 30.0, math.inf), Number("long", math.nan, "nm")]}
-    short, long = json.loads(json.dumps(plain(given), allow_nan=False))["edges"]
+    numbers = {
+        "edges": [Number("short", 37.0, "nm", 30.0, math.inf), Number("long", math.nan, "nm")]
+    }
+    short, long = json.loads(json.dumps(plain(numbers), allow_nan=False))["edges"]
     assert list(short) == ["name", "value", "unit", "low", "high", "status", "source"]
     assert (short["value"], short["low"], short["high"]) == (37.0, 30.0, None)
     assert (short["status"], long["status"], long["value"]) == ("known", "not_known", None)

@@ -1,4 +1,4 @@
-"""What determined a file: equal texts for equal origins, and a record beside every file."""
+"""The origin of a file: equal origins have equal texts, and every file has a record."""
 
 import json
 import os
@@ -26,17 +26,22 @@ def test_parameters_have_one_text():
 
 def test_attributes_distinguish_inputs_and_code():
     data, script = {"data.nc": "1"}, {"script.py": "2"}
-    before = Origin("{}", data | script, ["script.py"]).attributes()
-    assert json.loads(before["versions"])["numpy"] == version("numpy")
-    assert json.loads(before["input_digests"]) == data | script
-    after = Origin("{}", {"data.nc": "3"} | script, ["script.py"]).attributes()
-    assert {key for key in before if before[key] != after[key]} == {"input_digests"}
-    last = Origin("{}", data | {"script.py": "3"}, ["script.py"]).attributes()
-    assert {key for key in before if before[key] != last[key]} == {"input_digests", "code_digest"}
+
+    def attributes(input_digests):
+        return Origin("{}", input_digests, ["script.py"]).attributes()
+
+    study = attributes(data | script)
+    assert json.loads(study["versions"])["numpy"] == version("numpy")
+    assert json.loads(study["input_digests"]) == data | script
+    other_data = attributes({"data.nc": "3"} | script)
+    assert {key for key in study if study[key] != other_data[key]} == {"input_digests"}
+    other_script = attributes(data | {"script.py": "3"})
+    differences = {key for key in study if study[key] != other_script[key]}
+    assert differences == {"input_digests", "code_digest"}
 
 
 @pytest.fixture
-def made(tmp_path):
+def made_file(tmp_path):
     """Return a file that a job made, with its record."""
     path = tmp_path / "made.nc"
     path.write_bytes(bytes(100))
@@ -44,23 +49,23 @@ def made(tmp_path):
     return path
 
 
-def test_a_changed_file_of_a_job_is_refused(made, tmp_path):
-    given = tmp_path / "given.csv"
-    given.write_bytes(bytes(100))
-    refuse_changed(digests([made, given]))
-    for changed in (b"\1" + bytes(99), bytes(99), bytes(101), b""):  # a bit, truncated, longer
-        made.write_bytes(changed)
-        os.utime(made, (0, 0))
-        given.write_bytes(changed)
-        message = refusal(refuse_changed, digests([made, given]))
-        assert_says(message, str(made), "delete it")
-        assert str(given) not in message
+def test_a_changed_file_of_a_job_is_refused(made_file, tmp_path):
+    user_file = tmp_path / "given.csv"
+    user_file.write_bytes(bytes(100))
+    refuse_changed(digests([made_file, user_file]))
+    for content in (b"\1" + bytes(99), bytes(99), bytes(101), b""):  # a bit, truncated, longer
+        made_file.write_bytes(content)
+        os.utime(made_file, (0, 0))
+        user_file.write_bytes(content)
+        message = refusal(refuse_changed, digests([made_file, user_file]))
+        assert_says(message, str(made_file), "delete it")
+        assert str(user_file) not in message
 
 
 @pytest.mark.parametrize("content", [b"", b"\xff\0", b"{", b"[]", b"{}", b'{"sha256": "1"}'])
-def test_a_damaged_record_refuses_its_file(made, content):
-    record_path(made).write_bytes(content)
-    assert_says(refusal(refuse_changed, digests([made])), "made.nc: expected a whole record")
+def test_a_damaged_record_refuses_its_file(made_file, content):
+    record_path(made_file).write_bytes(content)
+    assert_says(refusal(refuse_changed, digests([made_file])), "made.nc: expected a whole record")
 
 
 def test_pins_are_read_and_other_requirements_are_not(tmp_path):

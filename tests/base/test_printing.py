@@ -74,7 +74,7 @@ def test_digits_are_as_asked_and_without_exponent():
         (-5.9, -350, -2.2, "1", True),
         (5.9, -4e3, 4e3, "1", True),
         (5.9, 0.01, 7, "1", True),
-        # A number near zero is bounded by an interval that is narrow beside one, a length is not.
+        # An interval narrow relative to 1 bounds a number near zero, but not a length.
         (0.005, -0.6, 0.6, "1", False),
         (5.0, -1e3, 1e3, "nm", True),
         (5.0, 0.0, 400.0, "nm", False),

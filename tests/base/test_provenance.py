@@ -1,4 +1,4 @@
-"""What a file was made from: traced to its sources, compared with what is at hand."""
+"""Files are traced to their sources and compared with the existing files."""
 
 import json
 import re
@@ -15,7 +15,7 @@ from hardcontact.base.origin import Origin, digest, digests, keep_records
 
 
 def make(path, inputs):
-    """Make a file from others; what it holds does not matter."""
+    """Make a file from others, with any content."""
     Path(path).parent.mkdir(exist_ok=True)
     Path(path).write_text(path)
     keep_records([path], Origin("{}", digests(inputs), []))
@@ -49,7 +49,7 @@ def test_an_unchanged_study_has_no_faults(study):
 
 
 @pytest.mark.parametrize(
-    ("path", "changed", "made"),
+    ("path", "altered_outputs", "outputs"),
     [
         ("source.txt", [], ["store/a.nc"]),
         ("code.py", [], ["results/final.nc", "store/a.nc"]),
@@ -57,11 +57,11 @@ def test_an_unchanged_study_has_no_faults(study):
         ("results/table.csv", ["results/table.csv"], []),
     ],
 )
-def test_a_changed_file_is_a_fault_of_its_outputs(study, path, changed, made):
+def test_a_changed_file_is_a_fault_of_its_outputs(study, path, altered_outputs, outputs):
     (study / path).write_text("other")
-    expected = {f"{output}: does not match its input {path}" for output in made}
-    expected |= {f"{output}: is not the file that the study wrote" for output in changed}
-    assert set(provenance.check("results", {})[0]) == expected
+    fault_lines = {f"{output}: does not match its input {path}" for output in outputs}
+    fault_lines |= {f"{output}: is not the file that the study wrote" for output in altered_outputs}
+    assert set(provenance.check("results", {})[0]) == fault_lines
 
 
 def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
@@ -88,13 +88,13 @@ def test_a_finished_study_has_no_faults(finished):
     checked, faults, absent = map(
         int, re.search(r"(\d+) files checked, (\d+) faults, (\d+) inputs not", run.stdout).groups()
     )
-    made = len(list((finished / "results/store-quick").rglob("*.nc")))
-    assert faults == absent == 0 and checked > made  # all of the store, and the results
+    store_count = len(list((finished / "results/store-quick").rglob("*.nc")))
+    assert faults == absent == 0 and checked > store_count  # all of the store, and the results
 
 
 FINAL = "results/quick"
 STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", variant="study", scan=2, shape="flat")
-#: Files that are changed, and what was made from each.
+#: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/inference.nc", f"{FINAL}/claims.csv"],
     f"{FINAL}/band.nc": [f"{FINAL}/figures/fig6.csv"],
@@ -109,8 +109,8 @@ CHANGED = {
 def test_changed_and_missing_files_are_named_with_all_their_outputs(finished_copy):
     for path in CHANGED:
         if path.endswith(".nc"):
-            other = dataset.read(finished_copy / path).assign_attrs(comment="another")
-            dataset.write(other, finished_copy / path)
+            altered_dataset = dataset.read(finished_copy / path).assign_attrs(comment="another")
+            dataset.write(altered_dataset, finished_copy / path)
         else:
             with open(finished_copy / path, "a") as file:
                 file.write("\n")
@@ -118,10 +118,10 @@ def test_changed_and_missing_files_are_named_with_all_their_outputs(finished_cop
     run = run_snakemake(finished_copy, "verify")
     assert run.returncode == 1 and "Traceback" not in run.stdout
     assert f"{FINAL}/figures/fig1.png: expected a file of the study, found none" in run.stdout
-    for path, made in CHANGED.items():
+    for path, outputs in CHANGED.items():
         if path.startswith("results/"):
             assert f"{path}: is not the file that the study wrote" in run.stdout
-        for output in made:
+        for output in outputs:
             faults = re.findall(rf"^{output}: does not match its input (.*)$", run.stdout, re.M)
             assert [path in fault.split(", ") for fault in faults] == [True], (output, path)
 
@@ -130,9 +130,9 @@ def test_changed_and_missing_files_are_named_with_all_their_outputs(finished_cop
 def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch):
     monkeypatch.chdir(finished)
     records = provenance.traced_records("results/quick")
-    described = crate.described_files("results/quick")
-    of_study = {path for path in records if path.startswith("results/quick/")}
-    assert described.keys() == of_study - {f"results/quick/{crate.CRATE_FILE}"}
+    described_paths = crate.described_files("results/quick")
+    result_paths = {path for path in records if path.startswith("results/quick/")}
+    assert described_paths.keys() == result_paths - {f"results/quick/{crate.CRATE_FILE}"}
     for path, record in records.items():
         inputs = record["input_digests"]
         assert inputs and all(digest(name) == value for name, value in inputs.items())

@@ -32,13 +32,13 @@ def test_a_quantity_becomes_a_number_in_its_unit(text, unit, value):
 def test_other_texts_than_lengths_are_refused_in_one_line(text):
     with pytest.raises(
         ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
-    ) as refused:
+    ) as refusal:
         units.magnitude(text, "nm")
-    assert "\n" not in str(refused.value)
+    assert "\n" not in str(refusal.value)
 
 
 @pytest.mark.parametrize(
-    ("value", "unit", "expected"),
+    ("value", "unit", "words"),
     [
         (250e3, "nm", "250 µm"),
         (0.35, "nm", "350 pm"),
@@ -47,5 +47,5 @@ def test_other_texts_than_lengths_are_refused_in_one_line(text):
         (0.0463, "J/m2", "46.3 mJ/m²"),
     ],
 )
-def test_quantities_are_printed_with_the_fitting_prefix(value, unit, expected):
-    assert units.print_exact(value, unit) == expected
+def test_quantities_are_printed_with_the_fitting_prefix(value, unit, words):
+    assert units.print_exact(value, unit) == words

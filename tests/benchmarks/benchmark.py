@@ -57,14 +57,14 @@ def surface(pixels):
     return random_surface(generator(1, "benchmark", pixels), pixels, 5000 / pixels, uncd)
 
 
-def under_sphere(substrate, sphere=None):
-    """Substrate and sphere with the study's array of contacts, and how many pixels touch."""
+def pair_under_sphere(substrate, sphere=None):
+    """Return substrate and sphere with the study's contacts, and the number of contact pixels."""
     pair = bodies(substrate, sphere, CONTACT)
     return pair, CONTACT.pixels(pair.geometry.pixel_size)
 
 
 def timed(function, repeats=3):
-    """Median seconds of a call, and what it returned."""
+    """Return the median seconds of a call, and its result."""
     ((seconds, result),) = timed_in_turn(function, repeats=repeats)
     return seconds, result
 
@@ -77,12 +77,15 @@ def timed_in_turn(*functions, repeats=3):
             start = time.perf_counter()
             results[k] = function()
             seconds[k].append(time.perf_counter() - start)
-    return [(statistics.median(one), result) for one, result in zip(seconds, results, strict=True)]
+    return [
+        (statistics.median(call_seconds), result)
+        for call_seconds, result in zip(seconds, results, strict=True)
+    ]
 
 
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
-    pair, contact_pixels = under_sphere(substrate)
+    pair, contact_pixels = pair_under_sphere(substrate)
     return contacts_and_totals(pair, [contact_pixels], [RHO])[1][0, 0]
 
 
@@ -93,14 +96,16 @@ def smooth_sphere(threads):
         lambda: fft.irfft2(fft.rfft2(heights.astype(float), workers=threads), workers=threads)
     )
     fast, totals = timed(lambda: pull_off(substrate))
-    places = [(0, 0), (7, 13), (19, 4)]
-    pair, contact_pixels = under_sphere(substrate)
-    slow, expected = timed(
-        lambda: [direct_total(gap_map(pair, place), contact_pixels, RHO) for place in places], 1
+    contacts = [(0, 0), (7, 13), (19, 4)]
+    pair, contact_pixels = pair_under_sphere(substrate)
+    slow, direct_sums = timed(
+        lambda: [direct_total(gap_map(pair, contact), contact_pixels, RHO) for contact in contacts],
+        1,
     )
-    slow *= CONTACTS**2 / len(places)
+    slow *= CONTACTS**2 / len(contacts)
     error = max(
-        abs(totals[place] / value - 1) for place, value in zip(places, expected, strict=True)
+        abs(totals[contact] / value - 1)
+        for contact, value in zip(contacts, direct_sums, strict=True)
     )
     yield "8192², 400 plastic contacts, smooth sphere", f"{fast:.2f} s"
     yield "forward and inverse real FFT of that surface / that", f"{transform / fast:.1f}"
@@ -117,30 +122,32 @@ def stitched(seed, scale):
 
 
 def rough_sphere():
-    pair, contact_pixels = under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
+    pair, contact_pixels = pair_under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
 
     def fast():
         return contact_pixels + outside_sums(pair, all_lowest_gaps(pair, contact_pixels), RHOS)
 
-    def direct(place, rho):
-        return direct_total(gap_map(pair, place), contact_pixels, rho)
+    def direct(contact, rho):
+        return direct_total(gap_map(pair, contact), contact_pixels, rho)
 
     quick, totals = timed(fast)
-    places = [(i, j) for i in range(0, CONTACTS, 5) for j in range(2, CONTACTS, 6)]
-    slow, expected = timed(lambda: [[direct(place, rho) for place in places] for rho in RHOS], 1)
-    slow *= CONTACTS**2 / len(places)
+    contacts = [(i, j) for i in range(0, CONTACTS, 5) for j in range(2, CONTACTS, 6)]
+    slow, direct_sums = timed(
+        lambda: [[direct(contact, rho) for contact in contacts] for rho in RHOS], 1
+    )
+    slow *= CONTACTS**2 / len(contacts)
     error = max(
-        abs(totals[k][place] / value - 1)
-        for k, row in enumerate(expected)
-        for place, value in zip(places, row, strict=True)
+        abs(totals[k][contact] / value - 1)
+        for k, row in enumerate(direct_sums)
+        for contact, value in zip(contacts, row, strict=True)
     )
     yield "1024² stitched pair, 400 contacts, 12 ranges, rough sphere", f"{quick:.2f} s"
-    yield f"direct sum, {len(places)} contacts scaled to 400 / that", f"{slow / quick:.0f}"
+    yield f"direct sum, {len(contacts)} contacts scaled to 400 / that", f"{slow / quick:.0f}"
     yield "largest relative difference to the direct sum", f"{error:.1e}"
 
 
 def library_at_load(gap, pixel):
-    """What `contact_at_load` asks the library for, in its units (nm, nN), unchecked."""
+    """Solve an elastic contact with the library alone, unchecked (nm, nN)."""
     size = (gap.shape[0] * pixel,) * 2
     half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
     body = Topography(gap.mean() - gap, size, periodic=True)
@@ -151,7 +158,7 @@ def library_at_load(gap, pixel):
 
 
 def library_pull_off(gap, pixel):
-    """What `adhesive_pull_off` asks the library for, unchecked."""
+    """Solve an elastic pull-off with the library alone, unchecked."""
     heights, size = gap.min() - gap, (gap.shape[0] * pixel,) * 2
     attraction = WORK / RHO * pixel**2 * np.exp(heights / RHO)
     half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
@@ -171,10 +178,10 @@ def library_pull_off(gap, pixel):
 
 
 def elastic_contact(pixels=512):
-    pair, _ = under_sphere(surface(1024))
+    pair, _ = pair_under_sphere(surface(1024))
     pixel = pair.geometry.pixel_size
     gap = part_around_lowest(gap_map(pair, (3, 5)), pixels)
-    for what, ours, library in (
+    for calculation, ours, library in (
         (
             "elastic contact at the preload",
             lambda: elastic_solvers.contact_at_load(gap, pixel, MODULUS, CONTACT.preload),
@@ -186,13 +193,16 @@ def elastic_contact(pixels=512):
             lambda: library_pull_off(gap, pixel),
         ),
     ):
-        (checked, _), (alone, _) = timed_in_turn(ours, library)
-        yield f"{pixels}² window: {what}", f"{checked:.2f} s"
-        yield "that / calling the library alone, unchecked", f"{checked / alone:.2f}"
+        (checked_seconds, _), (library_seconds, _) = timed_in_turn(ours, library)
+        yield f"{pixels}² window: {calculation}", f"{checked_seconds:.2f} s"
+        yield (
+            "that / calling the library alone, unchecked",
+            f"{checked_seconds / library_seconds:.2f}",
+        )
 
 
 def filtered_job(pixels, threads, answer):
-    """What one job of Fig. 6 does at a size, in a process of its own: seconds, peak memory."""
+    """Answer seconds and peak memory (GiB) of one job of Fig. 6 in a separate process."""
     substrate = surface(pixels)
     start = time.perf_counter()
     pull_off(interpolate(lowpass(substrate, 43.0), pixels))
@@ -244,8 +254,8 @@ def main():
         elastic_contact(),
         growth(options.threads, options.largest),
     ):
-        for what, value in rows:
-            print(f"| {what} | {value} |", flush=True)
+        for description, value in rows:
+            print(f"| {description} | {value} |", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
-"""What more realizations and larger masters would cost, from the jobs of a finished study.
+"""The costs of more realizations and larger masters, from the jobs of a finished study.
 
     python tests/benchmarks/cost.py [--study paper] [--dry-runs 10 100 1000]
 
 Prints a table of core hours, memory and disk. Times are processor times of the jobs as Snakemake
-measured them, so that what else the machine did counts little; start-up is in them, Snakemake's
-own process is not. Dry runs measure how long the graph of jobs takes to build.
+measured them, so that other work of the machine counts little. They include the start-up of jobs,
+but not Snakemake's own process. Dry runs measure the time to build the graph of jobs.
 """
 
 import argparse
@@ -20,7 +20,7 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-#: Rules of which every realization has jobs of its own.
+#: Rules with jobs for each realization.
 MASTERS = ["synthesize_masters"]
 FILTERED = ["filter_masters/scales"]
 
@@ -31,7 +31,7 @@ def processor(row):
     It looks twice a second for 15.5 s, then every 30 s; the time after the last look is taken to
     be as busy as that before.
     """
-    # Of a job shorter than the first look at it only the wall time is known.
+    # A job that ends before the first look has a wall time only.
     if not row.cpu_time > 0:
         return row.s
     looked = row.s if row.s < 15.5 else 15.5 + 30 * ((row.s - 15.5) // 30)
@@ -44,9 +44,9 @@ def jobs(folders):
     for folder in folders:
         for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):
             row = pd.read_csv(path, sep="\t").iloc[-1]
-            rule, *parts = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
+            rule, *wildcards = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
             if rule == "filter_masters":  # of the study, of sets and robustness, of the chapter
-                rule = f"{rule}/{parts[0]}"
+                rule = f"{rule}/{wildcards[0]}"
             rows.append(
                 {"rule": rule, "seconds": processor(row), "memory": row.max_rss * 2**20 / 1e6}
             )
@@ -63,36 +63,41 @@ def row(name, seconds, memory, disk):
 
 
 def costs(study):
-    """Print the table for the study's configuration and for larger ones."""
+    """Print the table for the study's configuration and for larger studies."""
     results = Path("results", study)
     configuration = yaml.safe_load((results / "configuration.yaml").read_text())
     store, count = Path(configuration["store"]), configuration["scales"]["realizations"]
     pixels = configuration["scales"]["small"]["pixels"]
-    measured = jobs([store, results])
-    each = measured.rule.isin(MASTERS + FILTERED)
-    fixed, one = measured.seconds[~each].sum(), measured.seconds[each].sum() / count
+    job_costs = jobs([store, results])
+    is_repeated = job_costs.rule.isin(MASTERS + FILTERED)
+    fixed, per_realization = (
+        job_costs.seconds[~is_repeated].sum(),
+        job_costs.seconds[is_repeated].sum() / count,
+    )
     masters = size((store / "masters").rglob("*.nc"))
     forces = size((store / "filtered/scales").rglob("*.nc"))
-    other = size(path for path in Path("results").rglob("*") if path.is_file()) - masters - forces
-    memory, largest = measured.memory[each].max(), measured.memory.max()
+    other_disk = (
+        size(path for path in Path("results").rglob("*") if path.is_file()) - masters - forces
+    )
+    memory, largest = job_costs.memory[is_repeated].max(), job_costs.memory.max()
     print("| study | core time | largest job | disk |\n|---|---|---|---|")
     for realizations in (count, 10, 100, 10_000):
-        disk = other + (masters + forces) * realizations / count
-        row(f"{realizations} realizations", fixed + realizations * one, largest, disk)
+        disk = other_disk + (masters + forces) * realizations / count
+        row(f"{realizations} realizations", fixed + realizations * per_realization, largest, disk)
     finer = 32768 / pixels
     slower = finer**2 * log2(32768) / log2(pixels)  # as the Fourier transforms that it consists of
     row(
         f"{count} realizations of 32768² pixels",
-        fixed + count * one * slower,
+        fixed + count * per_realization * slower,
         memory * finer**2,
-        other + forces + masters * finer**2,
+        other_disk + forces + masters * finer**2,
     )
-    print(f"{len(measured)} jobs, {measured.seconds.sum() / 60:.0f} core minutes")
-    print(measured.groupby("rule").agg({"seconds": ["count", "mean", "sum"], "memory": "max"}))
+    print(f"{len(job_costs)} jobs, {job_costs.seconds.sum() / 60:.0f} core minutes")
+    print(job_costs.groupby("rule").agg({"seconds": ["count", "mean", "sum"], "memory": "max"}))
 
 
 def dry_run(realizations):
-    """Print how many jobs a dry run of so many realizations finds, and what it takes."""
+    """Print the number of jobs, the time and the memory of a dry run of some realizations."""
     with tempfile.NamedTemporaryFile("w", suffix=".yaml") as overlay:
         yaml.safe_dump(
             {
@@ -103,7 +108,7 @@ def dry_run(realizations):
             overlay,
         )
         overlay.flush()
-        start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
+        start, usage_before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
         run = subprocess.run(
             [
                 sys.executable,
@@ -119,12 +124,13 @@ def dry_run(realizations):
             text=True,
             check=True,
         )
-        used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    found = re.search(r"^total\s+(\d+)", run.stdout + run.stderr, re.M)[1]
-    processor = used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    job_count = re.search(r"^total\s+(\d+)", run.stdout + run.stderr, re.M)[1]
+    processor = usage.ru_utime + usage.ru_stime - usage_before.ru_utime - usage_before.ru_stime
     print(
-        f"dry run of {realizations} realizations: {found} jobs, {processor:.0f} s of processor, "
-        f"{time.monotonic() - start:.0f} s, {used.ru_maxrss * 1024 / 1e9:.2f} GB at most so far"
+        f"dry run of {realizations} realizations: {job_count} jobs, {processor:.0f} s of "
+        f"processor, "
+        f"{time.monotonic() - start:.0f} s, {usage.ru_maxrss * 1024 / 1e9:.2f} GB at most so far"
     )
 
 

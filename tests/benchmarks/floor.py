@@ -1,4 +1,4 @@
-"""Processor time of a finished study by rule, beside the least that its transforms and sums take.
+"""Processor time of a finished study by rule, and the minimum for its transforms and sums.
 
     python tests/benchmarks/floor.py [--study paper]
 
@@ -42,13 +42,13 @@ def processor_seconds(call):
     return time.process_time() - start
 
 
-def filtered(pixels, cutoffs):
+def filter_seconds(pixels, cutoffs):
     """One transform of a master, then for it and every cutoff an inverse one and a sum."""
-    one = kernels(pixels)
-    return one["forward"] + (len(cutoffs) + 1) * (one["inverse"] + one["exponential"])
+    seconds = kernels(pixels)
+    return seconds["forward"] + (len(cutoffs) + 1) * (seconds["inverse"] + seconds["exponential"])
 
 
-def made(pixels):
+def surface_seconds(pixels):
     """A random surface: random numbers and an inverse transform."""
     return kernels(pixels)["draw"] + kernels(pixels)["inverse"]
 
@@ -59,21 +59,22 @@ def floors(configuration, store):
         side: len(list((store / "masters").rglob(f"{side}.nc"))) for side in ("small", "large")
     }
     chunks = [path.stem.split("-")[1:3] for path in (store / "filtered/sets").rglob("*.nc")]
-    varied = sum(int(last) - int(first) + 1 for first, last in chunks)
+    realizations = sum(int(last) - int(first) + 1 for first, last in chunks)
     scales, sets = configuration["scales"], configuration["sets"]
     scan = 2 * configuration["scan"]["pixels"]  # stitched
-    of_scans = len(configuration["adhesion"]["ranges"]) * kernels(scan)["exponential"]
+    scan_seconds = len(configuration["adhesion"]["ranges"]) * kernels(scan)["exponential"]
     pools = len(list((store / "pool").rglob("*.nc")))
     return {
         "filter_masters/scales": sum(
-            count * filtered(scales[side]["pixels"], scales[side]["cutoffs"])
+            count * filter_seconds(scales[side]["pixels"], scales[side]["cutoffs"])
             for side, count in sides.items()
         ),
         "filter_masters/sets": sum(
-            varied * (made(sets[side]["pixels"]) + filtered(**sets[side])) for side in sides
+            realizations * (surface_seconds(sets[side]["pixels"]) + filter_seconds(**sets[side]))
+            for side in sides
         ),
-        "synthesize_masters": sides["small"] * made(scales["small"]["pixels"]),
-        "compute_pool": pools * CHUNK * sets["rms_heights"] * of_scans,
+        "synthesize_masters": sides["small"] * surface_seconds(scales["small"]["pixels"]),
+        "compute_pool": pools * CHUNK * sets["rms_heights"] * scan_seconds,
     }
 
 
@@ -83,13 +84,12 @@ if __name__ == "__main__":
     results = Path("results", parser.parse_args().study)
     configuration = yaml.safe_load((results / "configuration.yaml").read_text())
     store = Path(configuration["store"])
-    measured = jobs([store, results]).groupby("rule").seconds.agg(["count", "sum"])
-    least = floors(configuration, store)
+    rule_times = jobs([store, results]).groupby("rule").seconds.agg(["count", "sum"])
+    rule_floors = floors(configuration, store)
     print("| rule | jobs | processor minutes | floor | times |\n|---|---|---|---|---|")
-    for rule, row in measured.sort_values("sum", ascending=False).iterrows():
-        floor = least.get(rule)
-        beside = f"{floor / 60:.2f} | {row['sum'] / floor:.1f}" if floor else "|"
-        print(f"| {rule} | {row['count']:.0f} | {row['sum'] / 60:.2f} | {beside} |")
-    print(
-        f"{measured['sum'].sum() / 60:.0f} processor minutes, floors {sum(least.values()) / 60:.0f}"
-    )
+    for rule, row in rule_times.sort_values("sum", ascending=False).iterrows():
+        floor = rule_floors.get(rule)
+        floor_cells = f"{floor / 60:.2f} | {row['sum'] / floor:.1f}" if floor else "|"
+        print(f"| {rule} | {row['count']:.0f} | {row['sum'] / 60:.2f} | {floor_cells} |")
+    floor_minutes = sum(rule_floors.values()) / 60
+    print(f"{rule_times['sum'].sum() / 60:.0f} processor minutes, floors {floor_minutes:.0f}")

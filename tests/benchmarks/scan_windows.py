@@ -27,7 +27,7 @@ class Windows:
     sizes: list[float]  #: Edges of the windows.
     per_size: int  #: Windows of every size, along the diagonal of the surface.
     ranges: list[float]  #: Ranges of adhesion.
-    contact: Contact  #: Of a smooth sphere; its range is not used.
+    contact: Contact  #: Contacts of a smooth sphere; their range is not used.
 
 
 def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[HeightMap]:
@@ -52,7 +52,7 @@ def window_forces(surface: HeightMap, windows: Windows) -> Floats:
     """Return the plastic pull-off on windows of a periodic surface, and on the surface itself.
 
     The forces (scan_size, rho) in N at 1 J/m² are means over contacts and windows. The last scan
-    size is that of the whole surface, which is not mirrored.
+    size belongs to the whole surface, which is not mirrored.
     """
     means = []
     for size in windows.sizes:
@@ -69,11 +69,11 @@ def filtered_forces(surface: HeightMap, cutoffs: list[float], windows: Windows) 
     show that longer waves do not matter: its ratio is NaN.
     """
     limit = surface.size * (1 + 1e-12)
-    within = [cutoff for cutoff in cutoffs if cutoff <= limit]
-    surfaces = filtered_series(surface, "large", [None, *within], surface.pixels)
+    passed_cutoffs = [cutoff for cutoff in cutoffs if cutoff <= limit]
+    surfaces = filtered_series(surface, "large", [None, *passed_cutoffs], surface.pixels)
     force, *filtered = (mean_forces(filtered_surface, windows)[0] for filtered_surface in surfaces)
-    beyond = [np.nan] * (len(cutoffs) - len(within))
-    return np.array([force, *(value / force for value in filtered), *beyond])
+    missing_ratios = [np.nan] * (len(cutoffs) - len(passed_cutoffs))
+    return np.array([force, *(value / force for value in filtered), *missing_ratios])
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class WindowFilters:
 def filtered_window_forces(
     name: str, density: SpectrumFunction, filters: WindowFilters
 ) -> xr.Dataset:
-    """Return the forces on windows and whole surfaces of a spectrum, and what long waves change.
+    """Return the forces on windows and whole surfaces of a spectrum, with and without long waves.
 
     Parameters
     ----------
@@ -103,36 +103,43 @@ def filtered_window_forces(
     Returns
     -------
     ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``ratio`` (realization,
-    map_size, cutoff_wavelength), the force without wavelengths above the cutoff relative to that
-    with all, NaN at cutoffs above the period. Both are means over the windows of a surface.
-    ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map sizes are
-    those of the windows, then those of the whole surfaces.
+    map_size, cutoff_wavelength), the force without wavelengths above the cutoff relative to the
+    force with all, NaN at cutoffs above the period. Both are means over the windows of a surface.
+    ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map sizes
+    belong to the windows first, then to the whole surfaces.
     """
     realizations = range(filters.realizations)
     means = np.array([_realization_forces(name, density, filters, k) for k in realizations])
-    windows, whole = filters.windows.sizes, filters.sizes
+    window_sizes, surface_sizes = filters.windows.sizes, filters.sizes
     nm, axes = {"units": "nm"}, ("realization", "map_size")
-    periods = [*(2 * size for size in windows), *whole]
-    over_all = {
+    periods = [*(2 * size for size in window_sizes), *surface_sizes]
+    ratio_attributes = {
         "units": "1",
         "long_name": "force without longer waves, relative to the force with all waves",
     }
-    of_windows = {"units": "1", "long_name": "1 for mirrored windows, 0 for whole surfaces"}
-    removed = nm | {"long_name": "wavelength above which roughness is removed"}
+    mirrored_attributes = {
+        "units": "1",
+        "long_name": "1 for mirrored windows, 0 for whole surfaces",
+    }
+    cutoff_attributes = nm | {"long_name": "wavelength above which roughness is removed"}
     return xr.Dataset(
         {
             "pull_off_force": (axes, means[..., 0], FORCE),
-            "ratio": ((*axes, "cutoff_wavelength"), means[..., 1:], over_all),
+            "ratio": ((*axes, "cutoff_wavelength"), means[..., 1:], ratio_attributes),
             "period": ("map_size", periods, nm | {"long_name": "longest wave of the surface"}),
-            "mirrored": ("map_size", [1] * len(windows) + [0] * len(whole), of_windows),
+            "mirrored": (
+                "map_size",
+                [1] * len(window_sizes) + [0] * len(surface_sizes),
+                mirrored_attributes,
+            ),
         },
         {
             "map_size": (
                 "map_size",
-                [*windows, *whole],
+                [*window_sizes, *surface_sizes],
                 nm | {"long_name": "size of the mirrored windows, then of the whole surfaces"},
             ),
-            "cutoff_wavelength": ("cutoff_wavelength", filters.cutoffs, removed),
+            "cutoff_wavelength": ("cutoff_wavelength", filters.cutoffs, cutoff_attributes),
         },
     )
 
@@ -144,14 +151,14 @@ def _realization_forces(
     windows, cutoffs, pixel_size = filters.windows, filters.cutoffs, filters.pixel_size
     half_as_many = replace(windows.contact, count=-(-windows.contact.count // 2))
     fewer_contacts = replace(windows, contact=half_as_many)
-    whole = []
+    surfaces = []
     for size in filters.sizes:
         rng = generator(filters.seed, name, realization, f"window edges {size:g} nm")
         pixels = window_pixels(size, pixel_size)
-        whole.append(random_surface(rng, pixels, pixel_size, density))
+        surfaces.append(random_surface(rng, pixels, pixel_size, density))
     means = []
     for size in windows.sizes:
-        scans = mirrored_windows(whole[-1], size, windows.per_size)
+        scans = mirrored_windows(surfaces[-1], size, windows.per_size)
         forces = [filtered_forces(scan, cutoffs, fewer_contacts) for scan in scans]
         means.append(np.mean(forces, axis=0))
-    return [*means, *(filtered_forces(surface, cutoffs, windows) for surface in whole)]
+    return [*means, *(filtered_forces(surface, cutoffs, windows) for surface in surfaces)]

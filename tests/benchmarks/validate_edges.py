@@ -2,7 +2,7 @@
 
     python tests/benchmarks/validate_edges.py [--table FILE]
 
-Nothing is computed on surfaces: a changed formula is held to the edges that prediction.csv has, in
+No force is computed on a surface: a changed formula is compared with the edges of prediction.csv in
 seconds. The columns are described in resources/validation/README.md.
 """
 
@@ -25,15 +25,15 @@ RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/edges.csv"
 #: Published spectra, under the sphere, range and load of the paper.
 NITRIDES = ("crn_rougher", "crn_smoother")
-PAPER_FIGURES = contact_of_area(radius=250e3, rho=5.6, work=WORK, area=400.0)
+PAPER_CONTACT = contact_of_area(radius=250e3, rho=5.6, work=WORK, area=400.0)
 
 
-def placed(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
-    """Return where a surface lies on the map of the regimes, and its edges by the formulas."""
-    found, edges = closed_form(spectrum, contact), formula_edges(spectrum, contact, TOLERANCE)
+def describe_surface(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
+    """Return the coordinates of a surface among the regimes, and its edges by the formulas."""
+    form, edges = closed_form(spectrum, contact), formula_edges(spectrum, contact, TOLERANCE)
     return {
-        "rms_height_over_range": found.rms_height / contact.range,
-        "level": found.closest_approach / found.rms_height,
+        "rms_height_over_range": form.rms_height / contact.range,
+        "level": form.closest_approach / form.rms_height,
         "contact_over_rolloff": np.sqrt(contact.area) / roll_off(spectrum),
         "short_edge": edges.short,
         "long_edge": edges.long,
@@ -46,12 +46,14 @@ def rows(surfaces: int = SURFACES) -> list[dict[str, Any]]:
     for row in design(surfaces):
         waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
         contact = contact_of_area(row["radius"], row["rho"], WORK, row["area"])
-        designed.append({"surface": str(row["surface"])} | placed(waves, contact))
+        designed.append({"surface": str(row["surface"])} | describe_surface(waves, contact))
     for name in NITRIDES:  # No band of theirs is calibrated to the paper's Table 1.
         density, _, _ = spectrum_from_description(
             RESOURCES / f"spectra/{name}.csv", pd.DataFrame(), {}
         )
-        designed.append({"surface": name} | placed(Spectrum(WAVEVECTORS, density), PAPER_FIGURES))
+        designed.append(
+            {"surface": name} | describe_surface(Spectrum(WAVEVECTORS, density), PAPER_CONTACT)
+        )
     return designed
 
 

@@ -1,10 +1,10 @@
-"""The closed form beside computed forces and edges, on designed surfaces: prediction.csv.
+"""The closed form and computed forces and edges on designed surfaces: prediction.csv.
 
     python tests/benchmarks/validate_prediction.py [--surfaces 160] [--table FILE]
 
 Forces and edges are computed as the study computes them: on random surfaces, in plastic contact,
-filtered at cutoffs. Rows that the table has are kept and only predicted again, so that a run goes
-on where one ended, and without `--surfaces` a changed closed form is held to the same surfaces.
+filtered at cutoffs. Existing rows of the table are only predicted again. A run therefore continues
+an earlier one, and without `--surfaces` a changed closed form is tested on the same surfaces.
 The columns are described in resources/validation/README.md.
 """
 
@@ -30,8 +30,8 @@ from hardcontact.theory.prediction_errors import table_coordinates
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
 CONTACTS, CUTOFFS = 8, 12
-#: Least and largest value of each input, drawn evenly in its logarithm but for the Hurst exponent;
-#: lengths in nm, the area of contact in nm².
+#: Limits of each input, drawn evenly in its logarithm except for the Hurst exponent; lengths in nm,
+#: the area of contact in nm².
 BOUNDS = {
     "rolloff": (200.0, 4000.0),
     "steepness": (1 / 300, 1 / 20),  # rms height over roll-off
@@ -60,15 +60,15 @@ LARGEST, GRIDS = 25e3, {1024: 4, 2048: 3}
 
 def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
-    first = drawn(BOUNDS, SEED, FIRST)
-    second = [
+    first_rows = draw_inputs(BOUNDS, SEED, FIRST)
+    second_rows = [
         row | {"surface": FIRST + row["surface"], "kind": STEEP}
-        for row in drawn(STEEP_BOUNDS, STEEP_SEED, SECOND)
+        for row in draw_inputs(STEEP_BOUNDS, STEEP_SEED, SECOND)
     ]
-    return [row | grid(row) for row in [*first, *second][:surfaces]]
+    return [row | grid(row) for row in [*first_rows, *second_rows][:surfaces]]
 
 
-def drawn(
+def draw_inputs(
     bounds: dict[str, tuple[float, float]], seed: int, surfaces: int
 ) -> Iterator[dict[str, Any]]:
     """Yield the inputs of the first surfaces of a Sobol sequence (scrambled) within bounds."""
@@ -90,15 +90,15 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     Twelve pixels are as long as the root of the area in contact where that can be had, and a side
     has three roll-offs and six times the distance that the sphere finds its summits in.
     """
-    found_in = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
-    wanted = max(3 * row["rolloff"], 6 * found_in)
-    size = min(wanted, LARGEST)
+    summit_distance = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
+    wanted_size = max(3 * row["rolloff"], 6 * summit_distance)
+    size = min(wanted_size, LARGEST)
     finest = np.sqrt(row["area"]) / 12
     pixels = next((n for n in GRIDS if size / n <= finest), max(GRIDS))
     pixel_size = size / pixels
     preload = row["area"] * HARDNESS * 1e-18
     contact = Contact(radius=row["radius"], preload=preload, hardness=HARDNESS)
-    coarse, small = pixel_size > 3 * finest, size < wanted / 2
+    coarse, small = pixel_size > 3 * finest, size < wanted_size / 2
     return {
         "size": size,
         "pixels": pixels,
@@ -126,7 +126,7 @@ def spectrum_of(row: dict[str, Any]) -> Spectrum:
     return Spectrum(WAVEVECTORS, density * (row["rms_height"] / height) ** 2)
 
 
-def computed(row: dict[str, Any]) -> dict[str, Any]:
+def compute_row(row: dict[str, Any]) -> dict[str, Any]:
     """Return the mean force (N at 1 J/m²) with its standard error, and both edges."""
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
     cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFFS)
@@ -145,11 +145,11 @@ def computed(row: dict[str, Any]) -> dict[str, Any]:
         rng = generator(SEED, row["surface"], realization, "validation")
         surface = random_surface(rng, pixels, size / pixels, spectrum)
         for side in SIDES:
-            found = filtered_pull_off(surface, Filters(side, pixels, cutoffs), [contact])
-            found = found.mean(["contact_y", "contact_x"])
-            whole = found["unfiltered_pull_off_force"].item()
-            curves[side].append(found["pull_off_force"].values.ravel() / whole)
-        forces.append(whole)
+            filtered_forces = filtered_pull_off(surface, Filters(side, pixels, cutoffs), [contact])
+            filtered_forces = filtered_forces.mean(["contact_y", "contact_x"])
+            unfiltered_force = filtered_forces["unfiltered_pull_off_force"].item()
+            curves[side].append(filtered_forces["pull_off_force"].values.ravel() / unfiltered_force)
+        forces.append(unfiltered_force)
     error = np.std(np.log(forces), ddof=1) / np.sqrt(len(forces))
     result = {"force": np.mean(forces), "force_error": error}
     for side, name in zip(SIDES, ("short", "long"), strict=True):
@@ -160,34 +160,34 @@ def computed(row: dict[str, Any]) -> dict[str, Any]:
 def edge(
     side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray, size: float
 ) -> dict[str, Any]:
-    """Return an edge of ratios (realization, cutoff), or its bound; least and greatest with it."""
+    """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
     order = slice(None) if side == "small" else slice(None, None, -1)
     curve = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[:, order]
     limits = logarithmic_limits(TOLERANCE)
-    one = describe_edge(RatioCurve(side, size, cutoffs[order], curve, limits))
-    known = one["edge_status"] == "found"
-    bound = "at least" if one["edge_bound_is_lower"] else "at most"
+    description = describe_edge(RatioCurve(side, size, cutoffs[order], curve, limits))
+    is_found = description["edge_status"] == "found"
+    bound = "at least" if description["edge_bound_is_lower"] else "at most"
     return {
-        f"{name}_edge": one["edge"] if known else one["edge_bound"],
-        f"{name}_edge_status": "found" if known else bound,
-        f"{name}_edge_low": one["edge_interval"][0],
-        f"{name}_edge_high": one["edge_interval"][1],
+        f"{name}_edge": description["edge"] if is_found else description["edge_bound"],
+        f"{name}_edge_status": "found" if is_found else bound,
+        f"{name}_edge_low": description["edge_interval"][0],
+        f"{name}_edge_high": description["edge_interval"][1],
     }
 
 
-def predicted(row: dict[str, Any]) -> dict[str, Any]:
-    """Return what the closed form says of the waves on the grid, and where it lies in the set."""
+def predict_row(row: dict[str, Any]) -> dict[str, Any]:
+    """Return the prediction of the closed form on the grid, and the coordinates of the surface."""
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     contact = contact_of_area(row["radius"], row["rho"], WORK, row["area"])
-    found = closed_form(waves, contact)
+    form = closed_form(waves, contact)
     short, long = edges(waves, contact, TOLERANCE)
     return {
-        "predicted_force": found.force,
+        "predicted_force": form.force,
         "predicted_short_edge": short,
         "predicted_long_edge": long,
-        **table_coordinates(waves, contact, found),
-        "unfollowed_rms_height": found.rms_height,
-        "closest_approach": found.closest_approach,
+        **table_coordinates(waves, contact, form),
+        "unfollowed_rms_height": form.rms_height,
+        "closest_approach": form.closest_approach,
     }
 
 
@@ -201,9 +201,9 @@ def main() -> None:
     done = {row["surface"] for row in rows}
     for row in design(SURFACES)[: arguments.surfaces]:
         if row["surface"] not in done:
-            rows.append(row | computed(row))
+            rows.append(row | compute_row(row))
             _write(rows, arguments.table)
-    _write([row | predicted(row) for row in rows], arguments.table)
+    _write([row | predict_row(row) for row in rows], arguments.table)
 
 
 def _write(rows: list[dict[str, Any]], path: Path) -> None:

@@ -1,19 +1,19 @@
-"""How large a scan must be for its force and its long edge of the band: scan_size.nc.
+"""The size that a scan needs for its force and its long edge of the band: scan_size.nc.
 
     nice python tests/benchmarks/validate_scan_sizes.py [--table FILE] [--processes 2]
 
 A contact finds its peaks within some 2 sqrt(2 R sigma) of each other. A smaller scan, mirrored, has
-fewer peaks, so that the sphere misses the highest of them. How much that counts may depend on this
-draw size and on the roll-off, both over the size of the scan, and on the heights over the range of
-adhesion. The rule is a power law of these three ratios. It is fitted to random self-affine
+fewer peaks, so that the sphere misses the highest of them. The excess of the force may depend on
+this draw size and on the roll-off, both over the size of the scan, and on the heights over the
+range of adhesion. The rule is a power law of these three ratios. It is fitted to random self-affine
 surfaces, which differ in rms height, roll-off, Hurst exponent and sphere, and tested on the
 substitutes of the paper's surfaces, which it was not fitted to.
 
-Mirrored windows also have a long edge of the band, beside that of whole random surfaces. A window
-has no waves longer than its period. Where a window's force changes as soon as its longest waves go,
-the edge is open, and at least so long.
+The long edge of the band is computed on mirrored windows and on whole random surfaces. A window
+has no waves longer than its period. If a window's force changes as soon as its longest waves are
+removed, the edge is open: it is at least as long.
 
-All settings are those of the paper's study. resources/validation/README.md describes the table.
+All settings are taken from the paper's study. resources/validation/README.md describes the table.
 """
 
 import argparse
@@ -72,8 +72,8 @@ class Trials:
     pixels: int = 1024  #: Along an edge of a surface.
     realizations: int = 3  #: Surfaces of each spectrum.
     spectra: int = 24  #: Random spectra that the rule is fitted to.
-    radii: tuple[float, ...] = (20e3, 62.5e3, 250e3)  #: Of the spheres on these, in turn.
-    #: Windows and contacts; the radius is that on the tested surfaces.
+    radii: tuple[float, ...] = (20e3, 62.5e3, 250e3)  #: Radii of the spheres on these, in turn.
+    #: Windows and contacts; the radius is for the tested surfaces.
     windows: Windows = Windows(
         sizes=[1250.0, 2500.0, 5000.0, 10e3],
         per_size=2,
@@ -99,9 +99,9 @@ class Case(NamedTuple):
     """Scans of surfaces under a sphere; all lengths in nm, of shapes that broadcast."""
 
     size: ArrayLike  #: Side of the scan.
-    rms_height: ArrayLike  #: Of the surface.
-    roll_off: ArrayLike  #: Of the surface.
-    radius: ArrayLike  #: Of the sphere.
+    rms_height: ArrayLike  #: Rms height of the surface.
+    roll_off: ArrayLike  #: Roll-off wavelength of the surface.
+    radius: ArrayLike  #: Radius of the sphere.
     rho: ArrayLike  #: Range of adhesion.
 
     def ratios(self) -> Floats:
@@ -141,10 +141,10 @@ def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
     """
     from scipy.optimize import least_squares
 
-    ratios, measured = case.ratios(), np.log(np.asarray(excess, float))
+    ratios, logarithms = case.ratios(), np.log(np.asarray(excess, float))
 
     def misfit(parameters: Floats) -> Floats:
-        return np.asarray(np.exp(parameters[0] + parameters[1:] @ ratios) - measured)
+        return np.asarray(np.exp(parameters[0] + parameters[1:] @ ratios) - logarithms)
 
     parameters = least_squares(misfit, np.array([np.log(0.3), 1.0, 0.0, 0.0])).x
     return ScanSizeRule(float(np.exp(parameters[0])), parameters[1:])
@@ -153,7 +153,7 @@ def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
 def correction_errors(predicted: ArrayLike, excess: ArrayLike) -> list[float]:
     """Return the root mean squares of ln(force) that are left with and without a correction.
 
-    The correction divides measured factors (n,) by predicted ones.
+    The correction divides measured factors (n,) by predicted factors.
     """
     uncorrected = np.log(np.asarray(excess, float))
     corrected = uncorrected - np.log(predicted)
@@ -182,10 +182,10 @@ def random_trials() -> tuple[list[str], list[Spectrum], list[float]]:
 def ratio_of_means(
     forces: xr.DataArray, reference: xr.DataArray
 ) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the mean force over realizations relative to that of a reference, and its interval.
+    """Return the mean force over realizations relative to a reference, and its interval.
 
-    The interval is that of the ratios of single realizations by Student's t of their logarithms,
-    about the ratio of the means.
+    The interval comes from Student's t of the logarithms of the ratios of single realizations; it
+    is centred at the ratio of the means.
     """
     ratio = forces.mean("realization") / reference.mean("realization")
     single = forces / reference
@@ -194,7 +194,7 @@ def ratio_of_means(
 
 
 def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) -> xr.Dataset:
-    """Return how much larger the force is on windows than on surfaces of a spectrum.
+    """Return the force on windows relative to whole surfaces of a spectrum.
 
     ``finite_scan_ratio`` (scan_size, rho), with its interval, is a `ratio_of_means`;
     ``rms_height``, ``rolloff`` and ``radius`` of the sphere are in nm. The name of the spectrum is
@@ -211,8 +211,11 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
         {"scan_size": [*windows.sizes, trials.size], "rho": windows.ranges},
         ["realization", "scan_size", "rho"],
     )
-    on_windows, on_whole = force.isel(scan_size=slice(-1)), force.isel(scan_size=-1, drop=True)
-    excess, interval = ratio_of_means(on_windows, on_whole)
+    window_force, surface_force = (
+        force.isel(scan_size=slice(-1)),
+        force.isel(scan_size=-1, drop=True),
+    )
+    excess, interval = ratio_of_means(window_force, surface_force)
     nm = {"units": "nm"}
     return xr.Dataset(
         {
@@ -225,41 +228,43 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
     )
 
 
-def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
+def apply_rule(tested: xr.Dataset, random_surfaces: xr.Dataset) -> xr.Dataset:
     """Return the rule, the excess of the force that it predicts, and its error.
 
     Parameters
     ----------
     tested : `window_excess` over (surface, scan_size, rho)
-    known : `window_excess` of random surfaces over (trial, scan_size, rho), to fit the rule to
+    random_surfaces : `window_excess` over (trial, scan_size, rho), to fit the rule to
 
-    Returns ------- The tested excess with ``predicted_finite_scan_ratio``, over the same
-    dimensions; ``trial_finite_scan_ratio`` and ``predicted_trial_finite_scan_ratio`` over those of
-    the known, each predicted by a rule that was fitted without its spectrum; ``rule_factor`` and
-    ``exponent`` (exponent_of) of the rule; ``rms_log_error`` (tested_on, correction) of
+    Returns
+    -------
+    The tested excess with ``predicted_finite_scan_ratio``, over the same dimensions;
+    ``trial_finite_scan_ratio`` and ``predicted_trial_finite_scan_ratio`` over the dimensions of the
+    random surfaces, each predicted by a rule that was fitted without its spectrum; ``rule_factor``
+    and ``exponent`` (exponent_of) of the rule; ``rms_log_error`` (tested_on, correction), the
     `correction_errors`; ``size_needed`` (surface, rho) in nm for ALLOWED_EXCESS.
     """
-    random_cases, known_excess = _cases(known)
+    random_cases, random_excess = _cases(random_surfaces)
     surface_cases, tested_excess = _cases(tested)
-    rule = fitted_rule(random_cases, known_excess)
+    rule = fitted_rule(random_cases, random_excess)
     left_out = []
-    for trial in range(known.sizes["trial"]):
-        rule_of_others = fitted_rule(*_cases(known.drop_isel(trial=trial)))
-        left_out.append(rule_of_others.excess(_cases(known.isel(trial=[trial]))[0]))
-    predicted_known = np.concatenate(left_out)
+    for trial in range(random_surfaces.sizes["trial"]):
+        rule_of_others = fitted_rule(*_cases(random_surfaces.drop_isel(trial=trial)))
+        left_out.append(rule_of_others.excess(_cases(random_surfaces.isel(trial=[trial]))[0]))
+    predicted_random = np.concatenate(left_out)
     predicted = rule.excess(surface_cases)
     errors = [
-        correction_errors(predicted_known, known_excess),
+        correction_errors(predicted_random, random_excess),
         correction_errors(predicted, tested_excess),
     ]
     needed = rule.size_for(_cases(tested.isel(scan_size=[0]))[0], ALLOWED_EXCESS)
     axes, unitless = ("surface", "scan_size", "rho"), {"units": "1"}
     surfaces, sizes, ranges = (tested.sizes[name] for name in axes)
-    by_trial = predicted_known.reshape(-1, sizes, ranges)
+    predicted_by_trial = predicted_random.reshape(-1, sizes, ranges)
     return tested.assign(
         predicted_finite_scan_ratio=(axes, predicted.reshape(surfaces, sizes, ranges), unitless),
-        trial_finite_scan_ratio=known["finite_scan_ratio"],
-        predicted_trial_finite_scan_ratio=(("trial", *axes[1:]), by_trial, unitless),
+        trial_finite_scan_ratio=random_surfaces["finite_scan_ratio"],
+        predicted_trial_finite_scan_ratio=(("trial", *axes[1:]), predicted_by_trial, unitless),
         rule_factor=((), rule.strength, unitless),
         exponent=("exponent_of", rule.exponents, unitless),
         rms_log_error=(("tested_on", "correction"), errors, unitless),
@@ -274,7 +279,7 @@ def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
 
 
 def _cases(excess: xr.Dataset) -> tuple[Case, Floats]:
-    """Return the scans of a dataset of `window_excess` and their factors: both flat."""
+    """Return scans and factors of a result of `window_excess`, both flat."""
     factors = excess["finite_scan_ratio"]
     names = ("scan_size", "rms_height", "rolloff", "radius", "rho")
     lengths = (excess[name].broadcast_like(factors).transpose(*factors.dims) for name in names)
@@ -284,29 +289,33 @@ def _cases(excess: xr.Dataset) -> tuple[Case, Floats]:
 def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the long edges of the band from windows and whole surfaces, and the forces on them.
 
-    The forces are of `filtered_window_forces`, by surface. With intervals: ``scale_ratio``
-    (surface, map_size, cutoff_wavelength), the mean over realizations of the force without longer
-    waves relative to that with all, and ``force_over_largest`` (surface, map_size), the force
-    relative to that on the larger whole surface. What `describe_edge` says of each map size has
-    names that begin with ``long_``. ``period`` and ``mirrored`` are those of the forces.
+    The argument is a mapping from surfaces to results of `filtered_window_forces`. With intervals:
+    ``scale_ratio`` (surface, map_size, cutoff_wavelength), the mean over realizations of the force
+    without longer waves relative to the force with all, and ``force_over_largest`` (surface,
+    map_size), the force relative to the larger whole surface. Edges of each map size have
+    names that begin with ``long_``. ``period`` and ``mirrored`` are copied from the forces.
     """
     windows = next(iter(forces.values()))[["period", "mirrored"]]
-    stacked = stack({(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"])
-    ratio = stacked["ratio"].mean("realization", keep_attrs=True)
-    interval = student_log_interval(stacked["ratio"], CONFIDENCE, "realization")
-    force = stacked["pull_off_force"]
-    over_largest, over_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
-    cells = windows["period"].broadcast_like(over_largest).transpose(*over_largest.dims)
+    all_forces = stack(
+        {(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"]
+    )
+    ratio = all_forces["ratio"].mean("realization", keep_attrs=True)
+    interval = student_log_interval(all_forces["ratio"], CONFIDENCE, "realization")
+    force = all_forces["pull_off_force"]
+    relative_force, relative_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
+    cells = windows["period"].broadcast_like(relative_force).transpose(*relative_force.dims)
     curves = xr.Dataset(
         {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
     ).assign_coords(side="large")
     edges = edges_of_curves(curves, logarithmic_limits(TOLERANCE))
-    of_largest = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
+    attributes = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
     return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
         scale_ratio=ratio,
         scale_ratio_interval=interval.assign_attrs(units="1"),
-        force_over_largest=over_largest.assign_attrs(of_largest),
-        force_over_largest_interval=over_interval.assign_attrs(of_largest, confidence=CONFIDENCE),
+        force_over_largest=relative_force.assign_attrs(attributes),
+        force_over_largest_interval=relative_interval.assign_attrs(
+            attributes, confidence=CONFIDENCE
+        ),
     )
 
 
@@ -315,8 +324,8 @@ def study_spectrum(surface: str) -> Spectrum:
     table1 = published.table1(RESOURCES / "paper/table1.csv")
     rows = rows_of_surface(table1, surface, slope="gradient", curvature="half_laplacian")
     constants = published.constants(RESOURCES / "paper/parameters.csv")
-    stored = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
-    return spectrum_of_dataset(stored)
+    stored_spectrum = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
+    return spectrum_of_dataset(stored_spectrum)
 
 
 def main() -> None:
@@ -328,12 +337,14 @@ def main() -> None:
     spectra = {surface: study_spectrum(surface) for surface in SURFACES}
     with ProcessPoolExecutor(arguments.processes) as pool:
         edges = pool.map(filtered_window_forces, SURFACES, spectra.values(), repeat(FILTERS))
-        known = pool.map(window_excess, *random_trials(), repeat(TRIALS))
+        random_surfaces = pool.map(window_excess, *random_trials(), repeat(TRIALS))
         radii = [TRIALS.windows.contact.radius] * len(SURFACES)
         tested = pool.map(window_excess, SURFACES, spectra.values(), radii, repeat(TRIALS))
         forces = dict(zip(SURFACES, edges, strict=True))
         surfaces = xr.concat(tested, pd.Index(list(SURFACES), name="surface"))
-        table = with_rule(surfaces, xr.concat(known, "trial")).merge(window_edges(forces))
+        table = apply_rule(surfaces, xr.concat(random_surfaces, "trial")).merge(
+            window_edges(forces)
+        )
     table = table.assign(
         label=("surface", list(SURFACES.values())),
         basis=("surface", ["substitute"] * len(SURFACES)),

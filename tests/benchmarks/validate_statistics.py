@@ -1,12 +1,12 @@
-"""The distribution of forces beside computed ones, on designed surfaces: statistics.nc, .csv.
+"""The distributions of predicted and computed forces on designed surfaces: statistics.nc, .csv.
 
     nice python tests/benchmarks/validate_statistics.py [--surfaces 80] [--dataset FILE]
 
 Forces are computed as the study computes them, in rigid and plastic contact of a smooth sphere, on
-random surfaces of the kinds of `validate_prediction`. Every fifth one is skewed: the heights of a
-Gaussian surface are mapped through a growing exponential or its mirror image. Surfaces that the
-dataset has are kept, so that a run goes on where one ended; the table beside it holds the law to
-all of them. resources/validation/README.md describes both.
+random surfaces of the kinds of `validate_prediction`. Every fifth surface is skewed: the heights of
+a Gaussian surface are mapped through a growing exponential or its mirror image. Existing surfaces
+of the dataset are kept, so that a run continues an earlier one. The table compares the law with all
+of them. resources/validation/README.md describes both.
 """
 
 import argparse
@@ -18,7 +18,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from scipy import special, stats
-from validate_prediction import HARDNESS, drawn, spectrum_of
+from validate_prediction import HARDNESS, draw_inputs, spectrum_of
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -36,7 +36,7 @@ SHARES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 
 DATASET = Path(__file__).parents[2] / "resources/validation/statistics.nc"
 SEED, PLACES = 20261124, 400
-#: Least and largest value of each input, as in `validate_prediction`.
+#: Smallest and largest value of each input, as in `validate_prediction`.
 BOUNDS = {
     "rolloff": (300.0, 4000.0),
     "steepness": (1 / 400, 1 / 20),
@@ -50,14 +50,14 @@ BOUNDS = {
 LEVEL, RANGES = 3.3, (0.3, 40.0)
 #: Every how many surfaces are skewed, and how: exp(SKEWED z) of normal z has the skewness 0.61.
 EVERY, SKEWED = 5, 0.2
-#: Pixels and places along an edge, of which the cheapest that resolve the contact are taken.
-PIXELS, ALONG = (512, 1024, 2048), (10, 8, 6, 5, 4)
+#: Pixels and places along an edge; the cheapest that resolve the contact are taken.
+PIXELS, COUNTS = (512, 1024, 2048), (10, 8, 6, 5, 4)
 
 
 def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
     rows = []
-    for row in drawn(BOUNDS, SEED, surfaces):
+    for row in draw_inputs(BOUNDS, SEED, surfaces):
         row["rho"] = float(np.clip(row.pop("weibull_modulus") * row["rms_height"] / LEVEL, *RANGES))
         skewed = row["surface"] % EVERY == EVERY - 1
         row["skewed"] = (SKEWED if row["surface"] % 2 else -SKEWED) if skewed else 0.0
@@ -68,31 +68,31 @@ def design(surfaces: int) -> list[dict[str, Any]]:
 def grid(row: dict[str, Any]) -> dict[str, Any]:
     """Return the cheapest grid that has three pixels along the contact and 16 a roll-off.
 
-    Places are further apart than the roll-off and than twice the distance in which the sphere finds
-    its summits, or attracts. Without such a grid it is the finest.
+    The spacing of places exceeds the roll-off and twice the distance in which the sphere finds its
+    summits or attracts. If no grid has this resolution, the finest is returned.
     """
     reach = 2 * np.sqrt(2 * row["radius"] * max(row["rms_height"] / LEVEL, row["rho"]))
-    apart, finest = max(row["rolloff"], reach), min(np.sqrt(row["area"]) / 3, row["rolloff"] / 16)
+    spacing, finest = max(row["rolloff"], reach), min(np.sqrt(row["area"]) / 3, row["rolloff"] / 16)
     grids = [
-        (-(-PLACES // along**2) * pixels**2, along, pixels)
-        for along in ALONG
+        (-(-PLACES // count**2) * pixels**2, count, pixels)
+        for count in COUNTS
         for pixels in PIXELS
-        if along * apart / pixels <= finest
+        if count * spacing / pixels <= finest
     ]
-    _, along, pixels = min(grids, default=(0, ALONG[-1], PIXELS[-1]))
-    size = along * apart
+    _, count, pixels = min(grids, default=(0, COUNTS[-1], PIXELS[-1]))
+    size = count * spacing
     preload = row["area"] * HARDNESS * 1e-18
     contact = Contact(radius=row["radius"], preload=preload, hardness=HARDNESS)
     return {
         "size": size,
         "pixels": pixels,
-        "places_along_edge": along,
+        "places_along_edge": count,
         "shortest": 4 * size / pixels,
         "area": contact.pixels(size / pixels) * (size / pixels) ** 2,
     }
 
 
-def mapped(surface: HeightMap, row: dict[str, Any]) -> HeightMap:
+def skew_heights(surface: HeightMap, row: dict[str, Any]) -> HeightMap:
     """Return a surface with skewed heights of the same mean and rms height."""
     if not row["skewed"]:
         return surface
@@ -103,7 +103,7 @@ def mapped(surface: HeightMap, row: dict[str, Any]) -> HeightMap:
     return surface
 
 
-def computed(row: dict[str, Any]) -> xr.Dataset:
+def compute_forces(row: dict[str, Any]) -> xr.Dataset:
     """Return the inputs, and forces and closest approach (contact model, place) of a surface."""
     spectrum, pixels = spectrum_of(row), row["pixels"]
     wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
@@ -114,62 +114,66 @@ def computed(row: dict[str, Any]) -> xr.Dataset:
         window=max(wide, 32 * row["size"] / pixels),
         count=row["places_along_edge"],
     )
-    found = []
+    pair_forces = []
     for realization in range(-(-PLACES // row["places_along_edge"] ** 2)):
         rng = generator(SEED, row["surface"], realization, "statistics")
-        surface = mapped(random_surface(rng, pixels, row["size"] / pixels, spectrum), row)
+        surface = skew_heights(random_surface(rng, pixels, row["size"] / pixels, spectrum), row)
         pair = bodies(surface, None, contact)
-        found.append(pull_off_of_pair(pair, contact, [row["rho"]]).squeeze("rho", drop=True))
+        pair_forces.append(pull_off_of_pair(pair, contact, [row["rho"]]).squeeze("rho", drop=True))
     axes = ["realization", "contact_y", "contact_x"]
-    every = xr.concat(found, "realization").stack(place=axes).isel(place=slice(PLACES))
-    over, smooth = ("contact_model", "place"), float(dmt_pull_off(1.0, row["radius"]))
-    relative = every["pull_off_force"].transpose(*over).values / smooth
-    level = -every["apex_depth"].transpose(*over).values / row["rms_height"]
+    all_contacts = xr.concat(pair_forces, "realization").stack(place=axes).isel(place=slice(PLACES))
+    axis_names, smooth = ("contact_model", "place"), float(dmt_pull_off(1.0, row["radius"]))
+    relative = all_contacts["pull_off_force"].transpose(*axis_names).values / smooth
+    level = -all_contacts["apex_depth"].transpose(*axis_names).values / row["rms_height"]
     return xr.Dataset(
         {
-            "log_force": (over, np.log(relative), {"units": "1", "long_name": "ln(F/2 pi R W)"}),
-            "level": (over, level, {"units": "1", "long_name": "closest approach, rms heights"}),
+            "log_force": (
+                axis_names,
+                np.log(relative),
+                {"units": "1", "long_name": "ln(F/2 pi R W)"},
+            ),
+            "level": (
+                axis_names,
+                level,
+                {"units": "1", "long_name": "closest approach, rms heights"},
+            ),
             **{name: value for name, value in row.items() if name != "surface"},
         },
         {"contact_model": ["rigid", "plastic"], "surface": row["surface"]},
     )
 
 
-def compared(one: xr.Dataset) -> Iterator[dict[str, Any]]:
+def compare_distributions(surface_forces: xr.Dataset) -> Iterator[dict[str, Any]]:
     """Yield the inputs of a surface, the law and its distances, in rigid and plastic contact.
 
-    Distances are those of Kolmogorov and Smirnov; distributions have the mean of the forces, the
-    fitted log-normal their mean and deviation of ln F.
+    Distances are Kolmogorov-Smirnov statistics. Distributions have the mean of the forces; the
+    fitted log-normal has their mean and deviation of ln F.
     """
-    row = {name: value.item() for name, value in one.variables.items() if not value.ndim}
+    row = {name: value.item() for name, value in surface_forces.variables.items() if not value.ndim}
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     for model, area in (("rigid", 0.0), ("plastic", row["area"])):
-        found = predict_statistics(waves, contact_of_area(row["radius"], row["rho"], 1.0, area))
-        logs = one["log_force"].sel(contact_model=model).values
+        law = predict_statistics(waves, contact_of_area(row["radius"], row["rho"], 1.0, area))
+        logs = surface_forces["log_force"].sel(contact_model=model).values
         forces = np.exp(logs) / np.exp(logs).mean()
-        k = found.modulus or np.nan  # no law of Weibull below the mean plane
+        k = law.modulus or np.nan  # no law of Weibull below the mean plane
         weibull = stats.weibull_min(k, scale=1 / special.gamma(1 + 1 / k))
         fitted = stats.norm(np.log(forces).mean(), logs.std())
-        narrow = stats.norm(-(found.spread**2) / 2, found.spread)
-        quantiles = np.quantile(forces, SHARES) / (found.quantile(SHARES) / found.force)
+        narrow = stats.norm(-(law.spread**2) / 2, law.spread)
+        quantiles = np.quantile(forces, SHARES) / (law.quantile(SHARES) / law.force)
         yield row | {
             "contact_model": model,
             "area": area,
-            "level": one["level"].sel(contact_model=model).values.mean(),
+            "level": surface_forces["level"].sel(contact_model=model).values.mean(),
             "log_force_std": logs.std(),
-            "predicted_log_force_std": found.spread,
-            "weibull_modulus": found.modulus,
-            "clumps": found.clumps,
-            "force_over_predicted": np.exp(logs).mean()
-            * 2e-9
-            * np.pi
-            * row["radius"]
-            / found.force,
-            "distance_law": stats.kstest(forces * found.force, found.probability).statistic,
+            "predicted_log_force_std": law.spread,
+            "weibull_modulus": law.modulus,
+            "clumps": law.clumps,
+            "force_over_predicted": np.exp(logs).mean() * 2e-9 * np.pi * row["radius"] / law.force,
+            "distance_law": stats.kstest(forces * law.force, law.probability).statistic,
             "distance_weibull": stats.kstest(forces, weibull.cdf).statistic,
             "distance_lognormal_fitted": stats.kstest(np.log(forces), fitted.cdf).statistic,
             "distance_lognormal_of_law": stats.kstest(np.log(forces), narrow.cdf).statistic,
-            **{f"quantile_{100 * at:g}": q for at, q in zip(SHARES, quantiles, strict=True)},
+            **{f"quantile_{100 * share:g}": q for share, q in zip(SHARES, quantiles, strict=True)},
         }
 
 
@@ -182,11 +186,13 @@ def main() -> None:
     path: Path = arguments.dataset
     done = [dataset.read(str(path))] if path.exists() else []
     for row in design(arguments.surfaces)[len(done and done[0]["surface"]) :]:
-        done = [xr.concat([*done, computed(row).expand_dims("surface")], "surface")]
+        done = [xr.concat([*done, compute_forces(row).expand_dims("surface")], "surface")]
         rounded = {"dtype": "int16", "scale_factor": 1e-3, "zlib": True, "_FillValue": -32768}
         done[0].to_netcdf(path, encoding=dict.fromkeys(("log_force", "level"), rounded))
-    each = (done[0].isel(surface=place) for place in range(done[0].sizes["surface"]))
-    table = pd.DataFrame([row for one in each for row in compared(one)])
+    surfaces = (done[0].isel(surface=index) for index in range(done[0].sizes["surface"]))
+    table = pd.DataFrame(
+        [row for surface_forces in surfaces for row in compare_distributions(surface_forces)]
+    )
     table.to_csv(path.with_suffix(".csv"), index=False, float_format="%.4g", lineterminator="\n")
 
 

@@ -31,8 +31,8 @@ from hardcontact.surfaces.synthesis import synthesize_master
 
 def lengths(low, high, count):
     """Give up to `count` quantities in nm, ascending, often at the ends of the accepted values."""
-    within_bounds = st.floats(low, high) | st.sampled_from([low * 1.0001, high])
-    return st.lists(within_bounds, min_size=1, max_size=count).map(
+    length_within_bounds = st.floats(low, high) | st.sampled_from([low * 1.0001, high])
+    return st.lists(length_within_bounds, min_size=1, max_size=count).map(
         lambda values: [f"{length:.9g} nm" for length in sorted(set(values))]
     )
 

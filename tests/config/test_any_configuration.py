@@ -1,4 +1,4 @@
-"""Arbitrary configurations: a valid study or one clear line a fault, at once."""
+"""Arbitrary configurations are valid, or refused with one clear line per fault in a short time."""
 
 import re
 import time
@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
 from repository import PAPER, QUICK, ROOT, leaves, merged
-from studies import changed
+from studies import replace_value
 
 from hardcontact.config import checks
 from hardcontact.config.model import numeric_configuration
@@ -63,7 +63,7 @@ values = st.recursive(
 
 
 def near(value):
-    """Values like one of the paper's: about as large, repeated, in another order, one more."""
+    """Give values close to a value of the paper: scaled, repeated or in another order."""
     if isinstance(value, list):
         items = [near(item) for item in value] or [st.just(0)]
         return st.lists(st.one_of(items), max_size=5) | st.permutations(value)
@@ -80,7 +80,7 @@ def near(value):
 
 
 def outcome(config):
-    """None for a valid study, else the lines that refuse it; within seconds of computing."""
+    """Return the refusal of a study, or None if it is valid; this takes less than 5 s."""
     start = time.process_time()
     try:
         numbers = numeric_configuration(config)
@@ -106,7 +106,7 @@ def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(examples):
     @example_settings(examples)
     @given(st.sampled_from(LEAVES + BRANCHES), values)
     def check(path, value):
-        message = outcome(changed(PAPER, path.split("."), value))
+        message = outcome(replace_value(PAPER, path.split("."), value))
         assert message is None or message.startswith("config key")
 
     check()
@@ -114,14 +114,14 @@ def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(examples):
 
 def test_missing_keys_have_their_defaults():
     for branch in filter(None, BRANCHES):
-        config = changed(PAPER, branch.split("."), {})
+        config = replace_value(PAPER, branch.split("."), {})
         assert numeric_configuration(config) == numeric_configuration(PAPER), branch
 
 
 @pytest.mark.parametrize("key", ["scans", "scales.small.cutoffs", "deep"])
 def test_deeply_nested_values_are_refused(key):
     nested = reduce(lambda inner, _: [inner], range(50_000), "1 nm")
-    assert outcome(changed(PAPER, key.split("."), nested))
+    assert outcome(replace_value(PAPER, key.split("."), nested))
 
 
 @pytest.mark.parametrize("config", [None, [], "", 5, {None: None}, {5: 6}, {("a", 1): 2}])
@@ -131,7 +131,7 @@ def test_a_configuration_that_is_no_mapping_is_refused(config):
 
 @bulk
 def test_values_near_the_paper_s_become_numbers_or_are_refused(examples):
-    """Several keys at once have other values: where it is accepted, all quantities are numbers."""
+    """Several keys have other values at once; an accepted study has only numbers."""
 
     @example_settings(examples)
     @given(st.data())
@@ -140,7 +140,7 @@ def test_values_near_the_paper_s_become_numbers_or_are_refused(examples):
         several_keys = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
         for path in data.draw(several_keys):
             path = path.split(".")
-            config = changed(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
+            config = replace_value(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
         if outcome(config) is None:
             numbers = numeric_configuration(config)
             for path in LEAVES:

@@ -27,7 +27,7 @@ CONTRADICTIONS = [
     ("robustness.heights.surface", "brass", "found brass"),
     ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
     ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
-    # Values beside each other
+    # Several values
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
     ("elastic.contacts", 401, "400", "found 401"),
     # Wavelengths and pixels

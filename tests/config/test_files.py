@@ -1,4 +1,4 @@
-"""The files of a study and the variants of robustness: each once, and apart by what is swept."""
+"""A study has each file once, and different files for different swept values and variants."""
 
 from itertools import product
 
@@ -22,7 +22,7 @@ def test_each_scan_is_paired_with_one_scan_of_the_sphere():
 
 
 def test_measured_surfaces_have_measurements_and_their_spectrum():
-    study = files(measured=["mcd"])
+    study = files(measured_surfaces=["mcd"])
     assert len(study.measurements("mcd")) == 2 and study.measurements("uncd") == []
     assert study.spectrum("mcd").endswith("mcd/study/measured-flat.nc")
     assert study.spectrum("uncd").endswith("uncd/study/calibrated.nc")
@@ -33,10 +33,10 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
-    levelling = files(scans=[1], measured=["ruby"]).levelling("ruby")
+    levelling = files(scans=[1], measured_surfaces=["ruby"]).levelling("ruby")
     levelled = flatten(read_measurement(path), **levelling)
     assert levelled.heights.std() == pytest.approx(rough.std(), rel=0.01)
-    assert files(measured=["uncd"]).levelling("uncd")["sphere_radius"] is None
+    assert files(measured_surfaces=["uncd"]).levelling("uncd")["sphere_radius"] is None
 
 
 @pytest.mark.parametrize(
@@ -48,14 +48,14 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     ],
 )
 def test_a_realization_uses_its_scan(surface, has_own_scan, scans):
-    study = files(scans=[2, 5], measured=["mcd"])
+    study = files(scans=[2, 5], measured_surfaces=["mcd"])
     for realization, scan in enumerate(scans, start=1):
         stitched = study.stitched_of_realization(surface, realization, "study", has_own_scan)
         assert stitched == study.stitched(surface, scan)
 
 
 def test_scans_are_made_in_groups_that_share_their_conditioning():
-    study = files(measured=["mcd"], scans=[1, 3], sets__realizations=5)
+    study = files(measured_surfaces=["mcd"], scans=[1, 3], sets__realizations=5)
     substitutes = [surface for surface in SURFACES if surface != "mcd"]
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
     for number, group in enumerate(study.scan_groups):
@@ -122,7 +122,7 @@ def test_the_rough_sphere_is_computed_at_the_load_of_the_study_only():
 
 
 def test_only_substitutes_have_pools_computed_in_chunks():
-    study = files(measured=["mcd"], sets__pool=32)
+    study = files(measured_surfaces=["mcd"], sets__pool=32)
     chunks = [(1, 15), (16, 30), (31, 32)]
     assert study.chunks == [
         (surface, *chunk) for surface in SUBSTRATES if surface != "mcd" for chunk in chunks
@@ -135,7 +135,7 @@ def test_only_substitutes_have_pools_computed_in_chunks():
         ("polished_uncd", [], ["polished_uncd"]),
         ("polished_uncd", ["mcd", "ruby"], ["polished_uncd"]),
         ("ruby", [], SUBSTRATES),
-        # What is measured has the protrusions that it has.
+        # Measured surfaces get no artificial protrusions.
         ("polished_uncd", ["polished_uncd"], []),
         ("ruby", ["mcd"], []),
         ("ruby", ["ruby"], []),
@@ -144,11 +144,13 @@ def test_only_substitutes_have_pools_computed_in_chunks():
 def test_protrusions_change_the_coating_or_all_coatings_below_the_sphere(
     bearer, measured_surfaces, surfaces
 ):
-    rows = files(measured=measured_surfaces, sets__protrusion_draws=10).protruded_chunks(bearer)
+    rows = files(measured_surfaces=measured_surfaces, sets__protrusion_draws=10).protruded_chunks(
+        bearer
+    )
     assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))]
 
 
-# Values that people sweep
+# Swept values
 
 SWEPT = {
     "sphere__radius": "300 um",
@@ -248,7 +250,7 @@ def test_a_variant_without_a_change_uses_the_files_of_the_study():
     )
     assert set(robustness_variants["skewness+0"].variant.values()) == {"study"}
     assert robustness_variants["skewness+0.3"].variant["mcd"] == "skewness+0.3"
-    for variant in variants(configuration(), selection(measured=["uncd", "mcd"])):
+    for variant in variants(configuration(), selection(measured_surfaces=["uncd", "mcd"])):
         assert variant.variant["uncd"] == variant.variant["mcd"] == "study"
 
 

@@ -1,4 +1,4 @@
-"""The paths of a study: apart from each other, and read back as they were written."""
+"""The paths of a study differ, and their wildcards are read back."""
 
 import re
 from string import Formatter
@@ -10,7 +10,7 @@ from hardcontact.config.store_keys import STORE_KEYS
 
 DIGESTS = {kind: f"{number:08x}" for number, kind in enumerate(STORE_KEYS)}
 PATTERNS = Patterns("results/a", "results/store", "ruby", DIGESTS)
-#: Patterns of files that are the same as those of another pattern.
+#: Patterns of files that also belong to another pattern.
 SPECIAL_CASES = ("stitched_", "small_", "large_")
 INTERMEDIATES = {
     name: pattern

@@ -21,7 +21,7 @@ from repository import (
     run_snakemake,
     snakemake,
 )
-from scan_files import cut, scan
+from scan_files import scan, truncate_file
 from snakemake.settings.types import ExecMode
 from studies import own_scans
 
@@ -90,9 +90,9 @@ def test_nested_numbers_of_the_command_line_are_numbers(repository):
     arguments = ["study=typed", "asperities={contacts: 4}", "contact={hardness: 30 GPa}"]
     run = snakemake(repository, "results/typed/surfaces.tsv", "--config", *arguments)
     assert run.returncode == 0, run.stdout
-    stored = yaml.safe_load((repository / "results/typed/configuration.yaml").read_text())
-    assert stored["asperities"] == PAPER["asperities"] | {"contacts": 4}
-    assert stored["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
+    stored_keys = yaml.safe_load((repository / "results/typed/configuration.yaml").read_text())
+    assert stored_keys["asperities"] == PAPER["asperities"] | {"contacts": 4}
+    assert stored_keys["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
     shutil.rmtree(repository / "results")  # Other tests look whether a refused run makes any.
 
 
@@ -173,7 +173,7 @@ def assert_refused_before_anything_is_made(run, folder, *parts):
 
 @pytest.mark.study
 def test_a_bad_study_is_refused_in_one_line(repository):
-    cut(scan(repository / "own.nc"), 0.5)
+    truncate_file(scan(repository / "own.nc"), 0.5)
     (repository / "own.tsv").write_text(own_scans("own.nc"))
     run = run_snakemake(repository, overlays=[{"surfaces": "own.tsv"}])
     assert_refused_before_anything_is_made(run, repository, "own.nc", "a whole file")

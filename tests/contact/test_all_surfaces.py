@@ -1,4 +1,4 @@
-"""The datasets of all surfaces: every number in its place, missing ones missing."""
+"""Datasets of all surfaces have every number, and NaN for missing scans."""
 
 import numpy as np
 import xarray as xr
@@ -9,8 +9,8 @@ DESCRIBED = {"labels": {"a": "A", "b": "B"}, "basis": {"a": "measured", "b": "su
 CONTACTS = ("contact_y", "contact_x")
 
 
-def of_pair(value, pixels):
-    """Forces of one pair, whose contacts lie at positions of its own."""
+def pair_forces(value, pixels):
+    """Return forces of one pair, with contacts at its own positions."""
     return xr.Dataset(
         {
             "pull_off_force": (CONTACTS, np.full((2, 2), value)),
@@ -23,7 +23,7 @@ def of_pair(value, pixels):
 
 def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
-    pairs = {key: of_pair(float(k), 10 + k) for k, key in enumerate(keys)}
+    pairs = {key: pair_forces(float(k), 10 + k) for k, key in enumerate(keys)}
     changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
     scans = {
         scan: all_surfaces.over_sphere_scans(
@@ -33,8 +33,8 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     }
     forces = all_surfaces.stacked_pull_off_forces(scans, DESCRIBED)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
-        place = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
-        np.testing.assert_array_equal(forces.pull_off_force.sel(place), k)
+        pair_labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
+        np.testing.assert_array_equal(forces.pull_off_force.sel(pair_labels), k)
     assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
     assert forces.contact_x.values.tolist() == [0, 1]
     assert forces.contact_pixels.values.tolist() == [1, 13]

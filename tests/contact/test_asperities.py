@@ -1,8 +1,8 @@
-"""The asperities that carry the force of one contact against ones made by hand."""
+"""The asperities that carry the force of one contact, on surfaces made by hand."""
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, over
+from periodic_maps import RADIUS, make_bodies
 
 from hardcontact.contact.asperities import asperities, asperities_of_pair
 from hardcontact.contact.contact import Contact
@@ -15,8 +15,8 @@ def test_a_paraboloid_carries_its_force_in_one_patch_of_known_extent(share):
     offset = (np.arange(600) - 300) * pixel_size
     attraction = np.exp(-(offset[:, None] ** 2 + offset**2) / (2 * radius * rho))
     largest, two_largest, patches, extent = asperities(attraction, share, pixel_size)
-    within = 2 * np.sqrt(-2 * radius * rho * np.log(1 - share))
-    assert extent == pytest.approx(within, abs=2 * pixel_size)
+    diameter = 2 * np.sqrt(-2 * radius * rho * np.log(1 - share))
+    assert extent == pytest.approx(diameter, abs=2 * pixel_size)
     assert patches == 1
     assert largest == two_largest == pytest.approx(share, abs=0.01)
 
@@ -38,7 +38,7 @@ def test_a_single_peak_carries_the_force_of_every_contact():
     heights[105, 94] = 60.0
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
     places = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
-    pair = over(heights, None, 20.0, 200, 2)
+    pair = make_bodies(heights, None, 20.0, 200, 2)
     carriers = asperities_of_pair(pair, contact, places, 0.9, [1.0])
     assert (carriers["patch_count"] == 1).all()
     assert carriers["largest_share"].values == pytest.approx(np.ones((4, 1)), abs=0.01)

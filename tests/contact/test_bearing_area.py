@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from periodic_maps import over, periodic_noise
+from periodic_maps import CASES, make_bodies, periodic_noise
 from scipy.stats import norm
 
 from hardcontact.contact.bearing_area import (
@@ -14,14 +14,6 @@ from hardcontact.contact.geometry import (
     part_around_lowest,
 )
 
-CASES = [
-    # pixels, pixel size, rms, roughness pixels, window: tiles that fit and tiles that do not
-    (128, 40.0, 20.0, 128, 320),
-    (100, 50.0, 3.0, 100, 250),
-    (96, 50.0, 60.0, 70, 200),
-    (256, 20.0, 10.0, 256, 200),
-]
-
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("contact_pixels", [1, 9, 90, 4097, 9000])
@@ -29,11 +21,11 @@ CASES = [
 def test_lowest_gaps_equal_those_of_the_whole_window(case, contact_pixels, rough):
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.5, 2) if rough else None
-    bodies = over(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
-    for place, (gaps, offsets) in all_lowest_gaps(bodies, contact_pixels).items():
-        whole = gap_map(bodies, place)
-        np.testing.assert_allclose(gaps, np.sort(whole.ravel())[:contact_pixels], atol=1e-9)
-        np.testing.assert_allclose(whole[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
+    bodies = make_bodies(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
+    for contact, (gaps, offsets) in all_lowest_gaps(bodies, contact_pixels).items():
+        window_gaps = gap_map(bodies, contact)
+        np.testing.assert_allclose(gaps, np.sort(window_gaps.ravel())[:contact_pixels], atol=1e-9)
+        np.testing.assert_allclose(window_gaps[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
         assert len(np.unique(offsets, axis=0)) == contact_pixels
 
 
@@ -43,7 +35,7 @@ def test_the_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
     # the heights; of independent heights its standard error is sigma sqrt(p (1 - p)/n)/phi(z).
     sigma, pixels = 3.0, 512
     heights = np.random.default_rng(8).normal(0, sigma, (pixels, pixels))
-    bodies = over(heights, None, 5.0, pixels, 1, radius=1e15)
+    bodies = make_bodies(heights, None, 5.0, pixels, 1, radius=1e15)
     ((gaps, _),) = all_lowest_gaps(bodies, round(share * pixels**2)).values()
     quantile = norm.isf(share)
     error = sigma * np.sqrt(share * (1 - share)) / pixels / norm.pdf(quantile)
@@ -60,15 +52,17 @@ def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
 
 @pytest.mark.parametrize("pixels", [3, 4, 9])
 def test_part_around_the_lowest_point_ends_at_the_edges(pixels):
-    size, before = 9, pixels // 2
+    size, half_pixels = 9, pixels // 2
     for y, x in np.ndindex(size, size):
         gap = np.arange(1.0, size**2 + 1).reshape(size, size)
         gap[y, x] = 0.0
-        part = part_around_lowest(gap, pixels)
-        assert part.shape == (pixels, pixels)
-        place = np.unravel_index(part.argmin(), part.shape)
-        for index, at in zip((y, x), place, strict=True):
-            to_the_end = size - index
-            assert at == max(min(before, index), pixels - to_the_end)
-        rows = gap[y - place[0] : y - place[0] + pixels]
-        np.testing.assert_array_equal(part, rows[:, x - place[1] : x - place[1] + pixels])
+        gap_part = part_around_lowest(gap, pixels)
+        assert gap_part.shape == (pixels, pixels)
+        lowest_indices = np.unravel_index(gap_part.argmin(), gap_part.shape)
+        for index, lowest_index in zip((y, x), lowest_indices, strict=True):
+            remaining_pixels = size - index
+            assert lowest_index == max(min(half_pixels, index), pixels - remaining_pixels)
+        rows = gap[y - lowest_indices[0] : y - lowest_indices[0] + pixels]
+        np.testing.assert_array_equal(
+            gap_part, rows[:, x - lowest_indices[1] : x - lowest_indices[1] + pixels]
+        )

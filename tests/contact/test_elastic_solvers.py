@@ -22,7 +22,7 @@ def test_a_smooth_sphere_follows_hertz(load):
     area = np.count_nonzero(pressure) * pixel_size**2
     assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.01)
     assert pressure.max() == pytest.approx(peak, rel=0.01)
-    # Boussinesq: what the pressure pushes the flat down by under the apex is the approach.
+    # Boussinesq: the pressure pushes the flat under the apex down by the approach.
     y, x = np.indices(pressure.shape) - pixels // 2
     distance = np.hypot(y, x) * pixel_size
     distance[pixels // 2, pixels // 2] = pixel_size / (4 * np.log(1 + np.sqrt(2)))

@@ -32,7 +32,7 @@ def mean_force(surface):
 
 
 def force_ratio(rms_height, pixels):
-    """Mean force on windows over that on the surfaces of 10 µm they are cut out of."""
+    """Return the mean force on windows relative to the surfaces of 10 µm they are cut out of."""
     large, small = [], []
     for draw in range(20):
         surface = random_surface(
@@ -48,11 +48,14 @@ def force_ratio(rms_height, pixels):
 @pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
 def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
     spectrum = Spectrum(WAVEVECTORS, smooth_rolloff(WAVEVECTORS, 1.0, 930.0, 0.84))
-    known = spectrum_between(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
-    scaled = Spectrum(known.wavevector, known.density * rms_height**2 / moment(known, 0))
-    least, greatest = finite_scan_ratio(pixels * PIXEL, draw_size(scaled, RADIUS, 400.0))
+    sampled_spectrum = spectrum_between(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
+    scaled = Spectrum(
+        sampled_spectrum.wavevector,
+        sampled_spectrum.density * rms_height**2 / moment(sampled_spectrum, 0),
+    )
+    minimum, maximum = finite_scan_ratio(pixels * PIXEL, draw_size(scaled, RADIUS, 400.0))
     # Twenty windows, whose forces scatter by a factor of two about their mean.
-    assert 0.75 * least < force_ratio(rms_height, pixels) < 1.25 * greatest
+    assert 0.75 * minimum < force_ratio(rms_height, pixels) < 1.25 * maximum
 
 
 def test_a_large_scan_is_large_enough():
@@ -64,17 +67,20 @@ def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
     sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
-    found = with_sizes(
+    sized_forces = with_sizes(
         xr.Dataset(coords={"rho": rhos, "surface": ["a"]}),
         xr.Dataset(sizes, {"surface": ["a"]}),
         contact,
         {"a": 3000.0},
     )
-    np.testing.assert_array_equal(found.finite_scan_ratio, [RATIOS[0.5]])
-    assert (found.pixel_area.item(), found.attrs["contact_area"]) == (100.0, contact.area)
-    place = (np.arange(-40e3, 40e3, 20) + 10) ** 2
-    inside = np.abs(place) < (window / 2) ** 2
-    for rho, share in zip(rhos, found.window_share.values, strict=True):
-        weight = np.exp(-place / (2 * RADIUS * rho))
-        assert share == pytest.approx((weight[inside].sum() / weight.sum()) ** 2, rel=1e-3)
-    assert found.window_share[0] > 0.99 > 0.2 > found.window_share[-1]
+    np.testing.assert_array_equal(sized_forces.finite_scan_ratio, [RATIOS[0.5]])
+    assert (sized_forces.pixel_area.item(), sized_forces.attrs["contact_area"]) == (
+        100.0,
+        contact.area,
+    )
+    squared_positions = (np.arange(-40e3, 40e3, 20) + 10) ** 2
+    is_inside = np.abs(squared_positions) < (window / 2) ** 2
+    for rho, share in zip(rhos, sized_forces.window_share.values, strict=True):
+        weight = np.exp(-squared_positions / (2 * RADIUS * rho))
+        assert share == pytest.approx((weight[is_inside].sum() / weight.sum()) ** 2, rel=1e-3)
+    assert sized_forces.window_share[0] > 0.99 > 0.2 > sized_forces.window_share[-1]

@@ -12,45 +12,49 @@ from hardcontact.contact import force_curves
 
 def test_means_are_sampled_over_scans():
     forces = power_forces(spread=0.3, scans=5)
-    means, sampled = force_curves.mean_forces(forces, Sampling(0, 20000, 0.95))
+    means, samples = force_curves.mean_forces(forces, Sampling(0, 20000, 0.95))
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(means, scans.mean("scan"))
-    computed = percentile_interval(sampled, 0.95)
-    expected = student_log_interval(scans, 0.95, "scan").transpose("surface", "rho", "bound")
-    np.testing.assert_allclose(computed, expected, rtol=0.02)
+    sampled_interval = percentile_interval(samples, 0.95)
+    student_interval = student_log_interval(scans, 0.95, "scan").transpose(
+        "surface", "rho", "bound"
+    )
+    np.testing.assert_allclose(sampled_interval, student_interval, rtol=0.02)
 
 
 def test_missing_scans_change_no_mean():
     forces = power_forces(spread=0.3, scans=5)
-    missing = forces.copy()
-    missing[0, 3:] = np.nan
-    means, sampled = force_curves.mean_forces(missing, Sampling(0, 10, 0.95))
-    expected = forces.isel(surface=[0], scan=slice(3))
-    known, of_known = force_curves.mean_forces(expected, Sampling(0, 10, 0.95))
-    np.testing.assert_allclose(means[0], known[0])
-    np.testing.assert_allclose(sampled[:, 0], of_known[:, 0])
+    incomplete_forces = forces.copy()
+    incomplete_forces[0, 3:] = np.nan
+    means, samples = force_curves.mean_forces(incomplete_forces, Sampling(0, 10, 0.95))
+    remaining_forces = forces.isel(surface=[0], scan=slice(3))
+    remaining_means, remaining_samples = force_curves.mean_forces(
+        remaining_forces, Sampling(0, 10, 0.95)
+    )
+    np.testing.assert_allclose(means[0], remaining_means[0])
+    np.testing.assert_allclose(samples[:, 0], remaining_samples[:, 0])
 
 
 def test_contact_models_share_random_numbers_but_surfaces_do_not():
     forces = power_forces(spread=0.3)
-    _, sampled = force_curves.mean_forces(forces, Sampling(0, 20, 0.95))
-    _, doubled = force_curves.mean_forces(2 * forces[1:], Sampling(0, 20, 0.95))
-    np.testing.assert_allclose(doubled, 2 * sampled[:, 1:])
-    assert abs(np.corrcoef(np.log(sampled[:, :2, 0]).T)[0, 1]) < 0.9
+    _, samples = force_curves.mean_forces(forces, Sampling(0, 20, 0.95))
+    _, doubled_samples = force_curves.mean_forces(2 * forces[1:], Sampling(0, 20, 0.95))
+    np.testing.assert_allclose(doubled_samples, 2 * samples[:, 1:])
+    assert abs(np.corrcoef(np.log(samples[:, :2, 0]).T)[0, 1]) < 0.9
 
 
 def test_interpolation_between_ranges_follows_power_laws():
     forces = power_forces(rho=4.0, work=0.05)
-    at_four = force_curves.interpolate_to_range(forces, 4.0)
+    forces_at_four = force_curves.interpolate_to_range(forces, 4.0)
     np.testing.assert_allclose(
-        at_four.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0) * 0.05,
+        forces_at_four.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0) * 0.05,
         power_curves(4.0, 1.0)[:, 4] * (4 / 5) ** np.array([2, 1.3, 0.7, 0.4]),
     )
     assert force_curves.interpolate_to_range(forces, 0.49).isnull().all()
     fine = np.geomspace(0.5, 10, 33)
-    expected = power_curves()[:, :1] * (fine / 0.5) ** np.array([2, 1.3, 0.7, 0.4])[:, None]
+    power_laws = power_curves()[:, :1] * (fine / 0.5) ** np.array([2, 1.3, 0.7, 0.4])[:, None]
     np.testing.assert_allclose(
-        force_curves.interpolate_to_ranges(power_curves(), RHOS, fine), expected
+        force_curves.interpolate_to_ranges(power_curves(), RHOS, fine), power_laws
     )
     two = force_curves.interpolate_to_ranges(power_curves()[:, :2], RHOS[:2], np.array([0.7]))
     np.testing.assert_allclose(
@@ -70,12 +74,12 @@ def test_the_study_s_ranges_are_close_enough_for_interpolation():
     ranges = np.array([float(rho.removesuffix(" nm")) for rho in PAPER["adhesion"]["ranges"]])
     assert (ranges[0], ranges[-1]) == (0.05, 40.0) and 5.6 in ranges
     fine = np.geomspace(ranges[0], ranges[-1], 801)
-    computed = force_curves.interpolate_to_ranges(sphere_on_steps(ranges), ranges, fine)
-    np.testing.assert_allclose(computed, sphere_on_steps(fine), rtol=0.02)
-    assert computed[[0, -1]] == pytest.approx(sphere_on_steps(ranges)[[0, -1]])
+    interpolated_forces = force_curves.interpolate_to_ranges(sphere_on_steps(ranges), ranges, fine)
+    np.testing.assert_allclose(interpolated_forces, sphere_on_steps(fine), rtol=0.02)
+    assert interpolated_forces[[0, -1]] == pytest.approx(sphere_on_steps(ranges)[[0, -1]])
     forces = xr.DataArray(sphere_on_steps(ranges), {"rho": ranges}, "rho")
     for rho in (0.05, 0.07, 5.6, 13.3, 39.0, 40.0):
-        expected = sphere_on_steps(np.array([rho]))[0]
+        exact_force = sphere_on_steps(np.array([rho]))[0]
         assert float(force_curves.interpolate_to_range(forces, rho)) == pytest.approx(
-            expected, rel=0.02
+            exact_force, rel=0.02
         )

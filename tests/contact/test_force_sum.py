@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from direct_sum import direct_total, plastic_totals
-from periodic_maps import RADIUS, over, periodic_noise
+from periodic_maps import CASES, RADIUS, make_bodies, periodic_noise
 from scipy.special import ive
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
@@ -11,19 +11,11 @@ from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.pull_off import opened_total, pull_off_force
 from hardcontact.contact.sphere_sums import outside_sums
 
-CASES = [
-    # pixels, pixel size, rms, roughness pixels, window: tiles that fit and tiles that do not
-    (128, 40.0, 20.0, 128, 320),
-    (100, 50.0, 3.0, 100, 250),
-    (96, 50.0, 60.0, 70, 200),
-    (256, 20.0, 10.0, 256, 200),
-]
-
 
 def bodies_of(case, seed, rough=True):
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.7, seed + 1) if rough else None
-    return over(periodic_noise(pixels, rms, seed), roughness, pixel_size, window, 3)
+    return make_bodies(periodic_noise(pixels, rms, seed), roughness, pixel_size, window, 3)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -32,12 +24,12 @@ def bodies_of(case, seed, rough=True):
 def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
     bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
     contacts = all_lowest_gaps(bodies, contact_pixels)
-    outside = outside_sums(bodies, contacts, rhos)
-    for place, (gaps, _) in contacts.items():
-        gap = gap_map(bodies, place)
-        for sums, rho in zip(outside, rhos, strict=True):
+    sums_by_range = outside_sums(bodies, contacts, rhos)
+    for contact, (gaps, _) in contacts.items():
+        gap = gap_map(bodies, contact)
+        for sums, rho in zip(sums_by_range, rhos, strict=True):
             for count in {1, contact_pixels}:
-                assert opened_total(sums[place], gaps, count, rho) == pytest.approx(
+                assert opened_total(sums[contact], gaps, count, rho) == pytest.approx(
                     direct_total(gap, count, rho), rel=1e-9
                 )
 
@@ -45,14 +37,14 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough)
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("rough", [False, True])
 def test_the_force_keeps_its_digits_if_little_attracts_outside_contact(case, rough):
-    # At a small range what the contact pixels leave is many orders below them.
+    # At a small range the other pixels attract many orders less than the contact pixels.
     bodies, rho = bodies_of(case, 3, rough), 0.1
     contacts = all_lowest_gaps(bodies, 17)
-    (outside,) = outside_sums(bodies, contacts, [rho])
-    for place in contacts:
-        ordered = np.sort(gap_map(bodies, place), axis=None)
-        expected = np.exp((ordered[16] - ordered[17:]) / rho).sum()
-        assert outside[place] == pytest.approx(expected, rel=1e-9)
+    (sums,) = outside_sums(bodies, contacts, [rho])
+    for contact in contacts:
+        ordered = np.sort(gap_map(bodies, contact), axis=None)
+        direct_sum = np.exp((ordered[16] - ordered[17:]) / rho).sum()
+        assert sums[contact] == pytest.approx(direct_sum, rel=1e-9)
 
 
 @pytest.mark.parametrize("rough", [False, True])
@@ -64,22 +56,23 @@ def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
 
 
 @pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("rho", [0.1, 5.6])
 @pytest.mark.parametrize("rough", [False, True])
-def test_several_loads_at_once_are_each_load_alone(case, rough):
-    bodies, rho, loads = bodies_of(case, 12, rough), 5.6, [9, 1, 40]
+def test_the_force_at_each_of_several_loads_is_the_direct_sum(case, rho, rough):
+    bodies, loads = bodies_of(case, 12, rough), [9, 1, 40]
     totals = plastic_totals(bodies, loads, rho)
     assert totals.shape == (3, 3, 3)
-    for contact_pixels, of_load in zip(loads, totals, strict=True):
-        for place, total in np.ndenumerate(of_load):
-            expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
-            assert total == pytest.approx(expected, rel=1e-9)
+    for contact_pixels, load_totals in zip(loads, totals, strict=True):
+        for contact, total in np.ndenumerate(load_totals):
+            direct_sum = direct_total(gap_map(bodies, contact), contact_pixels, rho)
+            assert total == pytest.approx(direct_sum, rel=1e-9)
 
 
 def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
     # 2 pi R W, 72.7 µN at the paper's work of adhesion, whatever the range.
     work, pixel_size = 46.3e-3, 50.0
     for rho, window in ((2.0, 300), (5.6, 400)):
-        flat = over(np.zeros((250, 250)), None, pixel_size, window, 1)
+        flat = make_bodies(np.zeros((250, 250)), None, pixel_size, window, 1)
         (total,) = plastic_totals(flat, [1], rho)
         force = pull_off_force(total, rho, pixel_size, work).item()
         assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
@@ -89,11 +82,11 @@ def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():
 def mean_attraction(heights, rho, rough):
     """Mean of exp((h - h_max)/rho) over one period, from the sum over a sphere of huge radius.
 
-    In one period the sphere leaves the plane by 1e-13 nm: its own factor is 1.
+    The sphere leaves the plane by 1e-13 nm in one period: its own factor is 1.
     """
     pixels = len(heights)
     roughness = np.zeros_like(heights) if rough else None
-    bodies = over(heights, roughness, 1.0, pixels, 1, radius=1e18)
+    bodies = make_bodies(heights, roughness, 1.0, pixels, 1, radius=1e18)
     (total,) = plastic_totals(bodies, [1], rho)
     return total.item() / pixels**2
 
@@ -126,9 +119,9 @@ def test_a_sinusoid_multiplies_the_force_of_a_sphere_by_its_factor():
     amplitude, rho, pixel_size = 3.0, 5.6, 20.0
     wave = amplitude * np.cos(2 * np.pi * np.arange(256) / 8) + np.zeros((256, 1))
     wavy, flat = (
-        plastic_totals(over(heights, None, pixel_size, 640, 1), [1], rho)[0].item()
+        plastic_totals(make_bodies(heights, None, pixel_size, 640, 1), [1], rho)[0].item()
         for heights in (wave, np.zeros((256, 256)))
     )
-    position = int(over(wave, None, pixel_size, 640, 1).geometry.positions[0])
-    assert wave[0, position] == amplitude  # the apex stands on a crest
+    position = int(make_bodies(wave, None, pixel_size, 640, 1).geometry.positions[0])
+    assert wave[0, position] == amplitude  # the apex is above a crest
     assert wavy / flat == pytest.approx(ive(0, amplitude / rho), rel=1e-9)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, height_map, over, periodic_noise
+from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
@@ -42,33 +42,33 @@ def test_a_period_is_stretched_by_at_most_half_a_pixel():
 
 
 def test_more_sampled_contacts_include_the_fewer_and_never_repeat():
-    few, more, every = (
+    five, twenty, all_contacts = (
         geometry.sampled_contacts(np.random.default_rng(3), 6, contacts) for contacts in (5, 20, 36)
     )
-    np.testing.assert_array_equal(few, every[:5])
-    np.testing.assert_array_equal(more, every[:20])
-    assert {tuple(place) for place in every.tolist()} == set(np.ndindex(6, 6))
-    other = geometry.sampled_contacts(np.random.default_rng(4), 6, 36)
-    assert (other != every).any()
+    np.testing.assert_array_equal(five, all_contacts[:5])
+    np.testing.assert_array_equal(twenty, all_contacts[:20])
+    assert {tuple(contact) for contact in all_contacts.tolist()} == set(np.ndindex(6, 6))
+    other_draw = geometry.sampled_contacts(np.random.default_rng(4), 6, 36)
+    assert (other_draw != all_contacts).any()
 
 
 @pytest.mark.parametrize("centre", [(0, 0), (7, -30), (-41, 44)])
 def test_the_gap_to_a_flat_is_the_rough_sphere(centre):
-    pair = over(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
+    pair = make_bodies(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
     rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
     cap = pair.sphere(*(index + np.arange(-10, 11) for index in centre))
     np.testing.assert_allclose(cap, gap_map(pair, (1, 2))[rows, columns], atol=1e-12)
 
 
 def test_gaps_at_offsets_equal_those_of_the_whole_window():
-    pair = over(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
+    pair = make_bodies(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
     y, x = np.indices((200, 200)) - 100
     gaps = geometry.gaps_at(pair, pair.geometry.positions[[2, 1]], np.stack([y, x], -1))
     np.testing.assert_allclose(gaps, gap_map(pair, (2, 1)), atol=1e-12)
 
 
 def test_a_sphere_without_roughness_is_its_paraboloid():
-    pair = over(heights(80), np.zeros((96, 96)), 25.0, 120, 4)
+    pair = make_bodies(heights(80), np.zeros((96, 96)), 25.0, 120, 4)
     cap = pair.sphere(7 + np.arange(-2, 3), -30 + np.arange(-2, 3))
     y, x = (np.arange(5)[:, None] + 5) * 25.0, (np.arange(5) - 32) * 25.0
     np.testing.assert_allclose(cap, (y**2 + x**2) / (2 * RADIUS), rtol=1e-12)

@@ -1,4 +1,4 @@
-"""The indents of one contact against ones made by hand."""
+"""The indents of one contact that is made by hand."""
 
 import numpy as np
 import pytest

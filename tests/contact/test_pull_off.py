@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from direct_sum import direct_total
-from periodic_maps import RADIUS, height_map, over, periodic_noise
+from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
 from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.contact.contact import Contact
@@ -27,7 +27,9 @@ RHOS = [1.0, 5.6]
 
 
 def pair(seed=1):
-    return over(periodic_noise(128, 20.0, seed), periodic_noise(128, 0.5, seed + 1), 8.0, 320, 3)
+    return make_bodies(
+        periodic_noise(128, 20.0, seed), periodic_noise(128, 0.5, seed + 1), 8.0, 320, 3
+    )
 
 
 def direct_force(gap, contact_pixels, rho, pixel_size, work=1.0):
@@ -43,44 +45,48 @@ def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_ran
     count = LOAD.pixels(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixels"].values.tolist() == [1, count]
-    for place in np.ndindex(3, 3):
-        gap = gap_map(bodies_of_pair, place)
+    for contact in np.ndindex(3, 3):
+        gap = gap_map(bodies_of_pair, contact)
         for model, contact_pixels in enumerate((1, count)):
             ordered = np.sort(gap, axis=None)
-            assert approaches[model][place] == pytest.approx(ordered[contact_pixels - 1], abs=1e-9)
+            assert approaches[model][contact] == pytest.approx(
+                ordered[contact_pixels - 1], abs=1e-9
+            )
             for k, rho in enumerate(RHOS):
-                expected = direct_force(gap, contact_pixels, rho, 8.0)
-                assert forces[model, k][place] == pytest.approx(expected, rel=1e-9)
+                direct_sum = direct_force(gap, contact_pixels, rho, 8.0)
+                assert forces[model, k][contact] == pytest.approx(direct_sum, rel=1e-9)
 
 
 def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts_at_each_load():
     means = mean_pull_off_of_pair(pair(), LOADS, RHOS)["pull_off_force"].values
-    for load, of_load in zip(LOADS, means, strict=True):
+    for load, load_means in zip(LOADS, means, strict=True):
         forces = pull_off_of_pair(pair(), load, RHOS)["pull_off_force"].values
-        np.testing.assert_allclose(of_load, forces[1].mean(axis=(1, 2)), rtol=1e-12)
+        np.testing.assert_allclose(load_means, forces[1].mean(axis=(1, 2)), rtol=1e-12)
 
 
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
     pairs = [pair(seed) for seed in (1, 3)]
     count, rho, changes = LOAD.pixels(8.0), 5.6, []
-    for one in pairs:
-        wider = replace(one, geometry=replace(one.geometry, window=320 + 2 * 128))
-        for place in np.ndindex(3, 3):
+    for narrow_pair in pairs:
+        wider_pair = replace(
+            narrow_pair, geometry=replace(narrow_pair.geometry, window=320 + 2 * 128)
+        )
+        for contact in np.ndindex(3, 3):
             narrow, wide = (
-                direct_total(gap_map(bodies_of_pair, place), count, rho)
-                for bodies_of_pair in (one, wider)
+                direct_total(gap_map(bodies_of_pair, contact), count, rho)
+                for bodies_of_pair in (narrow_pair, wider_pair)
             )
             changes.append(abs(wide / narrow - 1))
     arrays = wider_window_change(iter(pairs), LOAD)
     assert arrays["wider_window_change"].values == pytest.approx(max(changes), rel=1e-6)
 
 
-@pytest.mark.parametrize(("pixels", "expected"), [(1, 1 / 4), (4, 1), (40, 1)])
-def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, expected):
+@pytest.mark.parametrize(("pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
+def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area_ratio):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
     change = finer_pixel_ratio(pair(), load)["finer_pixel_ratio"]
-    assert change == pytest.approx(expected, rel=0.05)
+    assert change == pytest.approx(area_ratio, rel=0.05)
 
 
 SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
@@ -90,25 +96,30 @@ SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
 @pytest.mark.parametrize("side, end", [("small", 12.8), ("large", 1024.0)])
 def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end):
     master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
-    found = filtered_pull_off(
+    filtered_forces = filtered_pull_off(
         master,
         Filters(side, 160, cutoffs),
         LOADS,
         sphere,
     )
-    assert found["unfiltered_wavelength"].item() == pytest.approx(end)
-    found = found.isel(radius=0, rho=0)
-    of_cutoffs = [found["unfiltered_pull_off_force"], *found["pull_off_force"]]
-    for cutoff, forces in zip([None, *cutoffs], of_cutoffs, strict=True):
+    assert filtered_forces["unfiltered_wavelength"].item() == pytest.approx(end)
+    filtered_forces = filtered_forces.isel(radius=0, rho=0)
+    forces_by_cutoff = [
+        filtered_forces["unfiltered_pull_off_force"],
+        *filtered_forces["pull_off_force"],
+    ]
+    for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
         (surface,) = filtered_series(master, side, [cutoff], 160)
-        under = bodies(surface, sphere, LOAD)
-        pixel_size = under.geometry.pixel_size
+        pair_on_filtered = bodies(surface, sphere, LOAD)
+        pixel_size = pair_on_filtered.geometry.pixel_size
         for load in LOADS:
             count = load.pixels(pixel_size)
-            for place in np.ndindex(3, 3):
-                expected = direct_force(gap_map(under, place), count, 5.6, pixel_size)
-                force = forces.sel(load=load.load).values[place]
-                assert force == pytest.approx(expected, rel=1e-9)
+            for contact in np.ndindex(3, 3):
+                direct_sum = direct_force(
+                    gap_map(pair_on_filtered, contact), count, 5.6, pixel_size
+                )
+                force = forces.sel(load=load.load).values[contact]
+                assert force == pytest.approx(direct_sum, rel=1e-9)
 
 
 def test_a_traced_contact_has_the_force_of_its_pair():

@@ -1,11 +1,11 @@
-"""What samples are drawn for, and the intervals they give."""
+"""Random numbers of samples by their purpose."""
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling
 
 
 def test_each_purpose_has_its_own_random_numbers():
-    study, varied = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "robustness"))
-    expected = generator(3, "sampling", "robustness", "scales").random()
-    assert varied.generator("scales").random() == expected
+    study, robustness = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "robustness"))
+    number = generator(3, "sampling", "robustness", "scales").random()
+    assert robustness.generator("scales").random() == number
     assert study.generator("scales").random() == generator(3, "sampling", "scales").random()

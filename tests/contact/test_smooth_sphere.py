@@ -45,8 +45,8 @@ def test_the_transition_coefficient_matches_maugis_exact_pair(maugis):
 
     def balance(m, radius):
         root, angle = root_and_angle(m)
-        own = maugis * radius**2 / 2 * (root + (m**2 - 2) * angle)
-        return own + 4 / 3 * maugis**2 * radius * (root * angle - m + 1) - 1
+        attraction = maugis * radius**2 / 2 * (root + (m**2 - 2) * angle)
+        return attraction + 4 / 3 * maugis**2 * radius * (root * angle - m + 1) - 1
 
     def force(radius):
         m = brentq(balance, 1, 1e6, args=(radius,))

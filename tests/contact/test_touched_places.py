@@ -52,7 +52,7 @@ def test_every_particle_is_a_place():
 
 
 def test_neighbouring_pixels_of_one_cap_are_one_place():
-    """The point of contact moves over a cap of 20 µm by 8 % of what the apex of the sphere does."""
+    """The point of contact moves over a cap of 20 µm by 8 % as far as the apex of the sphere."""
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = Contact(

@@ -1,4 +1,4 @@
-"""Damaged files of a user, made by mutation: a result or one clear line a problem, at once."""
+"""Mutated files of a user give a result or one clear line per problem, in a short time."""
 
 import random
 import re
@@ -22,7 +22,7 @@ from hardcontact.surfaces.scans import list_measurements, read_measurement
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 NUMBER = re.compile(rb"\d+")
-#: What takes the place of a number, or stands anywhere.
+#: Bytes that replace a number, or are inserted anywhere.
 NASTY = [
     b"", b"-1", b"0", b"nan", b"inf", b"1e400", b"1e-400", b"9" * 5000, b"2026-01-01", b"2.5",
     b"\0", b"\xff", b"\xef\xbb\xbf", b"\x1b[31m", b"\r", b"\n", b"\t", b'"', b"'", b",", b"{",
@@ -32,7 +32,7 @@ NASTY = [
 
 
 def mutated(content, rng):
-    """The content with some bits, pieces or numbers changed."""
+    """Return the content with some bits, pieces or numbers changed."""
     content = bytearray(content)
     for _ in range(rng.choice([1, 1, 2, 5])):
         position = rng.randrange(len(content) + 1)
@@ -59,7 +59,7 @@ def mutated(content, rng):
 
 
 def scans(folder):
-    """Small scans in several formats, and real ones that are there, by file name."""
+    """Return small scans in several formats, and the available real scans, by file name."""
     heights = np.random.default_rng(1).standard_normal((20, 20))
     topography = Topography(heights, (200.0, 200.0), unit="nm")
     for kind, write in MAPS.items():
@@ -75,7 +75,7 @@ def read_scans(path):
 
 
 def texts(folder):
-    """Matrices and points as people have them, with commas and gaps, by file name."""
+    """Return matrices and points with commas and gaps, by file name."""
     heights = np.random.default_rng(1).standard_normal((20, 20))
     y, x = np.indices(heights.shape) / 100
     points = np.column_stack([x.ravel(), y.ravel(), heights.ravel()])[9:]
@@ -112,7 +112,7 @@ def read_overlay(path):
     numeric_configuration(config)
 
 
-#: Kinds of input: whole files by name, of a folder, and what reads one.
+#: Kinds of input: a function that writes whole files, and a function that reads one.
 KINDS = {
     "scan": (scans, read_scans),
     "text": (texts, lambda path: read_measurement(path, "", "harmonic", "um,nm", 200.0)),

@@ -1,4 +1,4 @@
-"""How often intervals from one scan hold the edges of the mean over many surfaces of a spectrum."""
+"""Intervals from one scan contain the edges of the mean over many surfaces of its spectrum."""
 
 from dataclasses import replace
 from functools import cache
@@ -45,7 +45,7 @@ def assert_held(low, high, edge, finite):
 
 # Both edges, of a spectrum that is known
 
-#: A factor of sqrt(2) apart, and farther than one of three from both edges: ends of intervals are
+#: Factors of sqrt(2), to more than a factor of three beyond both edges: ends of intervals are
 #: cutoffs, so that fewer of them would widen every interval, or bound it where they end.
 SMALL = Filters("small", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
 LARGE = Filters("large", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
@@ -100,7 +100,7 @@ def long_edges(scales, scans):
 
 
 def true_edge(density):
-    """The edge of the mean over many surfaces as large as a master, each of the true spectrum."""
+    """Return the edge of the mean over many surfaces of the true spectrum, as large as a master."""
     surfaces = (
         (number, LONG, random_surface(generator(1, number - 1), LONG.pixels, PIXEL_SIZE, density))
         for number in range(1, 61)
@@ -109,7 +109,7 @@ def true_edge(density):
 
 
 def interval_of_one_scan(density, number):
-    """The interval of the long edge in nm from one scan of a surface; open ends are NaN."""
+    """Return the interval of the long edge (nm) from one scan; open ends are NaN."""
     surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, density)
     heights = surface.heights[:PIXELS, :PIXELS].astype(float)
     scan = level(HeightMap(heights, PIXEL_SIZE, False, "measured"))

@@ -1,4 +1,4 @@
-"""The contents of files: heights of scans with known properties, and unusable members."""
+"""The inventory of files has the roughness of their scans, and names unusable members."""
 
 from dataclasses import replace
 
@@ -13,12 +13,12 @@ from hardcontact.own.request import Source
 
 
 def source(path, **others):
-    """A file of the surface `a`."""
+    """Return a file of the surface a."""
     return Source("a", "A", str(path), path.name, **others)
 
 
 def only_entry(path, tip_radius=None, **others):
-    """The entry of a file that holds one topography."""
+    """Return the entry of a file with one topography."""
     ((entry,), unreadable, problems) = inventory([source(path, **others)], tip_radius)
     assert not unreadable and not problems
     return entry

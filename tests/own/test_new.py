@@ -1,4 +1,4 @@
-"""The command `hardcontact new`, from files to a study that its checks accept."""
+"""The command `hardcontact new` makes a valid study from files."""
 
 import sys
 from types import SimpleNamespace
@@ -25,7 +25,7 @@ NAME = "a-test.of_new"
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A top folder whose configuration is the project's, and where studies are written."""
+    """Make a top folder with the project's configuration, where studies are written."""
     for folder in ("config", "workflow"):
         (tmp_path / folder).mkdir()
     for file in ("config/config.yaml", "config/quick.yaml", "config/surfaces.tsv"):
@@ -65,7 +65,7 @@ def own_scan(path, size=2500.0, **others):
 
 
 def accepted(folder, done, effort="full"):
-    """Check a study that was written as a run of it would; return its configuration and table."""
+    """Check a new study as its run does; return its configuration and table."""
     assert done.code == 0 and not done.errors, done.errors
     overlay = yaml.safe_load((folder / f"config/{NAME}.yaml").read_text("utf-8"))
     quick = overlay.pop("quick")
@@ -104,7 +104,7 @@ def test_options_state_what_files_lack_and_are_kept(folder, run):
 
 
 def test_a_scan_of_fewer_lines_in_a_square_frame_is_a_caution(folder, run):
-    """Nanoscope files may state the full frame of a scan that was stopped: pixels look oblong."""
+    """Nanoscope files may state the full frame of a stopped scan, so that pixels look oblong."""
     lines = rough()
     kept_lines = lines[: round(0.7 * len(lines))]
     nanoscope(folder / "a.001", 10 * kept_lines, (2500.0, 2500.0))
@@ -214,7 +214,7 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
     assert sorted(folder.rglob("*")) == files_before
 
 
-#: Arguments that are refused, and what the line says.
+#: Arguments that are refused, and parts of the message.
 REFUSED = [
     ([NAME], ["expected files"]),
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),

@@ -1,4 +1,4 @@
-"""Edges of surfaces whose forces are known, and how often their intervals hold the truth."""
+"""Edges of surfaces whose forces are known, and their intervals."""
 
 import numpy as np
 import pytest

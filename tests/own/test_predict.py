@@ -1,4 +1,4 @@
-"""`hardcontact predict`: the closed form of tables and scans, and all that is wrong with them."""
+"""`hardcontact predict` evaluates the closed form for tables and scans, and names their faults."""
 
 import csv
 import json
@@ -91,11 +91,11 @@ def test_a_table_may_have_any_units_order_and_zeros(table):
     profile = 1e-2 * wavevector**-2.6
     rows = [f"{q:.17g},rad/nm,{c:.17g},nm3" for q, c in zip(wavevector, profile, strict=True)]
     spectrum = table_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
-    expected = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
-    assert spectrum.density == pytest.approx(expected)
+    isotropic_density = isotropic_from_profile(wavevector, profile, np.full(9, 20.0))
+    assert spectrum.density == pytest.approx(isotropic_density)
 
 
-#: Lines of a table, and what the refusals say.
+#: Lines of a table, and parts of the refusals.
 FAULTY = [
     (["wavelength,c_iso", "1,2"], ["found wavelength, c_iso and 1 rows"]),
     (
@@ -152,8 +152,8 @@ def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)
     assert force["unit"] == "N" and force["status"] == "inside"
     coordinates = table_coordinates(trim_spectrum(spectrum), contact, prediction)
-    expected = prediction.force * np.array(nearest_errors(coordinates, "force"))
-    assert force["interval"] == pytest.approx(expected, rel=1e-5)
+    force_interval = prediction.force * np.array(nearest_errors(coordinates, "force"))
+    assert force["interval"] == pytest.approx(force_interval, rel=1e-5)
     for name, edge in zip(("short_edge", "long_edge"), edges(spectrum, contact, 0.1), strict=True):
         assert numbers[name]["value"] == pytest.approx(edge)
         assert numbers[name]["interval"][0] < edge
@@ -187,14 +187,14 @@ def test_a_wide_contact_on_a_smooth_surface_loses_no_force(table):
 
 
 def test_short_waves_missing_from_the_table_are_extrapolated(table):
-    """A spectrum of optical resolution: what it lacks changes the force, unless it ends with 0."""
+    """The missing waves of an optical spectrum change the force, unless the table ends with 0."""
     rows = rows_of(rough(17, 4000, 0.8, 1500))
     numbers, spectrum = numbers_of(table(*rows)), table_spectrum(table(*rows))
     variance = np.full(spectrum.density.shape, CALIBRATION_SCATTER**2)
     fit = fit_hurst_exponent(spectrum.wavevector, spectrum.density, variance)
     density, _ = extrapolate_short_waves(spectrum.wavevector, spectrum.density, fit)
-    expected = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
-    assert numbers["extrapolated_force"]["value"] == pytest.approx(expected, rel=1e-6)
+    extrapolated_force = closed_form(Spectrum(WAVEVECTORS, density), CONTACT).force
+    assert numbers["extrapolated_force"]["value"] == pytest.approx(extrapolated_force, rel=1e-6)
     assert numbers["extrapolated_change"]["status"] == "matters"
     for ended in ([*rows, "1,rad/nm,0,nm4"], rows_of(rough(17, 1000, 0.8, 0.1))):
         numbers = numbers_of(table(*ended))
@@ -253,7 +253,7 @@ def test_implausible_quantities_are_questioned(name, usual, questioned):
 
 
 def test_a_compliant_sphere_has_a_large_tabor_parameter(table):
-    """Tabor's number of a smooth sphere, by hand: (R W²/(E*² rho³))^(1/3)."""
+    """A smooth sphere has the Tabor parameter (R W²/(E*² rho³))^(1/3)."""
     path = table(*rows_of(rough(17, 1000, 0.8, 20)))
     hard, soft = (numbers_of(path, "--modulus", modulus) for modulus in ("290GPa", "1MPa"))
     number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
@@ -302,7 +302,7 @@ def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsy
     assert f"{path}: reliable from" in capsys.readouterr().err
     force = closed_form(spectrum, CONTACT).force
     assert numbers["pull_off_force"]["value"] == pytest.approx(force)
-    # It is continued as the masters of the study are, up to a roll-off beyond the scan.
+    # It is extrapolated like the masters of the study, up to a roll-off beyond the scan.
     force = closed_form(spectrum_of_dataset(joined_scans), CONTACT).force
     assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
     rolloff = joined_scans.attrs["rolloff"]
@@ -372,13 +372,13 @@ def test_members_of_a_container_are_joined_or_chosen(tmp_path):
 def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
     (tmp_path / "text.txt").write_text("hello\n" * 9)
     scan_files.scan(tmp_path / "flat.nc", np.zeros((32, 32)))
-    for name, expected in (
+    for name, message_part in (
         ("none.nc", "expected a scan, found no such file"),
         ("text.txt", "expected a whole file in a format that SurfaceTopography reads"),
         ("flat.nc", "expected a rough surface, found constant height"),
     ):
         message = refusal(printed, str(tmp_path / name))
-        assert_says(message, name, expected)
+        assert_says(message, name, message_part)
         assert len(message.splitlines()) == 1, message
     # Pixels of 50 µm: no wavelength of the spectrum is known, in a line scan or a map.
     rng = np.random.default_rng(3)

@@ -49,8 +49,8 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
     computed_forces = adhesion([3, 1])
     prediction = predicted_force(computed_forces, **PREDICTION)
     surface_b_forces = computed_forces.pull_off_force.sel(surface="b").isel(scan=0)
-    expected = 0.05 * surface_b_forces.mean(["sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(prediction.force.sel(surface="b"), expected)
+    mean_force = 0.05 * surface_b_forces.mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(prediction.force.sel(surface="b"), mean_force)
     selection = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
     single = 0.05 * computed_forces.pull_off_force.sel(selection).values
     quantiles = prediction.force_quantile.sel(selection)
@@ -143,7 +143,7 @@ def test_forces_are_bounded_by_that_of_a_smooth_sphere():
     assert np.isinf(bound_by_smooth_sphere(endless, 400.0).force_interval).all()
 
 
-# With continued roughness
+# With extrapolated roughness
 
 MASTERS = Masters({"a": 1}, 2, {"a": 99})
 
@@ -165,7 +165,7 @@ def test_the_extrapolated_force_is_the_mean_over_contacts_and_masters():
 )
 def test_the_extrapolated_force_differs_beyond_its_interval_and_the_tolerance(ratio, half, differs):
     extrapolated_forces = extrapolated_force(master_forces(), MASTERS, 0.05, 0.95)
-    # The force on the scans, relative to that with continued roughness below them.
+    # The force on the scans, relative to the force with extrapolated roughness below their pixels.
     relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
     unit = extrapolated_forces.extrapolated_force.sel(side="small").item()
     axes = ("surface", "contact_model", "rho")

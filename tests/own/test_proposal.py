@@ -63,7 +63,7 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 
 
 @pytest.mark.parametrize(
-    ("entries", "radius", "expected"),
+    ("entries", "radius", "size_counts"),
     [
         # The smallest size that holds the highest points; a small sphere finds them nearby.
         ([entry(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
@@ -89,11 +89,11 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
         ([entry(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
     ],
 )  # fmt: skip
-def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, expected):
+def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
     sphere = "sphere" if entries[-1].source.surface == "sphere" else None
     sizes = draw_sizes(entries, sphere, probe(radius))
     selected_scans, _ = contact_scans(entries, sphere, probe(radius), sizes)
-    assert Counter(round(scan.size) for scan in selected_scans) == expected
+    assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 
 
 # Keys of the study
@@ -115,7 +115,7 @@ def both_efforts(settings, proposal):
 
 
 def check_study(settings, proposal):
-    """Let the checks of the study look at a proposal for a smooth sphere, at both efforts."""
+    """Check a proposal for a smooth sphere at both efforts, as the study does."""
     grids = {scan.source.surface: scan.grid for scan in proposal.contact_entries}
     for config in both_efforts(settings, proposal):
         check_grids(config, grids)
@@ -208,7 +208,7 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
     ("scan", "settings", "message_parts"),
     [
         (entry(band=BLIND), probe(), ["reliable at no wavelength: the tip at 3 µm"]),
-        # Of a relief of 5600 nm exponentials overflow below 11.2 nm.
+        # For a relief of 5600 nm, exponentials overflow at ranges below 11.2 nm.
         (entry(20000, 512, 700.0), probe(), ["11.2 nm, not the usual 5.6 nm"]),
         # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
         (
@@ -228,27 +228,31 @@ def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings,
 
 
 @pytest.mark.parametrize(
-    ("entries", "settings", "expected"),
+    ("entries", "settings", "message_parts"),
     [
         ([entry(1e5, 3000, kind="profile")], probe(), ["surface a: expected a height map"]),
         ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
         ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
     ],
 )
-def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, expected):
+def test_unsuitable_scans_are_refused_in_one_line_each(entries, settings, message_parts):
     message = refusal(propose, entries, None, settings)
-    assert_says(message, *expected)
-    assert len(message.splitlines()) == len(expected)
+    assert_says(message, *message_parts)
+    assert len(message.splitlines()) == len(message_parts)
 
 
 @pytest.mark.parametrize(
-    ("scan", "settings", "expected"),
+    ("scan", "settings", "message_parts"),
     [
-        (entry(20000, 512, 700.0), probe(rho=6.0), ["scales.range: expected at least 11.2 nm"]),
+        (
+            entry(20000, 512, 700.0),
+            probe(rho=6.0),
+            ["scales.range: expected at least 11.2 nm"],
+        ),
         # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
         (entry(), probe(preload=1.0, hardness=1e9), ["contact.preload", "at most 6.25 mN"]),
     ],
 )
-def test_the_study_refuses_options_that_the_scans_do_not_permit(scan, settings, expected):
+def test_the_study_refuses_options_that_the_scans_do_not_permit(scan, settings, message_parts):
     message = refusal(check_study, settings, propose([scan], None, settings, True))
-    assert_says(message, *expected)
+    assert_says(message, *message_parts)

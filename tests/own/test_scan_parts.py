@@ -1,4 +1,4 @@
-"""Parts of scans: where contacts lie, how much parts share, how often intervals hold the truth."""
+"""Parts of scans: positions of contacts, correlation of parts, coverage of intervals."""
 
 import numpy as np
 import pytest
@@ -24,8 +24,8 @@ def test_contacts_lie_on_the_quarters_of_the_mirrored_scan(count, tiles):
     scan = np.kron(np.arange(4).reshape(2, 2), np.ones((500, 500), int))
     mirrored = np.pad(scan, ((0, 1000), (0, 1000)), mode="symmetric")
     places = contact_positions(2000 * tiles, count) % 2000
-    expected = mirrored[np.ix_(places, places)]
-    np.testing.assert_array_equal(scan_parts.quarters_of_contacts(count, tiles), expected)
+    quarters = mirrored[np.ix_(places, places)]
+    np.testing.assert_array_equal(scan_parts.quarters_of_contacts(count, tiles), quarters)
 
 
 QUARTERS = scan_parts.quarters_of_contacts(4, 1)
@@ -77,9 +77,9 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
 def test_without_correlation_the_interval_is_student_s():
     values = np.array([0.3, -0.1, 0.4, 0.9])
     left_out = (values.sum() - values) / 3
-    expected = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
+    student_half_width = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
     scan_parts = ScanParts(np.zeros((1, 1, 1), int), np.eye(4), 4)
-    assert half_of(left_out, scan_parts, 0.95) == pytest.approx(expected)
+    assert half_of(left_out, scan_parts, 0.95) == pytest.approx(student_half_width)
 
 
 def test_a_single_part_or_equal_parts_have_no_interval():

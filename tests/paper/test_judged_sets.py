@@ -40,8 +40,8 @@ def test_every_replicated_claim_has_a_number_of_every_set(sets):
     replicated = REPLICATED["id"]
     assert sets["value"].dims == ("set", "claim")
     assert sets["claim"].values.tolist() == replicated.tolist()
-    without_number = sets["claim"].values[np.isnan(sets["value"]).any("set")]
-    assert set(without_number) <= {
+    unfitted_claims = sets["claim"].values[np.isnan(sets["value"]).any("set")]
+    assert set(unfitted_claims) <= {
         "half_width_of_range",
         "half_width_of_work",
     }  # no fit is good enough
@@ -107,7 +107,7 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
 
 
 def test_measured_surfaces_make_sets_too():
-    sources = make_sources(measured=SUBSTRATES)
+    sources = make_sources(measured_surfaces=SUBSTRATES)
     sets = judge_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
     gradient = sources.topography["rms_gradient_mean"].sel(surface="ncd")
     assert sets["value"].isel(set=0).sel(claim="afm_rms_slope_ncd") == gradient

@@ -75,7 +75,7 @@ def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(sphere_is_bumpy
 
 
 def test_the_fit_recovers_the_pair_of_the_measured_forces():
-    """Forces that fall as exp(-m/rho) give the pair from which the measured forces were made."""
+    """Forces fall as exp(-m/rho), and the measured forces are made from a known pair."""
     heights = {"smooth": 12.0, "rough": 40.0, "rougher": 70.0}
     curves = {name: 1e-3 * np.exp(-height / RANGES) for name, height in heights.items()}
     measured_forces = {

@@ -184,9 +184,9 @@ def test_misfit_is_small_only_for_the_right_distribution(misfit):
     near(force.force_decades(adhesion), [3.0, 3.0])
     fitted = DISTRIBUTIONS[misfit].dist
     shape = fitted.fit(forces, floc=0)  # of the whole sample, not the unbiased estimate
-    expected = stats.kstest(forces, fitted.name, shape).statistic
+    distance = stats.kstest(forces, fitted.name, shape).statistic
     adhesion = make_adhesion(np.broadcast_to(forces, (2, 1, 1, 1000)), [5.6])
-    near(misfit(adhesion), expected, rtol=3e-3)
+    near(misfit(adhesion), distance, rtol=3e-3)
 
 
 # --- range and work ---------------------------------------------------------------------------

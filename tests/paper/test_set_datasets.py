@@ -22,7 +22,7 @@ CONTACTS = ["contact_y", "contact_x"]
 
 
 def test_topography_of_a_set_replaces_only_drawn_scans():
-    sources = make_sources(measured=["mcd"])
+    sources = make_sources(measured_surfaces=["mcd"])
     drawn_scans = draw_set_scans(sources, *DRAW)
     study = sources.topography
     topography = set_topography(study, drawn_scans, CONFIDENCE)
@@ -55,7 +55,7 @@ def test_forces_of_drawn_scans_are_scaled_to_the_rough_sphere():
 
 
 def test_forces_on_measured_scans_change_by_one_factor_per_range():
-    sources = make_sources(measured=["mcd"])
+    sources = make_sources(measured_surfaces=["mcd"])
     adhesion = set_adhesion(sources, draw_set_scans(sources, *DRAW), *DRAW)
     set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     study_forces = sources.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)

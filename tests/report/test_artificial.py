@@ -1,4 +1,4 @@
-"""Artificial wavelengths: what no scan reaches, between scans too."""
+"""Artificial wavelengths are beyond the scans or in gaps between them."""
 
 import numpy as np
 import pytest
@@ -12,23 +12,23 @@ from hardcontact.report.artificial import (
 )
 
 
-def of_first(data):
+def select_first(data):
     return data.sel(surface=SURFACES[0])
 
 
 def test_wavelengths_beyond_the_scans_are_artificial():
-    assert artificial_bands(of_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
+    assert artificial_bands(select_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
 
 
 def test_a_gap_between_scans_is_artificial():
-    apart = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
-    assert artificial_bands(of_first(spectra(measured=apart))) == [
+    distant_scans = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
+    assert artificial_bands(select_first(spectra(scans=distant_scans))) == [
         (0.0, 55.0), (320.0, 800.0), (25_000.0, np.inf),
     ]  # fmt: skip
 
 
 def test_an_unreliable_scan_closes_no_gap():
-    data = of_first(spectra())
+    data = select_first(spectra())
     coarse = data["path"].values == "scans/coarse.spm"
     data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
     assert (320.0, 800.0) in artificial_bands(data)
@@ -36,15 +36,15 @@ def test_an_unreliable_scan_closes_no_gap():
 
 
 def test_empty_entries_are_no_measurements():
-    of_second = spectra(2).sel(surface=SURFACES[1])
-    assert of_second.sizes["measurement"] == 3
-    assert measurements(of_second)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
-    assert artificial_bands(of_second)[-1] == (5000.0, np.inf)
+    twin = spectra(2).sel(surface=SURFACES[1])
+    assert twin.sizes["measurement"] == 3
+    assert measurements(twin)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
+    assert artificial_bands(twin)[-1] == (5000.0, np.inf)
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "inside"),
+    ("low", "high", "is_artificial"),
     [(1, 5, 1), (5, 20, 1), (10, 20, 0), (10, 1000, 1), (50, 50, 0), (5, 5, 1), (np.nan, 5, 0)],
 )
-def test_an_interval_may_overlap_artificial_bands(low, high, inside):
-    assert overlaps_any(low, high, [(0.0, 10.0), (100.0, np.inf)]) == inside
+def test_an_interval_may_overlap_artificial_bands(low, high, is_artificial):
+    assert overlaps_any(low, high, [(0.0, 10.0), (100.0, np.inf)]) == is_artificial

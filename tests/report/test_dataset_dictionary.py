@@ -1,14 +1,14 @@
-"""The dictionary of datasets says of every variable what it is, and of none that there is not."""
+"""The dictionary describes every variable of the datasets, and no other."""
 
 import xarray as xr
-from dataset_pages import SHARED, described, made_variables
+from dataset_pages import SHARED, described_rows, made_variables
 from refusals import assert_says, refusal
 
 from hardcontact.report.dataset_dictionary import rows_of
 
 
 def test_the_dictionary_describes_exactly_the_variables_of_the_study(results):
-    page, variables = described(), made_variables(results)
+    page, variables = described_rows(), made_variables(results)
     assert variables.keys() <= page.keys()
     for name, rows in variables.items():
         assert rows <= page[name] if name in SHARED else rows == page[name], name
@@ -19,8 +19,8 @@ def test_the_meaning_for_one_dataset_overrides_the_long_name_and_this_the_genera
     data = xr.Dataset(
         {name: ("x", [1.0], attributes) for name in ("own", "named", "named_interval")}
     )
-    known = {("a", "own"): "Own.", ("*", "named"): "For all.", ("*", "x"): "Axis."}
-    rows = rows_of("a", data.assign_coords(x=[0]), known)
+    known_meanings = {("a", "own"): "Own.", ("*", "named"): "For all.", ("*", "x"): "Axis."}
+    rows = rows_of("a", data.assign_coords(x=[0]), known_meanings)
     assert rows == {
         "`own`": ("x", "N", "Own."),
         "`named` \\*": ("x", "N", "Long name."),

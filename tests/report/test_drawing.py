@@ -28,13 +28,13 @@ def outputs(folder: Path) -> dict[str, str]:
 
 
 def test_drawing_twice_gives_the_same_bytes(tmp_path):
-    made = []
+    contents = []
     for folder in (tmp_path / "first", tmp_path / "second"):
         drawing.save(figure(), TABLE, "a figure", outputs(folder))
-        made.append({path.name: path.read_bytes() for path in folder.iterdir()})
-    assert made[0] == made[1] and len(made[0]) == len(drawing.FILE_KINDS)
-    assert made[0]["figure.csv"] == b"value,unit\n1.5,nm\n"
-    assert made[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in made[0]["figure.svg"]
+        contents.append({path.name: path.read_bytes() for path in folder.iterdir()})
+    assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FILE_KINDS)
+    assert contents[0]["figure.csv"] == b"value,unit\n1.5,nm\n"
+    assert contents[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in contents[0]["figure.svg"]
     with Image.open(tmp_path / "first/figure.png") as image:
         assert image.size == (drawing.WIDTH * drawing.RESOLUTION, 3 * drawing.RESOLUTION)
 
@@ -48,8 +48,8 @@ def test_curves_of_many_points_are_images_in_the_svg(points, images, tmp_path):
 def test_a_figure_names_only_the_substitutes():
     (note,) = figure().texts
     assert note.get_text().startswith("substitute surfaces: NCD (")
-    measured = SURFACES.assign(basis=("surface", ["measured"] * 2))
-    assert drawing.create(3, measured).texts[0].get_text() == "all surfaces measured"
+    all_measured = SURFACES.assign(basis=("surface", ["measured"] * 2))
+    assert drawing.create(3, all_measured).texts[0].get_text() == "all surfaces measured"
 
 
 def test_nothing_is_written_when_saving_fails(tmp_path):

@@ -1,4 +1,4 @@
-"""Numbers of the chapter on what decides the band that no dataset has as they stand there."""
+"""Numbers of the chapter about the causes of the band that no dataset has."""
 
 import numpy as np
 import pytest
@@ -24,8 +24,8 @@ def test_an_open_long_edge_is_a_bound():
     )  # fmt: skip
     assert long_edge(data)[1:3] == (4e3, "nm") and long_edge(data).status == "open_above"
     assert long_edge(data.assign(long_edge_bound_is_lower=0)).status == "open_below"
-    known = data.assign(long_edge=1e3, long_edge_bound=np.nan)
-    assert (long_edge(known).value, long_edge(known).status) == (1e3, "no_interval")
+    closed = data.assign(long_edge=1e3, long_edge_bound=np.nan)
+    assert (long_edge(closed).value, long_edge(closed).status) == (1e3, "no_interval")
 
 
 def test_errors_of_edges_come_from_held_out_surfaces_by_regime():
@@ -64,6 +64,10 @@ def test_errors_of_the_law_come_from_held_out_gaussian_surfaces():
     }
     columns |= {f"distance_{name}": [0.1, 0.2, 9, 9] for name in names}
     data = xr.Dataset({f"designed_{name}": ("case", values) for name, values in columns.items()})
-    below, above = scatter_errors(data)
-    assert (below["cases"], below["law"].value, above["weibull"].value) == (1, 0.1, 0.2)
-    assert (below["error"].value, above["error"].value) == pytest.approx((0.1, 1.0))
+    low_modulus, high_modulus = scatter_errors(data)
+    assert (low_modulus["cases"], low_modulus["law"].value, high_modulus["weibull"].value) == (
+        1,
+        0.1,
+        0.2,
+    )
+    assert (low_modulus["error"].value, high_modulus["error"].value) == pytest.approx((0.1, 1.0))

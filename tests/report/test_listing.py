@@ -29,8 +29,8 @@ def test_each_figure_of_the_paper_belongs_to_a_chapter():
 
 
 def test_a_caption_names_the_values_of_the_study():
-    changed = PAPER | {"inference": PAPER["inference"] | {"confidence": 0.8}}
-    assert "its 80 % interval" in caption("fig6", changed).details
+    configuration = PAPER | {"inference": PAPER["inference"] | {"confidence": 0.8}}
+    assert "its 80 % interval" in caption("fig6", configuration).details
     with pytest.raises(UndefinedError, match="confidence"):
         caption("fig6", PAPER | {"inference": {}})
 

@@ -1,4 +1,4 @@
-"""answer.json of own surfaces: one flat list whose numbers are those of the datasets."""
+"""answer.json of own surfaces: one flat list with the numbers of the datasets."""
 
 import json
 import os
@@ -52,8 +52,10 @@ CASES = {
 
 @cache
 def content(case):
-    made = own_answer(CASES[case], setting())
-    return json.loads(answer_json(own_head(setting(), own_headline(made)), own_quantities(made)))
+    answer = own_answer(CASES[case], setting())
+    return json.loads(
+        answer_json(own_head(setting(), own_headline(answer)), own_quantities(answer))
+    )
 
 
 def quantities(case, surface="my_coating"):
@@ -69,46 +71,46 @@ def test_the_answer_follows_its_schema(case):
 
 
 def test_the_answer_has_the_numbers_of_the_datasets():
-    of_study, of_surface = quantities("one", ""), quantities("one")
-    assert (of_study["range_of_adhesion"]["value"], of_study["work_of_adhesion"]["value"]) == (
+    study_rows, surface_rows = quantities("one", ""), quantities("one")
+    assert (study_rows["range_of_adhesion"]["value"], study_rows["work_of_adhesion"]["value"]) == (
         RANGE, WORK,
     )  # fmt: skip
     long = edges().sel(surface="my_coating", side="large")
-    assert of_surface["long_edge"]["value"] == long["edge"]
-    ends = [of_surface["long_edge"][end] for end in ("low", "high")]
+    assert surface_rows["long_edge"]["value"] == long["edge"]
+    ends = [surface_rows["long_edge"][end] for end in ("low", "high")]
     assert ends == long["edge_interval"].values.tolist()
-    here = force().sel(surface="my_coating", contact_model="plastic", rho=RANGE)
-    assert of_surface["force_mean"]["value"] == here["force"]
-    assert of_surface["force_middle"]["high"] == here["force_quantile"][-1]
-    assert of_surface["force_of_pair_long_range_range"]["value"] == 10.0
+    plastic = force().sel(surface="my_coating", contact_model="plastic", rho=RANGE)
+    assert surface_rows["force_mean"]["value"] == plastic["force"]
+    assert surface_rows["force_middle"]["high"] == plastic["force_quantile"][-1]
+    assert surface_rows["force_of_pair_long_range_range"]["value"] == 10.0
     heights = topography().sel(surface="my_coating")["rms_height"].values
-    assert of_surface["scan_2_rms_height"]["value"] == heights[1]
-    assert of_surface["all_scales_rms_height"]["value"] == 6.2
-    assert of_surface["measurement_1_shortest_reliable"]["value"] == 55.0
+    assert surface_rows["scan_2_rms_height"]["value"] == heights[1]
+    assert surface_rows["all_scales_rms_height"]["value"] == 6.2
+    assert surface_rows["measurement_1_shortest_reliable"]["value"] == 55.0
 
 
 def test_cautions_are_codes_with_their_numbers():
-    of_surface = quantities("contradiction")
-    codes = {row["status"] for name, row in of_surface.items() if name.startswith("caution")}
+    surface_rows = quantities("contradiction")
+    codes = {row["status"] for name, row in surface_rows.items() if name.startswith("caution")}
     assert {"contradiction", "tail"} <= codes
-    assert of_surface["contradiction_factor"]["value"] == pytest.approx(100, rel=0.2)
+    assert surface_rows["contradiction_factor"]["value"] == pytest.approx(100, rel=0.2)
     assert quantities("no band")["answered"]["status"] == "no"
 
 
-@pytest.mark.parametrize(("of_paper", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
-def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(of_paper, count):
-    made = own_answer(datasets(), setting()._replace(of_paper=of_paper))
-    names = [row.fact.name for row in made.surfaces["my_coating"].rows]
+@pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
+def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(paper_values, count):
+    answer = own_answer(datasets(), setting()._replace(of_paper=paper_values))
+    names = [row.fact.name for row in answer.surfaces["my_coating"].rows]
     assert names.count("force_of_pair") == count
 
 
-def run_script(folder, given):
-    """Run the script as the workflow does, on files in a folder; return what it writes."""
-    inputs = {name: folder / f"{name}.nc" for name, one in given._asdict().items() if one}
+def run_script(folder, own_datasets):
+    """Run the script as the workflow does, on files in a folder; return its texts."""
+    inputs = {name: folder / f"{name}.nc" for name, data in own_datasets._asdict().items() if data}
     for name, path in inputs.items():
-        dataset.write(getattr(given, name), path)
+        dataset.write(getattr(own_datasets, name), path)
     inputs["pairs"] = ROOT / "resources/adhesion/pairs.csv"
-    named = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
+    script_inputs = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
     outputs = {"page": folder / "answer.html", "json": folder / "answer.json"}
     output = Namedlist(fromdict={name: str(path) for name, path in outputs.items()})
     for kind in FILE_KINDS:
@@ -118,7 +120,7 @@ def run_script(folder, given):
     parameters = setting([("part", "why")])._asdict()
     del parameters["pairs"]
     job = SimpleNamespace(
-        input=named,
+        input=script_inputs,
         output=output,
         params=SimpleNamespace(canonical=canonical(parameters)),
         log=[str(folder / "answer.log")],
@@ -129,10 +131,10 @@ def run_script(folder, given):
 
 
 def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch):
-    # A script that fails ends its process, which here is that of the tests.
+    # A failing script ends its process, here the process of the tests.
     monkeypatch.setattr(os, "_exit", pytest.fail)
-    made = run_script(tmp_path, datasets(fit=fit()))
-    rows = {row["name"]: row for row in json.loads(made["json"])["quantities"]}
+    texts = run_script(tmp_path, datasets(fit=fit()))
+    rows = {row["name"]: row for row in json.loads(texts["json"])["quantities"]}
     assert rows["measured_force"]["value"] == 0.64e-6
-    assert "forces" in [one["id"] for one in Page(made["page"]).attributes["section"]]
+    assert "forces" in [section["id"] for section in Page(texts["page"]).attributes["section"]]
     assert np.isfinite(rows["smooth_sphere"]["value"])

@@ -12,6 +12,7 @@ from answer_inputs import (
     RHOS,
     SURFACES,
     datasets,
+    drop_interval,
     edges,
     fit,
     force,
@@ -19,9 +20,8 @@ from answer_inputs import (
     setting,
     spectra,
     topography,
-    without_interval,
 )  # fmt: skip
-from browser import WIDTHS, needs_browser, shown, used
+from browser import WIDTHS, measure_page, needs_browser, run_on_page
 from html_page import Page
 from matplotlib.text import Text
 from paper_study import svg
@@ -41,13 +41,12 @@ CASES = {
     ),
     FORCES: (datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()),
 }
-LABEL = {"my_coating": "my coating"}
 FIRST = {"surface": SURFACES[0]}
 PHONE = 358  # pixels that a figure is wide on a screen of 390
 MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
 
 
-PICTURES = {name: svg(f"#{place:03}") for place, name in enumerate(OWN_FIGURES)}
+PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 
 
 def page_of(answer):
@@ -65,7 +64,7 @@ def page(case):
 
 
 def words(text):
-    """Words that are seen before a fold is opened."""
+    """Return the words outside folds."""
     for tag in ("script", "style", "title"):
         text = re.sub(rf"<{tag}.*?</{tag}>", " ", text, flags=re.DOTALL)
     text = re.sub(r"</summary>.*?</details>", " ", text, flags=re.DOTALL)
@@ -90,8 +89,8 @@ def test_sections_and_figures_have_anchors(case):
     forces = ["forces"] if "force" in case else []
     sections = [section["id"] for section in page(case).attributes["section"]]
     assert sections == ["answer", "inputs", "cutoffs", "surfaces", *forces, "next", "details"]
-    inside = {link[1:] for link in page(case).values("href") if link.startswith("#")}
-    assert inside <= set(ids)
+    links = {link[1:] for link in page(case).values("href") if link.startswith("#")}
+    assert links <= set(ids)
 
 
 def test_the_unfolded_page_is_short():
@@ -103,27 +102,26 @@ def test_the_unfolded_page_is_short():
 def test_the_page_begins_with_the_headline():
     headline = own_headline(own_answer(*CASES["one"]))
     assert headline and not any("<" in line or "&" in line for line in headline)
-    first = " ".join(page("one").texts["div"][0].replace("\u00a0", " ").split())
-    assert first.startswith(" ".join(headline))
+    first_words = " ".join(page("one").texts["div"][0].replace("\u00a0", " ").split())
+    assert first_words.startswith(" ".join(headline))
 
 
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
-    given = datasets()
-    parts = (part.assign(label=("surface", [hostile])) for part in given[:4])
-    paths = given.spectra["path"].astype(object) + hostile
-    given = type(given)(*parts)
-    given = given._replace(spectra=given.spectra.assign(path=paths))
-    made = page_of(own_answer(given, setting([(hostile, "x & <b>y</b>")])))
-    assert "<b>" not in made and Page(made).texts["h1"]
+    data = datasets()
+    paths = data.spectra["path"].astype(object) + hostile
+    labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:4]))
+    labelled = labelled._replace(spectra=labelled.spectra.assign(path=paths))
+    text = page_of(own_answer(labelled, setting([(hostile, "x & <b>y</b>")])))
+    assert "<b>" not in text and Page(text).texts["h1"]
 
 
 @pytest.mark.parametrize("exact", [0, 1, 2])
 def test_a_fit_that_is_exact_by_construction_has_no_error(exact):
-    of_two = fit(2)
-    of_two["exact_pairs"][:] = exact
-    made = page_of(own_answer(datasets(2, fit=of_two), setting()))
-    text = re.search('<p id="fit">(.*?)</p>', made, re.DOTALL)[1]
+    two_fits = fit(2)
+    two_fits["exact_pairs"][:] = exact
+    page_html = page_of(own_answer(datasets(2, fit=two_fits), setting()))
+    text = re.search('<p id="fit">(.*?)</p>', page_html, re.DOTALL)[1]
     assert ("error" in text) == (exact == 0) and ("tests nothing" in text) == (exact > 0)
 
 
@@ -137,11 +135,11 @@ def test_the_figure_of_cutoffs_shows_the_ratios_of_both_sides():
     table, figure = figures.draw_cutoffs(datasets())
     curves = lines_of(figure)
     for side, (label, _) in figures.SIDE_LOOKS.items():
-        known = data["scale_ratio"].sel(side=side).dropna("cutoff_wavelength")
+        ratios = data["scale_ratio"].sel(side=side).dropna("cutoff_wavelength")
         x, y = curves[label].get_data()
-        assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == known.values.tolist()
+        assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == ratios.values.tolist()
         rows = table[(table["side"] == side) & (table["quantity"] == "scale_ratio")]
-        assert sorted(rows["value"]) == sorted(known.values)
+        assert sorted(rows["value"]) == sorted(ratios.values)
 
 
 @pytest.mark.parametrize(("largest", "scale"), [(1.5, "linear"), (2000.0, "log")])
@@ -162,16 +160,16 @@ def test_spectra_are_drawn_apart_where_they_are_not_reliable():
     data = spectra().sel(FIRST)
     table, figure = figures.draw_spectra(datasets())
     curves = lines_of(figure)
-    for place, name in enumerate(("fine.spm", "coarse.spm", "line.txt")):
+    for index, name in enumerate(("fine.spm", "coarse.spm", "line.txt")):
         x, density = curves[name].get_data()
-        inside = x[np.isfinite(density)]
-        assert data["shortest_reliable"][place] <= inside.min()
-        assert inside.max() <= data["longest_reliable"][place]
-        apart = np.isfinite(curves[f"{name}, not reliable"].get_ydata())
-        assert apart.any() and not (apart & np.isfinite(density)).any()
+        reliable_wavelengths = x[np.isfinite(density)]
+        assert data["shortest_reliable"][index] <= reliable_wavelengths.min()
+        assert reliable_wavelengths.max() <= data["longest_reliable"][index]
+        is_unreliable = np.isfinite(curves[f"{name}, not reliable"].get_ydata())
+        assert is_unreliable.any() and not (is_unreliable & np.isfinite(density)).any()
     assert {"joined", "used"} <= set(curves)
-    measured = table[table["quantity"] == "psd"]
-    assert len(measured) == np.isfinite(data["psd"]).sum()
+    psd_rows = table[table["quantity"] == "psd"]
+    assert len(psd_rows) == np.isfinite(data["psd"]).sum()
 
 
 def test_forces_of_both_models_are_drawn_over_the_range():
@@ -179,10 +177,10 @@ def test_forces_of_both_models_are_drawn_over_the_range():
     curves = lines_of(figure)
     for model in ("plastic", "rigid"):
         x, y = curves[f"my coating, {model}"].get_data()
-        expected = 1e6 * force().sel(FIRST).sel(contact_model=model)["force"].values
+        forces = 1e6 * force().sel(FIRST).sel(contact_model=model)["force"].values
         assert x.tolist() == RHOS.tolist()
-        np.testing.assert_allclose(y, expected)
-    _, unbounded = figures.draw_forces(datasets(force=without_interval(force())))
+        np.testing.assert_allclose(y, forces)
+    _, unbounded = figures.draw_forces(datasets(force=drop_interval(force())))
     (band,) = unbounded.axes[0].collections
     assert not [path for path in band.get_paths() if len(path.vertices)]
 
@@ -195,8 +193,8 @@ def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name)
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
     points = PHONE / (72 * figure.get_figwidth())
     assert min(text.get_fontsize() for text in texts) * points >= MIN_TEXT
-    shown = " ".join(text.get_text() for text in texts)
-    assert all(f"{label} (substitute)" in shown for label in LABELS)
+    measure_page = " ".join(text.get_text() for text in texts)
+    assert all(f"{label} (substitute)" in measure_page for label in LABELS)
     assert set(table["surface"]) == set(SURFACES)
     assert table[["quantity", "value", "unit", "origin"]].notna().all(axis=None)
 
@@ -205,7 +203,7 @@ def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name)
 @pytest.mark.system
 @pytest.mark.parametrize("case", CASES)
 def test_page_fits_every_screen_and_shows_its_pictures(case, tmp_path):
-    frames = shown(html(case), tmp_path)
+    frames = measure_page(html(case), tmp_path)
     assert [frame["screen"] for frame in frames] == list(WIDTHS)
     for frame in frames:
         assert frame["overflow"] == 0 and frame["requests"] == 0, frame
@@ -229,10 +227,10 @@ USE = """
 @needs_browser
 @pytest.mark.system
 def test_tables_sort_and_figures_open_at_full_size(tmp_path):
-    told = used(html("one"), USE, tmp_path)
-    first, second = told["sorted"]
-    assert first == sorted(first) and second == first[::-1]
-    assert told["width"] >= 1100
+    result = run_on_page(html("one"), USE, tmp_path)
+    ascending, descending = result["sorted"]
+    assert ascending == sorted(ascending) and descending == ascending[::-1]
+    assert result["width"] >= 1100
 
 
 def test_the_page_names_defects_of_scans_with_their_numbers():

@@ -1,4 +1,4 @@
-"""The answer of the paper's study: its numbers are those of the claims and of the datasets."""
+"""The answer of the paper's study has the numbers of the claims and of the datasets."""
 
 import json
 
@@ -23,22 +23,22 @@ from hardcontact.report.table1 import decimals_of, table1_rows
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
 
-def changed(name, **values):
-    """The claims with other values of one of them."""
+def change_claim(name, **values):
+    """The claims, with other values of a single claim."""
     table = claims()
     for column, value in values.items():
         table.loc[table["id"] == ANSWER_CLAIMS[name], column] = value
     return table
 
 
-def with_critical(side, wavelength):
+def move_edge(side, wavelength):
     """A band whose edge of all substrates is at a wavelength."""
-    of_all = band()
-    of_all["edge"].loc[{"side": side, "group": "pooled"}] = wavelength
-    return of_all
+    moved = band()
+    moved["edge"].loc[{"side": side, "group": "pooled"}] = wavelength
+    return moved
 
 
-def with_fits(ranges, works):
+def replace_fits(ranges, works):
     """Sets whose best ranges (nm) and works (J/m2) with plastic contact are these."""
     sets = datasets()["sets"].isel(set=slice(len(ranges))).copy(deep=True)
     for name, fitted in (("range_of_adhesion", ranges), ("work_of_adhesion", works)):
@@ -70,14 +70,14 @@ def test_grids_coarser_than_the_paper_s_are_recognized():
 
 def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     """The paper's statement is that the range exceeds 5 nm."""
-    both = with_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
-    numbers = answer(changed("range_exceeds", frequency=0.6), sets=both).numbers
+    two_groups = replace_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
+    numbers = answer(change_claim("range_exceeds", frequency=0.6), sets=two_groups).numbers
     long, short = numbers["long_range_sets_range_of_adhesion"], numbers["short_range_sets"]
     assert (long.value, long.low, long.high, short.value) == (9, 8, 10, 2)
     assert numbers["short_range_sets_work_of_adhesion"].value == pytest.approx(0.115)
-    assert "short_range_sets" not in answer(sets=with_fits([9.0, 8.0], [0.01, 0.02])).numbers
-    without = answer(changed("range_exceeds", frequency=np.nan), sets=both)
-    assert "long_range_sets" not in without.numbers
+    assert "short_range_sets" not in answer(sets=replace_fits([9.0, 8.0], [0.01, 0.02])).numbers
+    unjudged = answer(change_claim("range_exceeds", frequency=np.nan), sets=two_groups)
+    assert "long_range_sets" not in unjudged.numbers
 
 
 @pytest.mark.parametrize(
@@ -85,12 +85,12 @@ def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     [("small", "short_edge", "open_above"), ("large", "long_edge", "open_below")],
 )
 def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
-    beyond = answer(band=with_critical(side, np.nan))
-    assert beyond.numbers[name].status == status and answer().numbers[name].status == ""
+    open_answer = answer(band=move_edge(side, np.nan))
+    assert open_answer.numbers[name].status == status and answer().numbers[name].status == ""
 
 
 @pytest.mark.parametrize(
-    ("name", "end", "last", "inside"),
+    ("name", "end", "end_cutoff", "closed_end"),
     [
         ("short_edge", "high", 250.0, 249.0),  # of the band
         ("short_edge", "high", 120.0, 500.0),  # of the sets, whose cutoffs are fewer
@@ -98,28 +98,31 @@ def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
         ("long_edge", "low", 800.0, 250.0),
     ],
 )
-def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
+def test_an_end_at_the_last_cutoff_is_open(name, end, end_cutoff, closed_end):
     sets = datasets()["sets"]
     fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
-    at_end = answer(changed(name, **{end: last}), sets=fewer)
-    assert at_end.numbers[name].status == f"interval_open_{end}"
-    assert answer(changed(name, **{end: inside}), sets=fewer).numbers[name].status == ""
+    open_answer = answer(change_claim(name, **{end: end_cutoff}), sets=fewer)
+    assert open_answer.numbers[name].status == f"interval_open_{end}"
+    assert answer(change_claim(name, **{end: closed_end}), sets=fewer).numbers[name].status == ""
 
 
 @pytest.mark.parametrize("name", ANSWER_CLAIMS)
 def test_a_claim_without_a_number_is_not_in_the_answer(name):
-    for rows in (claims()[claims()["id"] != ANSWER_CLAIMS[name]], changed(name, computed=np.nan)):
+    for rows in (
+        claims()[claims()["id"] != ANSWER_CLAIMS[name]],
+        change_claim(name, computed=np.nan),
+    ):
         assert ANSWER_CLAIMS.keys() - answer(rows).numbers.keys() == {name}
 
 
 def test_forces_on_scans_equal_those_on_windows_of_their_size():
     data = scan_size()
-    place = {"surface": "mcd", "map_size": 2500.0}
-    data["force_over_largest"].loc[place] = 2.24
-    data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
-    made = answer(scan_size=data)
-    expected = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
-    assert made.surfaces["mcd"]["force_on_scans"] == expected
+    labels = {"surface": "mcd", "map_size": 2500.0}
+    data["force_over_largest"].loc[labels] = 2.24
+    data["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
+    page_answer = answer(scan_size=data)
+    force = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
+    assert page_answer.surfaces["mcd"]["force_on_scans"] == force
 
 
 def test_table_1_compares_values_and_marks_those_by_construction():
@@ -148,8 +151,8 @@ def test_fits_with_protrusions_count_only_sets_that_agree():
     rare = data["protruded"].assign(agrees=data["protruded"]["agrees"].where([[True], [False]], 0))
     assert "protruded_sphere_work_of_adhesion" in numbers
     assert "protruded_sphere_work_of_adhesion" not in answer(protruded_sphere=rare).numbers
-    without = data["leave_one_out"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
-    expected = without["set_work_of_adhesion"].quantile(0.95).item()
-    assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(expected)
-    none = data["protruded"].assign(agrees=0 * data["protruded"]["agrees"])
-    assert "protruded_range_of_adhesion" not in answer(protruded=none).numbers
+    reduced_fits = data["leave_one_out"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
+    upper_end = reduced_fits["set_work_of_adhesion"].quantile(0.95).item()
+    assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(upper_end)
+    disagreeing = data["protruded"].assign(agrees=0 * data["protruded"]["agrees"])
+    assert "protruded_range_of_adhesion" not in answer(protruded=disagreeing).numbers

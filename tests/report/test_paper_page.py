@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 from html_page import Page
-from paper_study import CITATION, answer, captions, claims, datasets, figures, made_page
+from paper_study import CITATION, answer, captions, claims, datasets, figures, make_page
 from refusals import assert_says
 
 from hardcontact.base.printing import print_as_paper
@@ -18,11 +18,11 @@ HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
 @pytest.fixture(scope="module")
 def html():
-    return made_page()
+    return make_page()
 
 
 @pytest.fixture(scope="module")
-def shown(html):
+def page(html):
     return Page(html)
 
 
@@ -30,60 +30,62 @@ def plain(text):
     return " ".join(text.replace("\N{NO-BREAK SPACE}", " ").split())
 
 
-def test_the_page_needs_nothing_else(shown):
-    assert not {"link", "iframe", "object", "embed", "base"} & shown.attributes.keys()
-    assert all(source.startswith("data:image/svg+xml;base64,") for source in shown.values("src"))
+def test_the_page_needs_nothing_else(page):
+    assert not {"link", "iframe", "object", "embed", "base"} & page.attributes.keys()
+    assert all(source.startswith("data:image/svg+xml;base64,") for source in page.values("src"))
 
 
-def test_links_lead_within_the_study_or_to_the_paper(shown):
-    anchors, links = shown.values("id"), shown.values("href")
+def test_links_lead_within_the_study_or_to_the_paper(page):
+    anchors, links = page.values("id"), page.values("href")
     assert len(anchors) == len(set(anchors))
     assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
-    beside = {f"figures/{name}.{kind}" for name in PAPER_FIGURES for kind in ("csv", "pdf")}
-    beside |= {f"report/claims.html#{name}" for name in MAIN_FINDINGS}
-    beside |= {"answer.json", "claims.csv", "insight.html", "report/claims.html"}
-    assert beside <= set(links)
-    away = {link for link in links if ":" in link}
-    assert away == {f"https://doi.org/{CITATION['references'][0]['doi']}"}
+    neighbours = {f"figures/{name}.{kind}" for name in PAPER_FIGURES for kind in ("csv", "pdf")}
+    neighbours |= {f"report/claims.html#{name}" for name in MAIN_FINDINGS}
+    neighbours |= {"answer.json", "claims.csv", "insight.html", "report/claims.html"}
+    assert neighbours <= set(links)
+    external = {link for link in links if ":" in link}
+    assert external == {f"https://doi.org/{CITATION['references'][0]['doi']}"}
 
 
-def test_the_page_says_first_whether_the_paper_holds(shown):
-    said = plain(shown.texts["div"][0])
-    assert said.startswith("Does the paper hold? Of its ")
+def test_the_page_says_first_whether_the_paper_holds(page):
+    first_words = plain(page.texts["div"][0])
+    assert first_words.startswith("Does the paper hold? Of its ")
     numbers = answer().numbers
     for name in ("short_edge", "long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
         interval = (edge.low, edge.high)
-        assert_says(said, print_as_paper(edge.value, edge.unit, interval, 2))
-        assert_says(said, print_as_paper(published.value, published.unit))
+        assert_says(first_words, print_as_paper(edge.value, edge.unit, interval, 2))
+        assert_says(first_words, print_as_paper(published.value, published.unit))
 
 
 def test_the_page_warns_of_coarse_grids_first():
-    made = Page(made_page(answer(**datasets(pixels=128))))
-    assert plain(made.texts["div"][0]).startswith("Coarse grids: ")
+    coarse_page = Page(make_page(answer(**datasets(pixels=128))))
+    assert plain(coarse_page.texts["div"][0]).startswith("Coarse grids: ")
 
 
-def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(shown):
-    pictures = [base64.b64decode(of["src"].partition(",")[2]) for of in shown.attributes["img"]]
+def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(page):
+    pictures = [
+        base64.b64decode(image["src"].partition(",")[2]) for image in page.attributes["img"]
+    ]
     order = ["fig6", *(name for name in PAPER_FIGURES if name != "fig6")]
     assert pictures == [figures()[name] for name in order]
     for name in PAPER_FIGURES:
-        assert captions()[name].title in shown.values("alt")
-        assert any(captions()[name].short in text for text in shown.texts["figcaption"])
+        assert captions()[name].title in page.values("alt")
+        assert any(captions()[name].short in text for text in page.texts["figcaption"])
 
 
-def test_main_findings_repeat_the_claims(shown):
+def test_main_findings_repeat_the_claims(page):
     table = claims().set_index("id")
-    rows = [[plain(cell) for cell in row] for row in shown.rows if len(row) == 5][1:]
+    rows = [[plain(cell) for cell in row] for row in page.rows if len(row) == 5][1:]
     for cells, name in zip(rows, MAIN_FINDINGS, strict=False):
         assert (cells[0], cells[-1]) == (table["statement"][name], table["verdict"][name])
 
 
-def test_only_substitutes_are_labelled_as_such(shown):
-    assert any("UNCD (substitute)" in row[0] for row in shown.rows)
-    measured = datasets()["topography"].assign(basis=("surface", ["measured"] * 5))
-    made = Page(made_page(answer(topography=measured)))
-    assert not any("(substitute)" in text for text in made.texts["main"])
+def test_only_substitutes_are_labelled_as_such(page):
+    assert any("UNCD (substitute)" in row[0] for row in page.rows)
+    measured_topography = datasets()["topography"].assign(basis=("surface", ["measured"] * 5))
+    measured_page = Page(make_page(answer(topography=measured_topography)))
+    assert not any("(substitute)" in text for text in measured_page.texts["main"])
 
 
 @pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
@@ -91,11 +93,11 @@ def test_text_of_tables_is_escaped(html, column):
     table = claims()
     table[column] = table[column].astype(object)
     table.loc[table["id"] == "range_of_adhesion", column] = HOSTILE
-    assert made_page(answer(table)).count("<script") == html.count("<script")
+    assert make_page(answer(table)).count("<script") == html.count("<script")
 
 
 def test_a_page_without_numbers_still_has_every_figure():
     table = claims().assign(computed=np.nan, low=np.nan, high=np.nan, frequency=np.nan)
-    made = Page(made_page(answer(table)))
-    assert len(made.attributes["img"]) == len(PAPER_FIGURES)
-    assert not re.search(r"\bnan\b", made.texts["main"][0], re.I)
+    page = Page(make_page(answer(table)))
+    assert len(page.attributes["img"]) == len(PAPER_FIGURES)
+    assert not re.search(r"\bnan\b", page.texts["main"][0], re.I)

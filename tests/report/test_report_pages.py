@@ -1,4 +1,4 @@
-"""Pages of the report: nothing left out, nothing that a browser would read as markup."""
+"""Pages of the report are complete, and texts are escaped."""
 
 import re
 from importlib.metadata import version
@@ -47,7 +47,7 @@ def evaluated(**values):
     return table
 
 
-def made(table=None, **texts):
+def make_pages(table=None, **texts):
     """The pages."""
     configuration = PAPER | {"inference": {"confidence": 0.8}}
     table = evaluated() if table is None else table
@@ -66,16 +66,16 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     assert rows["third"]["computed_text"] == "" and rows["third"]["computed"] is None
     assert [row["kind"] for row in rows.values()] == ["independent", "follows", "independent"]
     assert facts["counts"] == summary(evaluated()).to_dict("records")
-    one = claim_facts(evaluated(verdict="by construction"))["claims"]["first"]
-    assert one["kind"] == "by construction"
+    row = claim_facts(evaluated(verdict="by construction"))["claims"]["first"]
+    assert row["kind"] == "by construction"
 
 
 @pytest.mark.parametrize(
-    ("end", "shown"), [("high", "[2.75, 3.75 or more] nm"), ("low", "[2.75 or less, 3.75] nm")]
+    ("end", "interval"), [("high", "[2.75, 3.75 or more] nm"), ("low", "[2.75 or less, 3.75] nm")]
 )
-def test_a_claim_shows_the_open_end_of_its_interval(end, shown):
+def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
     rows = claim_facts(evaluated(open_end=end))["claims"]
-    assert shown in rows["first"]["computed_text"]
+    assert interval in rows["first"]["computed_text"]
     assert "or " not in rows["second"]["computed_text"]
 
 
@@ -100,21 +100,21 @@ def test_facts_count_independent_findings_reproduced_without_scans(values, count
 
 def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     table = all_claims().assign(open_end="")
-    shown = Page(made(table)["claims"])
-    rows = [row for row in shown.rows if len(row) == 7][1:]
+    page = Page(make_pages(table)["claims"])
+    rows = [row for row in page.rows if len(row) == 7][1:]
     for cells, claim in zip(rows, table.itertuples(), strict=True):
-        told = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
-        assert_says(told, claim.id, claim.statement, claim.verdict, claim.section)
-    counts = [row for row in shown.rows if len(row) == 4][1:]
+        row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
+        assert_says(row_text, claim.id, claim.statement, claim.verdict, claim.section)
+    counts = [row for row in page.rows if len(row) == 4][1:]
     assert [row[0].strip() for row in counts] == list(VERDICTS)
     assert all(row[3].strip() for row in counts)
-    assert set(table["id"]) <= set(shown.values("id"))
+    assert set(table["id"]) <= set(page.values("id"))
 
 
 @pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
 def test_claims_are_text_not_markup(column):
-    page = made(evaluated(**{column: HOSTILE}))["claims"]
-    assert page.count("<script") == made()["claims"].count("<script") and "alert(1)" in page
+    page = make_pages(evaluated(**{column: HOSTILE}))["claims"]
+    assert page.count("<script") == make_pages()["claims"].count("<script") and "alert(1)" in page
 
 
 CHAPTER = """# Where the study departs <from> the paper
@@ -131,15 +131,17 @@ CHAPTER = """# Where the study departs <from> the paper
 
 
 def test_a_chapter_is_a_page_without_links_into_the_repository():
-    page = made(departures=CHAPTER)["departures"]
-    shown = Page(page)
-    assert shown.texts["h1"] == ["Where the study departs <from> the paper"]
-    assert len(shown.texts["li"]) == 2 and "1 &lt; 2" in page and "See the rules and" in page
-    away = [of["href"] for of in shown.attributes["a"] if not of["href"].startswith("#")]
+    page = make_pages(departures=CHAPTER)["departures"]
+    parsed_page = Page(page)
+    assert parsed_page.texts["h1"] == ["Where the study departs <from> the paper"]
+    assert len(parsed_page.texts["li"]) == 2 and "1 &lt; 2" in page and "See the rules and" in page
+    away = [
+        link["href"] for link in parsed_page.attributes["a"] if not link["href"].startswith("#")
+    ]
     assert away == ["https://doi.org/10.1/x"]
-    rows = [[cell.strip() for cell in row] for row in shown.rows]
+    rows = [[cell.strip() for cell in row] for row in parsed_page.rows]
     assert rows == [["surface", "made from"], ["UNCD", "scans"]]
-    assert [cell["data-label"] for cell in shown.attributes["td"]] == ["surface", "made from"]
+    assert [cell["data-label"] for cell in parsed_page.attributes["td"]] == ["surface", "made from"]
 
 
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
@@ -158,15 +160,15 @@ def test_every_departure_is_an_item_of_the_page():
 
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
 def test_every_chapter_has_a_title_and_unique_anchors(path):
-    made = chapter(path.read_text())
-    anchors = [anchor for anchor, _ in made.sections]
-    assert made.title and len(anchors) == len(set(anchors))
+    page = chapter(path.read_text())
+    anchors = [anchor for anchor, _ in page.sections]
+    assert page.title and len(anchors) == len(set(anchors))
 
 
 def test_parameters_are_the_whole_configuration_and_every_version():
     versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
     configuration = PAPER | {"store": "a<b>&c"}
-    shown = Page(pages(evaluated(), {}, configuration, versions)["parameters"])
-    assert yaml.safe_load(shown.texts["pre"][0]) == configuration
-    cells = [[cell.strip() for cell in row] for row in shown.rows]
+    page = Page(pages(evaluated(), {}, configuration, versions)["parameters"])
+    assert yaml.safe_load(page.texts["pre"][0]) == configuration
+    cells = [[cell.strip() for cell in row] for row in page.rows]
     assert cells[1:] == [[name, number] for name, number in versions.items()]

@@ -20,16 +20,16 @@ def test_colours_and_markers_follow_the_order_of_any_surfaces():
 
 
 @pytest.mark.parametrize(
-    ("limits", "expected"),
+    ("limits", "labels"),
     [((0.5, 20), [0.5, 1, 5, 10]), ((1e-2, 1e3), [1e-2, 0.1, 1, 10, 100, 1e3])],
 )
-def test_logarithmic_axes_have_plain_numbers(limits, expected):
+def test_logarithmic_axes_have_plain_numbers(limits, labels):
     axes = Figure().subplots()
     axes.set(xscale="log", xlim=limits)
     style.label_logarithmic(axes.xaxis, digits=(1, 5))
     ticks = axes.get_xticks()
     low, high = limits
-    assert np.allclose(ticks[(ticks >= 0.999 * low) & (ticks <= 1.001 * high)], expected)
+    assert np.allclose(ticks[(ticks >= 0.999 * low) & (ticks <= 1.001 * high)], labels)
     assert axes.xaxis.get_major_formatter()(0.5, None) == "0.5"
 
 
@@ -52,9 +52,9 @@ def test_endless_error_bars_leave_the_frame(bars, limits):
     for x, (value, low, high) in enumerate(bars):
         axes.errorbar([x], [value], [[value - low], [high - value]])
     axes.set_yscale("log")
-    before = axes.get_ylim()
+    old_limits = axes.get_ylim()
     style.end_near_values([axes])
-    assert np.allclose(axes.get_ylim(), limits or before)
+    assert np.allclose(axes.get_ylim(), limits or old_limits)
 
 
 @pytest.mark.parametrize(("letters", "columns"), [(5, 4), (60, 1), (200, 1)])

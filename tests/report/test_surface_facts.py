@@ -6,16 +6,16 @@ from answer_inputs import (
     PAIRS,
     SURFACES,
     WORK,
-    continued,
     datasets,
+    drop_interval,
     edges,
     fit,
     force,
+    move_edge,
     open_edges,
+    scale_extrapolated_force,
     spectra,
     unresolved_edges,
-    with_edge,
-    without_interval,
 )  # fmt: skip
 
 from hardcontact.band.critical_band import computed_cutoffs
@@ -25,20 +25,20 @@ from hardcontact.report import surface_facts as facts
 from hardcontact.report.artificial import classify_edge, parts_of_change
 
 
-def rows(own=None, **others):
+def rows(own_fit=None, **others):
     """Rows of the first surface, by name."""
-    of = datasets(**others).select_surface(SURFACES[0])
-    return {row.fact.name: row for row in facts.answer_rows(of._replace(fit=own))}
+    surface = datasets(**others).select_surface(SURFACES[0])
+    return {row.fact.name: row for row in facts.answer_rows(surface._replace(fit=own_fit))}
 
 
 @pytest.mark.parametrize(
     ("data", "source"),
     [
-        (with_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
-        (with_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
-        (with_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
-        (with_edge(120.0, np.nan, np.nan), ("measured", None, None)),
-        (with_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
+        (move_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
+        (move_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
+        (move_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
+        (move_edge(120.0, np.nan, np.nan), ("measured", None, None)),
+        (move_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
     ],
 )
 def test_artificial_ends_of_intervals_are_left_out(data, source):
@@ -48,74 +48,85 @@ def test_artificial_ends_of_intervals_are_left_out(data, source):
 
 def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
-    data = with_edge(80.0, 70.0, 90.0)
+    data = move_edge(80.0, 70.0, 90.0)
     low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
-    of = datasets(edges=data).select_surface(SURFACES[0])
-    np.testing.assert_allclose(parts_of_change(of, "small", 0, 80), [high - unseen, unseen], 1e-4)
+    surface = datasets(edges=data).select_surface(SURFACES[0])
+    np.testing.assert_allclose(
+        parts_of_change(surface, "small", 0, 80), [high - unseen, unseen], 1e-4
+    )
     assert rows(edges=data)["short_edge"].about["measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
-    assert sum(parts_of_change(of, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
+    assert sum(parts_of_change(surface, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
 
 
 def test_open_edges_are_bounds():
-    found = rows(edges=open_edges())["long_edge"]
+    row = rows(edges=open_edges())["long_edge"]
     bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
-    assert plain(found.fact) == plain(bound)
-    assert found.about["reason"] == "beyond the cell"
-    below = open_edges()
-    below["edge_bound_is_lower"].loc[{"side": "large"}] = 0
-    assert rows(edges=below)["long_edge"].fact.status == "open_below"
-    below["edge_bound"].loc[{"side": "large"}] = 30_000.0
-    assert classify_edge(datasets(edges=below).select_surface(SURFACES[0]), "large") == "inside"
+    assert plain(row.fact) == plain(bound)
+    assert row.about["reason"] == "beyond the cell"
+    lower_bound = open_edges()
+    lower_bound["edge_bound_is_lower"].loc[{"side": "large"}] = 0
+    assert rows(edges=lower_bound)["long_edge"].fact.status == "open_below"
+    lower_bound["edge_bound"].loc[{"side": "large"}] = 30_000.0
+    assert (
+        classify_edge(datasets(edges=lower_bound).select_surface(SURFACES[0]), "large") == "inside"
+    )
 
 
 @pytest.mark.parametrize(
-    ("data", "expected"),
+    ("data", "advice"),
     [
-        (with_edge(120.0, 90.0, 150.0), []),
-        (with_edge(37.0, 20.0, 90.0), [("short_edge", "finer", 37.0)]),
-        (with_edge(70.0, 40.0, 90.0), [("short_edge", "finer", 55.0)]),
+        (move_edge(120.0, 90.0, 150.0), []),
+        (move_edge(37.0, 20.0, 90.0), [("short_edge", "finer", 37.0)]),
+        (move_edge(70.0, 40.0, 90.0), [("short_edge", "finer", 55.0)]),
         (unresolved_edges(), [("short_edge", "finer", 55.0), ("long_edge", "larger", 25_000.0)]),
     ],
 )
-def test_open_and_extrapolated_edges_recommend_a_measurement(data, expected):
+def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     # The scans are reliable from 55 nm to 25 µm.
     measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
-    assert [(one["edge"], one["code"], one["limit"].value) for one in measurements] == expected
+    assert [
+        (measurement["edge"], measurement["code"], measurement["limit"].value)
+        for measurement in measurements
+    ] == advice
 
 
 @pytest.mark.parametrize(
-    ("at_least", "expected"), [(1, ("larger", 25_000.0)), (0, ("finer", 55.0))]
+    ("is_lower_bound", "advice"), [(1, ("larger", 25_000.0)), (0, ("finer", 55.0))]
 )
-def test_an_open_edge_recommends_finer_or_larger_scans(at_least, expected):
+def test_an_open_edge_recommends_finer_or_larger_scans(is_lower_bound, advice):
     data = open_edges()
-    data["edge_bound_is_lower"].loc[{"side": "large"}] = at_least
+    data["edge_bound_is_lower"].loc[{"side": "large"}] = is_lower_bound
     measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
-    long = [(one["code"], one["limit"].value) for one in measurements if one["edge"] == "long_edge"]
-    assert long == [expected]
+    long = [
+        (measurement["code"], measurement["limit"].value)
+        for measurement in measurements
+        if measurement["edge"] == "long_edge"
+    ]
+    assert long == [advice]
 
 
 def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
     # The scans are reliable from 55 nm.
-    row = rows(edges=with_edge(31.6, 20.0, 50.0))["short_edge"]
-    computed = computed_cutoffs(with_edge(31.6, 20.0, 50.0)["scale_ratio"].sel(side="small"))
+    row = rows(edges=move_edge(31.6, 20.0, 50.0))["short_edge"]
+    cutoffs = computed_cutoffs(move_edge(31.6, 20.0, 50.0)["scale_ratio"].sel(side="small"))
     low, high = row.about["cutoffs"].low, row.about["cutoffs"].high
     assert row.fact.status == "no_interval" and low < 31.6 <= high
-    assert not ((low < computed) & (computed < high)).any()
-    assert "cutoffs" not in rows(edges=with_edge(120.0, 90.0, 150.0))["short_edge"].about
+    assert not ((low < cutoffs) & (cutoffs < high)).any()
+    assert "cutoffs" not in rows(edges=move_edge(120.0, 90.0, 150.0))["short_edge"].about
 
 
 def test_a_missing_interval_has_a_reason():
-    data = with_edge(120.0, np.nan, np.nan)
+    data = move_edge(120.0, np.nan, np.nan)
     assert rows(edges=data)["short_edge"].fact.status == "few_parts"
     for source, status in {"none": "whole_scan", "few_places": "few_places"}.items():
-        without = data.assign(interval_source=("surface", [source]))
-        assert rows(edges=without)["short_edge"].fact.status == status
-    half = rows(edges=with_edge(120.0, 90.0, np.nan))["short_edge"].fact
+        edges_without_interval = data.assign(interval_source=("surface", [source]))
+        assert rows(edges=edges_without_interval)["short_edge"].fact.status == status
+    half = rows(edges=move_edge(120.0, 90.0, np.nan))["short_edge"].fact
     assert (half.low, plain(half.high), half.status) == (90.0, None, "")
-    assert rows(force=without_interval(force()))["force_mean"].fact.status == "whole_scan"
+    assert rows(force=drop_interval(force()))["force_mean"].fact.status == "whole_scan"
     endless = force()
     endless["force_interval"].loc[{"bound": "low"}] = 0
     endless["force_interval"].loc[{"bound": "high"}] = np.inf
@@ -124,8 +135,8 @@ def test_a_missing_interval_has_a_reason():
 
 
 def test_contacts_that_touch_too_few_places_give_no_answer():
-    few = without_interval(force()).assign(interval_source=("surface", ["few_places"]))
-    verdict = facts.surface_verdict(list(rows(force=few).values()))
+    few_places = drop_interval(force()).assign(interval_source=("surface", ["few_places"]))
+    verdict = facts.surface_verdict(list(rows(force=few_places).values()))
     assert (verdict["answer"], verdict["band"]) == ("no", "few_places")
 
 
@@ -137,87 +148,93 @@ def test_a_force_at_the_smooth_bound_is_marked():
 
 
 def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():
-    of = datasets().select_surface(SURFACES[0])
+    surface = datasets().select_surface(SURFACES[0])
     assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
-    bounds_only, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
+    bounds_only, unknown = force_facts.pair_rows(
+        surface.force, PAIRS
+    )  # the one asked for has no row
     assert bounds_only.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
     assert bounds_only.about["share"].value == 0.58 and bounds_only.about["range"].value == 10.0
-    assert beyond.fact.status == "not_computed" and np.isnan(beyond.fact.value)
+    assert unknown.fact.status == "not_computed" and np.isnan(unknown.fact.value)
     one_range = force().sel(rho=[5.6])
     assert np.isnan(rows(force=one_range)["range_sensitivity"].fact.value)
 
 
-def answer_of(data, measured, of_force=None):
+def answer_of(data, wavelengths, force_data=None):
     """The verdict on edges with scans of these reliable wavelengths (nm)."""
-    scan = ("map", 2 * measured[1], 1, *measured, "pixels", np.nan)
-    found = rows(
-        edges=data, spectra=spectra(measured={"scan.spm": scan}), force=of_force or force()
+    scan = ("map", 2 * wavelengths[1], 1, *wavelengths, "pixels", np.nan)
+    answer_rows = rows(
+        edges=data, spectra=spectra(scans={"scan.spm": scan}), force=force_data or force()
     )
-    told = facts.surface_verdict(list(found.values()))
-    return told["answer"], told["band"]
+    surface_verdict = facts.surface_verdict(list(answer_rows.values()))
+    return surface_verdict["answer"], surface_verdict["band"]
 
 
 @pytest.mark.parametrize(
-    ("data", "measured", "expected"),
+    ("data", "wavelengths", "answer_and_band"),
     [
         (edges(), (6, 25e3), ("yes", "found")),
         (edges(), (55, 25e3), ("partly", "found")),
         (edges(), (400, 1000), ("no", "found")),
         (open_edges(), (6, 25e3), ("partly", "found")),
-        (with_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
+        (move_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
         (unresolved_edges(), (6, 25e3), ("no", "none")),
     ],
 )
-def test_the_verdict_follows_from_the_edges_and_the_scans(data, measured, expected):
-    assert answer_of(data, measured) == expected
+def test_the_verdict_follows_from_the_edges_and_the_scans(data, wavelengths, answer_and_band):
+    assert answer_of(data, wavelengths) == answer_and_band
 
 
 def test_scans_that_lack_roughness_answer_in_part_at_most():
-    assert answer_of(edges(), (6, 25e3), continued(force(), small=0.25))[0] == "partly"
-    assert answer_of(edges(), (400, 1000), continued(force(), small=0.25))[0] == "no"
+    assert (
+        answer_of(edges(), (6, 25e3), scale_extrapolated_force(force(), small=0.25))[0] == "partly"
+    )
+    assert answer_of(edges(), (400, 1000), scale_extrapolated_force(force(), small=0.25))[0] == "no"
 
 
 def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
-    found = rows(force=continued(force(), small=0.25))
-    row = found["force_extrapolated"]
+    row_by_name = rows(force=scale_extrapolated_force(force(), small=0.25))
+    row = row_by_name["force_extrapolated"]
     assert row.fact.value == pytest.approx(0.16e-6) and row.fact.source == "extrapolated"
     assert row.about["side"] == "small" and row.about["start"].value == 20.0
     assert row.about["end"].value == 5.0
-    on_scans, extrapolated = facts.surface_verdict(list(found.values()))["forces"]
-    assert (on_scans.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
-    assert on_scans.low == pytest.approx(0.512e-6)
+    scan_force, extrapolated = facts.surface_verdict(list(row_by_name.values()))["forces"]
+    assert (scan_force.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
+    assert scan_force.low == pytest.approx(0.512e-6)
     unknown = spectra().assign(tail_known=("surface", [0]))
-    told = facts.surface_verdict(
-        list(rows(force=continued(force(), small=0.25), spectra=unknown).values())
+    partial = facts.surface_verdict(
+        list(rows(force=scale_extrapolated_force(force(), small=0.25), spectra=unknown).values())
     )
-    assert [one.name for one in told["forces"]] == ["force_mean"] and told["answer"] == "partly"
+    assert [fact.name for fact in partial["forces"]] == ["force_mean"] and partial[
+        "answer"
+    ] == "partly"
     alike = facts.surface_verdict(list(rows().values()))
     assert len(alike["forces"]) == 1 and alike["edges"][0].value == 37.0
 
 
 def test_own_forces_have_rows_only_for_their_surface():
-    found = rows(fit())
-    assert found["measured_force"].fact.source == "measured"
-    assert found["measured_force"].about == {"tests": 40, "lopsided": False}
-    assert found["measured_work"].fact.value == pytest.approx(WORK)
-    changed = fit()
-    changed["extrapolation_matters"].loc[{"side": "small"}] = 1
-    assert rows(changed)["extrapolated_work"].fact.value == pytest.approx(WORK / 2)
+    row_by_name = rows(fit())
+    assert row_by_name["measured_force"].fact.source == "measured"
+    assert row_by_name["measured_force"].about == {"tests": 40, "lopsided": False}
+    assert row_by_name["measured_work"].fact.value == pytest.approx(WORK)
+    different = fit()
+    different["extrapolation_matters"].loc[{"side": "small"}] = 1
+    assert rows(different)["extrapolated_work"].fact.value == pytest.approx(WORK / 2)
     assert "measured_force" not in rows(fit().assign_coords(surface=["other"]))
 
 
-@pytest.mark.parametrize(("high", "told"), [(700.0, False), (900.0, True)])
-def test_a_lopsided_interval_of_few_tests_is_marked(high, told):
+@pytest.mark.parametrize(("high", "is_lopsided"), [(700.0, False), (900.0, True)])
+def test_a_lopsided_interval_of_few_tests_is_marked(high, is_lopsided):
     data = fit()
     data["measured_force_interval"].loc[{"bound": "high"}] = 1e-9 * high
-    assert rows(data)["measured_force"].about["lopsided"] is told
+    assert rows(data)["measured_force"].about["lopsided"] is is_lopsided
 
 
-@pytest.mark.parametrize(("work", "told"), [(10.0, False), (50.8, True)])
-def test_a_work_beyond_that_of_solids_is_marked(work, told):
+@pytest.mark.parametrize(("work", "is_beyond_solids"), [(10.0, False), (50.8, True)])
+def test_a_work_beyond_that_of_solids_is_marked(work, is_beyond_solids):
     data = fit()
     data["work_of_adhesion"] = data["work_of_adhesion"] * 0 + work
-    assert rows(data)["measured_work"].about["beyond_solids"] is told
+    assert rows(data)["measured_work"].about["beyond_solids"] is is_beyond_solids
 
 
 def fit_status(data):
@@ -226,13 +243,13 @@ def fit_status(data):
 
 def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():
     assert fit_status(fit())["status"] == "one_surface"
-    both = fit_status(fit(2))
-    assert both["status"] == "region" and both["gaps"] == []
-    assert (both["best_range"].value, both["best_work"].value) == (5.6, WORK)
-    assert (both["region_range"].low, plain(both["region_range"].high)) == (3.2, None)
-    assert both["allows_range"] and both["range"].value == 5.6
-    below = fit(2).assign_attrs(range_of_adhesion=1.0)  # the region begins at 3.2 nm
-    assert not fit_status(below)["allows_range"]
+    status = fit_status(fit(2))
+    assert status["status"] == "region" and status["gaps"] == []
+    assert (status["best_range"].value, status["best_work"].value) == (5.6, WORK)
+    assert (status["region_range"].low, plain(status["region_range"].high)) == (3.2, None)
+    assert status["allows_range"] and status["range"].value == 5.6
+    short_range = fit(2).assign_attrs(range_of_adhesion=1.0)  # the region begins at 3.2 nm
+    assert not fit_status(short_range)["allows_range"]
     parted = fit(2)
     parted["region"].loc[{"rho": slice(6, 9)}] = np.nan
     rho = parted["rho"].values

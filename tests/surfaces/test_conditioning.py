@@ -32,7 +32,7 @@ from hardcontact.surfaces.substitute_spectra import (
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)
-#: Rows of Table 1 of a surface, and the geometry of its scans, here that of GRID.
+#: Rows of Table 1 of a surface, and the geometry of its scans, as in GRID.
 TABLE1 = pd.DataFrame({"value": [20.0], "uncertainty": [5.0]}, index=["afm_rms_height"])
 CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL}})
 DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}

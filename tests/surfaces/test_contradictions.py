@@ -1,4 +1,4 @@
-"""Contradictions: measurements that agree are silent; a measurement with other heights is named."""
+"""Only measurements with contradicting heights are named."""
 
 from dataclasses import replace
 

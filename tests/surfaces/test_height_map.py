@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from refusals import assert_says, refusal
-from scan_files import cut
+from scan_files import truncate_file
 from scipy import stats
 
 from hardcontact.base import dataset
@@ -36,7 +36,7 @@ def test_a_map_is_read_back_as_it_was_written(tmp_path):
         True,
         "measured",
     )
-    message = refusal(read_height_map, cut(tmp_path / "a.nc", 0.5))
+    message = refusal(read_height_map, truncate_file(tmp_path / "a.nc", 0.5))
     assert_says(message, "a.nc: expected a complete netCDF file, found")
 
 

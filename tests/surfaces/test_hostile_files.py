@@ -1,4 +1,4 @@
-"""Hostile files: one line for the user; nothing is executed or written, no other file is read."""
+"""Hostile files are refused in one line; nothing is executed or written, no other file is read."""
 
 import ast
 import io
@@ -25,7 +25,7 @@ from hardcontact.surfaces import limited_process, scan_formats, scans  # noqa: F
 
 
 class Payload:
-    """Something whose unpickling makes a folder."""
+    """An object that makes a folder when it is unpickled."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -62,14 +62,14 @@ def listing(content):
     return lambda path: archive(path, {"meta.yml": content, "a.txt": text(heights(32, 32))})
 
 
-def hdf5(write_content, in_container):
+def hdf5(write_content, is_in_container):
     """Write an HDF5 file, alone or in a container."""
 
     def write_file(path):
-        file = path.with_suffix(".h5") if in_container else path
+        file = path.with_suffix(".h5") if is_in_container else path
         with h5py.File(file, "w") as target:
             write_content(target, path.parent / "outside.h5")
-        if in_container:
+        if is_in_container:
             container(path, file.read_bytes(), "a.h5")
 
     return write_file
@@ -128,7 +128,7 @@ ALIASED_UNIT = ALIASES + (
     "[{name: one, datafile: {original: a.txt}, size: [320, 320], unit: *a11}]}]\n"
 )
 MANY = [{"datafile": {"original": f"{number}.txt"}} for number in range(3000)]
-#: What is written to a file, and a part of what its refusal says.
+#: Writers of a file, and a part of its refusal.
 HOSTILE = {
     "missing": (lambda path: None, "found no such file"),
     "empty": (lambda path: path.write_bytes(b""), "1 to 1073741824 bytes"),
@@ -177,7 +177,7 @@ def read_all(path):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """An own folder, with a file that no scan may read and none for temporary files but it."""
+    """Make a folder, also for temporary files, with a file that no scan may read."""
     with h5py.File(tmp_path / "outside.h5", "w") as file:
         file["h"] = heights(32, 32)
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -270,7 +270,7 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
 
 
 def imported_late(path):
-    """Yield the modules that functions of a file import, but for parallel and written files."""
+    """Yield the modules that functions of a file import, except for parallel and written files."""
     package = path.parent.relative_to(Path(SurfaceTopography.__file__).parents[1]).as_posix()
     for node in ast.walk(ast.parse(path.read_text("utf-8"))):
         for late in ast.walk(node) if isinstance(node, ast.FunctionDef) else ():

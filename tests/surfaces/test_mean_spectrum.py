@@ -36,7 +36,7 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
         power = BIN_CENTRES[is_reliable] ** 2 * joined_data["psd"].values[0, is_reliable]
         joined_power = BIN_CENTRES[is_reliable] ** 2 * joined_data["joined_psd"].values[is_reliable]
         assert joined_power.sum() == pytest.approx(power.sum(), rel=0.01)
-        if "grating" in kind:  # The line stands where it was measured.
+        if "grating" in kind:  # The line keeps its wavelength.
             peak = power.argmax()
             assert joined_power[peak] == pytest.approx(power[peak], rel=0.05)
 

@@ -1,4 +1,4 @@
-"""Plain text of scans as people have it: commas, encodings, gaps, two units, no size."""
+"""Plain texts of scans are read with commas, encodings, gaps, two units or no size."""
 
 import numpy as np
 import pytest

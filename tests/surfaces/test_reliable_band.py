@@ -1,4 +1,4 @@
-"""Where measurements of known surfaces stop to show them: pixels, tip, noise, smoothing, size."""
+"""The reliable band of known surfaces ends at pixels, tip, noise, smoothing or size."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def test_a_faithful_scan_is_limited_by_its_pixels_and_its_size(make, density):
 
 
 def imaged_by_tip(heights, pixel, radius):
-    """The path of the lowest point of a spherical tip that slides over heights."""
+    """Return the path of the lowest point of a spherical tip that slides over heights."""
     reach = int(radius / pixel)
     squares = (np.arange(-reach, reach + 1) * pixel) ** 2
     distance = squares[:, None] + squares
@@ -68,7 +68,7 @@ def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, p
     assert band.limited_by == "noise"
     is_in_band = (wavelength > band.shortest) & (wavelength < band.longest)
     assert (excess[is_in_band & np.isfinite(excess)] < 2).all()
-    # What is lost is at most half a decade of wavelengths at which noise is less than the surface.
+    # At most half a decade of wavelengths with less noise than surface is lost.
     passed = wavelength[np.argmax(excess > 2)]
     assert passed < band.shortest < 3.2 * passed
 

@@ -1,4 +1,4 @@
-"""Defects of scans: each kind is named with its numbers, and none is named on sound scans."""
+"""Each kind of defect is named with its numbers; sound scans have no defect."""
 
 import numpy as np
 import pytest
@@ -135,7 +135,7 @@ def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
 
 @pytest.mark.parametrize("batch", range(4))
 def test_no_self_affine_surface_has_a_defect(batch):
-    """Forty: H from 0.3 to 1, roll-offs from a twentieth to twice the size of the scan."""
+    """Forty surfaces have H from 0.3 to 1 and roll-offs from a twentieth to twice the scan size."""
     rng = generator(100 + batch)
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))

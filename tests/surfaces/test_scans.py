@@ -257,11 +257,11 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
 @pytest.mark.parametrize("fields", [{"tip_radius": 8.0}, {"tip_radius": None, "notes": ()}])
 def test_a_stored_measurement_keeps_every_field(tmp_path, topography, fields):
     file = write_and_list(MAPS["nc"], tmp_path / "a.nc", topography)
-    measured = replace(read_measurement(*file), **fields)
-    dataset.write(measured.to_dataset(), tmp_path / "stored.nc")
-    again = read_stored(tmp_path / "stored.nc")
-    np.testing.assert_array_equal(again.heights, measured.heights)
-    assert replace(again, heights=None) == replace(measured, heights=None)
+    measurement = replace(read_measurement(*file), **fields)
+    dataset.write(measurement.to_dataset(), tmp_path / "stored.nc")
+    stored_measurement = read_stored(tmp_path / "stored.nc")
+    np.testing.assert_array_equal(stored_measurement.heights, measurement.heights)
+    assert replace(stored_measurement, heights=None) == replace(measurement, heights=None)
 
 
 def instrument(value, unit):

@@ -78,21 +78,21 @@ def test_a_synthesized_scan_is_prepared_as_if_read_from_its_file(tmp_path, radiu
     grid, path = ScanGrid(48, 48 * PIXEL, 96), str(tmp_path / "a.nc")
     synthesized = synthesize_scan(generator(1), uncd, grid, 0.7, sphere_radius=radius)
     dataset.write(synthesized, path, "NETCDF3_64BIT")
-    measurement, expected = convert_to_measurement(synthesized, path), read_measurement(path)
-    for made, read in zip(
+    measurement, read_scan = convert_to_measurement(synthesized, path), read_measurement(path)
+    for converted_map, read_map in zip(
         level_and_stitch(measurement, "substitute", radius),
-        level_and_stitch(expected, "substitute", radius),
+        level_and_stitch(read_scan, "substitute", radius),
         strict=True,
     ):
-        xr.testing.assert_identical(made, read)
+        xr.testing.assert_identical(converted_map, read_map)
     for field in fields(Measurement):
         np.testing.assert_array_equal(
-            getattr(measurement, field.name), getattr(expected, field.name)
+            getattr(measurement, field.name), getattr(read_scan, field.name)
         )
 
 
 def scan_with(pixels=128, **choices):
-    """A synthesized scan of 64 pixels, cut out of a surface of `pixels`."""
+    """Return a synthesized scan of 64 pixels from a surface with the given number of pixels."""
     grid = ScanGrid(64, 64 * PIXEL, pixels)
     heights = synthesize_scan(generator(1), uncd, grid, 0.7, **choices).heights.values.T
     return HeightMap(heights, PIXEL, periodic=False, basis="substitute")

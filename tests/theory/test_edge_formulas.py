@@ -38,7 +38,7 @@ def test_level_is_the_inverse_of_the_height_above_it():
 
 
 def level_of_gap(gap):
-    """Return the level t at which a flattened surface leaves a mean gap, in rms heights."""
+    """Return the level t (rms heights) to which a surface is flattened, by its mean gap."""
     levels = np.linspace(-12, 6, 2000)
     return np.interp(gap, formulas.height_above(-levels), levels)
 

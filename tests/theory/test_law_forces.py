@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, height_map, over, periodic_noise
+from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
 from hardcontact.band.filtered_masters import Filters
 from hardcontact.contact.contact import Contact
@@ -21,7 +21,7 @@ HARDNESS = 25e9
 
 
 def range_arguments(pixel_size, contact_pixels, ranges, count=3, reach=0.0):
-    """Arguments of `range_forces` for contacts of this number of pixels."""
+    """Return arguments for range_forces, with this number of contact pixels."""
     preload = contact_pixels * HARDNESS * (pixel_size * 1e-9) ** 2
     contact = Contact(radius=RADIUS, preload=preload, hardness=HARDNESS, window=8000.0, count=count)
     return contact, reach, list(ranges)
@@ -40,7 +40,7 @@ def direct_forces(bodies, contact_pixels, law, rho):
 @pytest.mark.parametrize(("rms", "rough"), [(20.0, False), (60.0, False), (20.0, True)])
 def test_the_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
     roughness = periodic_noise(96, 0.7, 4) if rough else None
-    bodies = over(periodic_noise(96, rms, 3), roughness, 50.0, 160, 3)
+    bodies = make_bodies(periodic_noise(96, rms, 3), roughness, 50.0, 160, 3)
     ranges = range_grid(5.6, 0.45, 0.01, 1e5)
     forces = range_forces(bodies, *range_arguments(50.0, contact_pixels, ranges))
     for rho in (0.15, 2.0, 8.0):
@@ -54,7 +54,7 @@ def test_a_high_peak_outside_the_window_does_not_overflow():
     # overflows.
     heights = periodic_noise(96, 20.0, 3)
     heights[48, 48] += 400.0
-    bodies = over(heights, None, 500.0, 40, 2)
+    bodies = make_bodies(heights, None, 500.0, 40, 2)
     law = next(law for law in LAWS if law.name == "van_der_waals")
     rho, ranges = 0.15, range_grid(5.6, 0.5, 0.01, 1e5)
     forces = range_forces(bodies, *range_arguments(500.0, 3, ranges))
@@ -71,7 +71,7 @@ def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force(law):
     # 2 pi R times the energy, without the attraction beyond the window: it lies between that beyond
     # the inscribed circle and that beyond the circumscribed circle of the window.
     pixel_size, rho, window = 100.0, 5.6, 800
-    flat = over(np.zeros((400, 400)), None, pixel_size, window, 1)
+    flat = make_bodies(np.zeros((400, 400)), None, pixel_size, window, 1)
     ranges = range_grid(5.6, 0.5, 0.01, 1e6)
     arguments = range_arguments(pixel_size, 1, ranges, 1, window * pixel_size)
     force = law_forces(law, [rho], ranges, range_forces(flat, *arguments)[:, 0, 0]).item()

@@ -32,15 +32,15 @@ def test_the_table_repeats_the_design_and_the_closed_form():
         assert (form.rms_height, form.closest_approach) == pytest.approx(
             (row["unfollowed_rms_height"], row["closest_approach"]), rel=1e-3
         )
-    predicted = validate_prediction.predicted(row)
+    predicted = validate_prediction.predict_row(row)
     assert predicted["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 
 
 def test_the_forces_of_a_designed_surface_are_reproduced():
     number = int(np.argmax(TABLE["pixels"] == 1024))
-    computed = validate_prediction.computed(validate_prediction.design(number + 1)[number])
-    row = TABLE[list(computed)].iloc[[number]].reset_index(drop=True)
-    pd.testing.assert_frame_equal(row, pd.DataFrame([computed]), rtol=1e-3)
+    recomputed_row = validate_prediction.compute_row(validate_prediction.design(number + 1)[number])
+    row = TABLE[list(recomputed_row)].iloc[[number]].reset_index(drop=True)
+    pd.testing.assert_frame_equal(row, pd.DataFrame([recomputed_row]), rtol=1e-3)
 
 
 @pytest.mark.parametrize("name", prediction_errors.VALIDATED_QUANTITIES)

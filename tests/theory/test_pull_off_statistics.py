@@ -38,7 +38,7 @@ SURFACE = rounded(SIGMA, 100)
 
 
 def flat_contact(modulus, clumps=0.0):
-    """Return a contact of a modulus whose area is that of a number of mean clumps."""
+    """Return a contact of a modulus with the area of a number of mean clumps."""
     waves = spectrum_between(SURFACE, 0, np.inf)
     _, number, bearing = clumps_above(waves, FLAT)
     highest = closest_approaches(waves, FLAT, 0.0).mean()
@@ -58,7 +58,7 @@ def drawn_sums(modulus, places=4000, points=400):
 
 def drawn_radii(rng, level, count=400000):
     """Return 1/sqrt(K) of summits of SURFACE, drawn by the curvatures of points at a level."""
-    # Of exp(-d²/2) the fourth moment is 3: h_xx and h_yy have the mean -t and the covariance
+    # exp(-d²/2) has the fourth moment 3: h_xx and h_yy have the mean -t and the covariance
     # [[2, 0], [0, 2]] given the height t, h_xy the variance 1.
     xx, yy = -level + np.sqrt(2) * rng.standard_normal((2, count))
     curvature = xx * yy - rng.standard_normal(count) ** 2
@@ -71,9 +71,9 @@ def drawn_radii(rng, level, count=400000):
 def test_the_mean_force_equals_the_closed_form(rho, low, high):
     """Rough summits below the sphere lessen it where single peaks decide, not for many points."""
     contact, spectrum = replace(SPHERE, range=rho), rough(30, 1000, 0.8, 5.0)
-    expected = closed_form(spectrum, contact).force
-    assert predict_statistics(spectrum, contact).force == pytest.approx(expected)
-    assert low < expected / closed_form(spectrum, contact, rough_below=False).force < high
+    force = closed_form(spectrum, contact).force
+    assert predict_statistics(spectrum, contact).force == pytest.approx(force)
+    assert low < force / closed_form(spectrum, contact, rough_below=False).force < high
 
 
 def test_radii_of_summits_scatter_like_drawn_radii():
@@ -85,38 +85,36 @@ def test_radii_of_summits_scatter_like_drawn_radii():
 
 @pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
 def test_many_points_follow_weibull_s_law(modulus):
-    computed = predict_statistics(SURFACE, flat_contact(modulus))
-    weibull = stats.weibull_min(computed.modulus, scale=1 / special.gamma(1 + 1 / computed.modulus))
-    assert computed.modulus == pytest.approx(modulus, rel=1e-3)
+    law = predict_statistics(SURFACE, flat_contact(modulus))
+    weibull = stats.weibull_min(law.modulus, scale=1 / special.gamma(1 + 1 / law.modulus))
+    assert law.modulus == pytest.approx(modulus, rel=1e-3)
     shares = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
-    assert computed.quantile(shares) / computed.force == pytest.approx(
-        weibull.ppf(shares), rel=0.08
-    )
+    assert law.quantile(shares) / law.force == pytest.approx(weibull.ppf(shares), rel=0.08)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
 def test_the_level_of_n_clumps_scatters_like_a_gamma_variable(clumps):
-    computed = predict_statistics(SURFACE, flat_contact(3.0, clumps))
+    law = predict_statistics(SURFACE, flat_contact(3.0, clumps))
     # Exponential areas fill the contact with 1 + Poisson's number of clumps.
     number = 1 + np.arange(200)
-    chance = stats.poisson.pmf(number - 1, computed.clumps - 1)
+    chance = stats.poisson.pmf(number - 1, law.clumps - 1)
     centre = chance @ special.digamma(number)
     spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
-    assert computed.spread == pytest.approx(np.sqrt(spread) / computed.modulus, rel=0.1)
+    assert law.spread == pytest.approx(np.sqrt(spread) / law.modulus, rel=0.1)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
 def test_n_clumps_attract_like_the_mean_power_of_a_gamma_variable(clumps):
     contact = flat_contact(3.0, clumps)
-    many = predict_statistics(SURFACE, contact)
+    plastic = predict_statistics(SURFACE, contact)
     rigid = predict_statistics(SURFACE, replace(contact, preload=0.0))
-    # The force of the area in contact itself is no clump's.
-    of_area = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
-    power, number = 2 / (many.modulus + rigid.modulus), 1 + np.arange(200)
-    chance = stats.poisson.pmf(number - 1, many.clumps - 1)
-    expected = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
-    computed = (many.force - of_area) / rigid.force
-    assert computed == pytest.approx(expected / special.gamma(1 + power), rel=0.05)
+    # The contact area itself attracts, too.
+    area_force = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
+    power, number = 2 / (plastic.modulus + rigid.modulus), 1 + np.arange(200)
+    chance = stats.poisson.pmf(number - 1, plastic.clumps - 1)
+    mean_power = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
+    force_ratio = (plastic.force - area_force) / rigid.force
+    assert force_ratio == pytest.approx(mean_power / special.gamma(1 + power), rel=0.05)
 
 
 @pytest.mark.parametrize("cover", [0.05, 0.3, 0.6])
@@ -130,9 +128,9 @@ def test_numbers_of_hard_discs_scatter_by_their_compressibility(cover):
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_like_sums_of_poisson_clumps(modulus):
-    computed, sums = predict_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
-    assert computed.spread == pytest.approx(np.log(sums).std(), rel=0.1)
-    assert computed.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
+    law, sums = predict_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
+    assert law.spread == pytest.approx(np.log(sums).std(), rel=0.1)
+    assert law.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
 
 
 def test_a_field_of_large_heights_scatters_like_the_sum_over_powers():
@@ -141,30 +139,32 @@ def test_a_field_of_large_heights_scatters_like_the_sum_over_powers():
     contact = contact_of_area(250e3, rho, 1.0, 0.0)
     spot = 2 * contact.radius * rho
     terms = (SIGMA / rho) ** (2 * power) / special.factorial(power) / (1 + power * spot / 100**2)
-    computed = field_variation(spectrum_between(SURFACE, 0, np.inf), contact)
-    assert computed == pytest.approx(np.sqrt(terms.sum()), rel=0.02)
-    assert computed > 1.2 * np.sqrt(terms[0])
+    variation = field_variation(spectrum_between(SURFACE, 0, np.inf), contact)
+    assert variation == pytest.approx(np.sqrt(terms.sum()), rel=0.02)
+    assert variation > 1.2 * np.sqrt(terms[0])
 
 
 def test_moments_and_quantiles_agree_in_a_mixture():
-    computed = ForceStatistics(
+    mixture = ForceStatistics(
         1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
     shares = np.linspace(0, 1, 200001)[1:-1]
-    forces = computed.quantile(shares)
-    assert computed.force == pytest.approx(forces.mean(), rel=1e-3)
-    assert computed.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
-    assert computed.spread == pytest.approx(np.log(forces).std(), rel=1e-3)
-    assert computed.probability(forces[::20000]) == pytest.approx(shares[::20000], rel=1e-12)
+    forces = mixture.quantile(shares)
+    assert mixture.force == pytest.approx(forces.mean(), rel=1e-3)
+    assert mixture.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
+    assert mixture.spread == pytest.approx(np.log(forces).std(), rel=1e-3)
+    assert mixture.probability(forces[::20000]) == pytest.approx(shares[::20000], rel=1e-12)
 
 
 def test_levels_without_probability_change_no_quantile():
-    computed = ForceStatistics(
+    mixture = ForceStatistics(
         1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
-    means, spreads = np.append(computed.means, 1e9), np.append(computed.spreads, 0.9)
-    beside = replace(computed, means=means, weights=np.array([0.3, 0.7, 1e-20]), spreads=spreads)
-    assert beside.quantile(0.5) == pytest.approx(computed.quantile(0.5), rel=1e-12)
+    means, spreads = np.append(mixture.means, 1e9), np.append(mixture.spreads, 0.9)
+    extended_mixture = replace(
+        mixture, means=means, weights=np.array([0.3, 0.7, 1e-20]), spreads=spreads
+    )
+    assert extended_mixture.quantile(0.5) == pytest.approx(mixture.quantile(0.5), rel=1e-12)
 
 
 def test_without_roughness_all_places_have_the_same_force():
@@ -179,8 +179,8 @@ def test_scans_add_the_scatter_of_their_mean_forces():
     assert over_scans(rough(4.0), SPHERE, 0.0).spread == pytest.approx(places.spread)
     ends = [predict_statistics(rough(4.0 + change), SPHERE).force for change in (-0.1, 0.1)]
     slope = np.log(ends[1] / ends[0]) / 0.2
-    expected = np.hypot(places.spread, slope * 4.0 * 0.05)
-    assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(expected, rel=0.02)
+    total_spread = np.hypot(places.spread, slope * 4.0 * 0.05)
+    assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(total_spread, rel=0.02)
 
 
 def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
@@ -195,21 +195,23 @@ def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
     level = rng.choice(len(law.means), (2000, needed), p=law.weights)
     deviation, spread = rng.standard_normal(level.shape), law.spreads[level]
     samples = law.means[level] * np.exp(spread * deviation - spread**2 / 2)
-    within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
-    assert needed > 50 and within.mean() == pytest.approx(0.9, abs=0.02)
+    is_within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
+    assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)
 
 
 def test_the_validation_table_repeats_the_law():
-    stored = dataset.read(validate_statistics.DATASET)
-    for place in (0, 31, 69):
-        rows = list(validate_statistics.compared(stored.isel(surface=place)))
-        known = TABLE[TABLE["surface"] == place].reset_index(drop=True)
-        pd.testing.assert_frame_equal(pd.DataFrame(rows)[list(known)], known, rtol=2e-3, atol=1e-3)
+    forces = dataset.read(validate_statistics.DATASET)
+    for surface in (0, 31, 69):
+        rows = list(validate_statistics.compare_distributions(forces.isel(surface=surface)))
+        table_rows = TABLE[TABLE["surface"] == surface].reset_index(drop=True)
+        pd.testing.assert_frame_equal(
+            pd.DataFrame(rows)[list(table_rows)], table_rows, rtol=2e-3, atol=1e-3
+        )
 
 
 def test_forces_of_a_designed_surface_are_reproduced():
     row = validate_statistics.design(52)[51]
-    computed = validate_statistics.computed(row)
-    stored = dataset.read(validate_statistics.DATASET).isel(surface=51)
+    forces = validate_statistics.compute_forces(row)
+    stored_forces = dataset.read(validate_statistics.DATASET).isel(surface=51)
     for name in ("log_force", "level"):
-        np.testing.assert_allclose(computed[name], stored[name], atol=6e-4)
+        np.testing.assert_allclose(forces[name], stored_forces[name], atol=6e-4)

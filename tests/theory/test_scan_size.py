@@ -1,4 +1,4 @@
-"""Sizes of scans: the validation table, and what makes it."""
+"""Sizes of scans: the validation table and the functions that make it."""
 
 import sys
 from dataclasses import replace

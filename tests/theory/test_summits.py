@@ -73,9 +73,9 @@ def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
     # n such areas stay below it as often as Poisson's number of a mean `area` is n or more.
     clumps, number = np.geomspace(1e-4, 300, 200), np.arange(1000)[:, None]
     terms = stats.poisson.pmf(number, clumps) * stats.poisson.sf(number - 1, area)
-    below = summits._probability_of_smaller_area(clumps, np.full(200, area))
-    assert below[0] > 0.99 and below[-1] < 1e-20
-    np.testing.assert_allclose(below, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
+    probability = summits._probability_of_smaller_area(clumps, np.full(200, area))
+    assert probability[0] > 0.99 and probability[-1] < 1e-20
+    np.testing.assert_allclose(probability, terms.sum(axis=0), rtol=1e-11, atol=1e-19)
 
 
 def test_a_large_contact_area_is_the_bearing_area():

@@ -1,4 +1,4 @@
-"""Whether two results folders hold the same, and are whole: files of the studies and stores."""
+"""Compare results folders, and find damaged datasets."""
 
 import xarray as xr
 
@@ -16,7 +16,7 @@ def paths(results):
 
 
 def equal_files(path, reference):
-    """Say whether datasets hold the same values and attributes, other files the same bytes."""
+    """Return True for equal datasets, or other files with equal bytes."""
     if path.suffix != ".nc":
         return path.read_bytes() == reference.read_bytes()
     with xr.open_dataset(path) as data, xr.open_dataset(reference) as reference_data:
@@ -24,7 +24,7 @@ def equal_files(path, reference):
 
 
 def differences(folder, reference):
-    """Return a line for each file that is missing or differs in one of two results folders."""
+    """Return a line for each file that is missing or different in a results folder."""
     relative_paths, reference_paths = paths(folder), paths(reference)
     lines = [f"{path}: missing" for path in reference_paths - relative_paths]
     lines += [f"{path}: not in the reference" for path in relative_paths - reference_paths]

@@ -1,11 +1,11 @@
-"""Results that several files of tests look at: of the paper, and of own surfaces."""
+"""Fixtures of studies of own surfaces that several files of tests share."""
 
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
 import yaml
-from own_studies import forces_on, made, new, quick, rough, spm
+from own_studies import forces_on, make_study, new, quick, rough, spm
 from repository import copy_repository
 from scan_files import container, scan, write_coordinates
 from SurfaceTopography import UniformLineScan
@@ -38,8 +38,8 @@ def write_scans(scans):
         spm(scans / f"ball-{number}.001", ball, 2500.0)
 
 
-#: A single realization of the masters is enough to look at what a study makes.
-FEW = {"quick": {"scales": {"realizations": 1}}}
+#: A single realization of the masters is enough for the files of a study.
+ONE_REALIZATION = {"quick": {"scales": {"realizations": 1}}}
 
 
 @pytest.fixture(scope="session")
@@ -54,7 +54,7 @@ def own_study(folder):
         "--surface", "twin", "scans/twin.zip", "--tip", "5 nm",
         "--sphere", "scans/ball-0.001", "scans/ball-1.001",
     ]  # fmt: skip
-    (folder / "few.yaml").write_text(yaml.safe_dump(FEW))
+    (folder / "few.yaml").write_text(yaml.safe_dump(ONE_REALIZATION))
     assert new(folder, "several", *choices).returncode == 0
     # Forces are known once the contacts are computed.
     run = quick(folder, "several", "adhesion", overlays=["few.yaml"])
@@ -77,7 +77,7 @@ def own_study(folder):
 
 @pytest.fixture(scope="session")
 def probe(folder):
-    """A small probe on one scan."""
+    """Make a study of a small probe on one scan."""
     spm(folder / "scans/probe.001", rough(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]
-    return made(folder, "probe", "scans/probe.001", *options, "--work", "30 mJ/m2")[0]
+    return make_study(folder, "probe", "scans/probe.001", *options, "--work", "30 mJ/m2")[0]

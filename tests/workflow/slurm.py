@@ -1,4 +1,4 @@
-"""SLURM on this machine, for a test: installed if need be, with a configuration of its own."""
+"""Run SLURM on this machine for a test; it is installed if it is missing."""
 
 import contextlib
 import os
@@ -15,10 +15,10 @@ from repository import QUICK, environment
 
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
-#: The group of jobs of which one is cancelled, and the rule that is then computing.
+#: The group with the job to be cancelled, and the rule that it then computes.
 CANCELLED = ("cutoffs", "filter_masters")
-#: On one machine files are seen at once and jobs are short.
-HERE = ["--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "5"]
+#: Files are visible at once on one machine, and jobs are short.
+LOCAL_OPTIONS = ["--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "5"]
 LIMIT = 1800  # seconds for the whole run
 CONFIGURATION = """
 ClusterName=test
@@ -48,7 +48,7 @@ PartitionName=study Nodes={host} Default=YES
 
 
 def obstacle():
-    """Why SLURM cannot run here, after an attempt to install it; empty if it can."""
+    """Try to install SLURM; return the reason if it cannot run here, or an empty text."""
     if os.geteuid() != 0:
         return "needs root"
     if all(shutil.which(program) for program in PROGRAMS):
@@ -70,7 +70,7 @@ def obstacle():
 
 
 def until(condition, description, seconds=120):
-    """Return the first true value of `condition`; raise TimeoutError if there is no such value."""
+    """Return the first true value of a condition; raise TimeoutError if there is none."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         if value := condition():
@@ -117,7 +117,7 @@ def configure(folder):
 
 @contextlib.contextmanager
 def slurm(folder):
-    """SLURM on this machine, with all its files in `folder`; at the end its daemons are stopped."""
+    """Run SLURM with all its files in a folder, and stop its daemons at the end."""
     configure(folder)
     files = {"key-file": "key", "socket": "socket", "pid-file": "pid", "seed-file": "seed"}
     munge = [f"--{option}={folder}/munge.{name}" for option, name in files.items()]
@@ -158,7 +158,7 @@ def stop(process, signal_number):
 
 
 def computing(study):
-    """The SLURM job in which a rule to be cancelled computes; empty while there is none."""
+    """Return the SLURM job that computes the rule to be cancelled, or an empty text."""
     group, rule = CANCELLED
     if not any((study / "results").glob(f"*/logs/{rule}/**/*.log")):  # A job begins with its log.
         return ""
@@ -170,12 +170,12 @@ def computing(study):
 
 
 def run_and_cancel(study, log, targets):
-    """Run targets of the quick study through SLURM and cancel one job; the number of this job."""
+    """Run targets of the quick study through SLURM and cancel one job; return its number."""
     command = [sys.executable, "-m", "snakemake", *targets, "--verbose"]
     command += ["--workflow-profile", PROFILE]
     with open(log, "w") as out:
         run = subprocess.Popen(
-            [*command, "--configfile", QUICK, *HERE],
+            [*command, "--configfile", QUICK, *LOCAL_OPTIONS],
             cwd=study, env=environment(study), stdout=out, stderr=subprocess.STDOUT,
         )  # fmt: skip
     try:
@@ -190,7 +190,7 @@ def run_and_cancel(study, log, targets):
 
 
 def check_recovery(cancelled, log):
-    """All jobs but the cancelled one ended well, and that one was submitted again."""
+    """Expect the cancelled job to be submitted again, and all other jobs to succeed."""
     jobs = {}
     for line in ask("scontrol", "-o", "show", "job").splitlines():
         job = dict(re.findall(r"(\w+)=(\S+)", line))

@@ -42,7 +42,7 @@ LAW = '    Law("steep", "steep", 5.0, np.nan),\n'
 
 
 def insert(path, anchor, text):
-    """Put a text into a file, behind the first place of another."""
+    """Insert a text into a file, after the first occurrence of another."""
     head, separator, tail = path.read_text("utf-8").partition(anchor)
     assert separator, f"{path}: {anchor}"
     path.write_text(head + separator + text + tail, "utf-8")

@@ -1,4 +1,4 @@
-"""Studies of own surfaces by the two commands: files of all kinds become an honest answer."""
+"""Studies of own surfaces turn files of all kinds into an honest answer."""
 
 import json
 import re
@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
-from dataset_pages import SHARED, described, made_variables
+from dataset_pages import SHARED, described_rows, made_variables
 from html_page import Page
 from jsonschema import Draft202012Validator
 from own_studies import LEFT_OUT, RANGE, WORK, numbers, quantities, quick
@@ -28,7 +28,7 @@ def several(own_study):
 
 
 def test_the_dictionary_describes_exactly_the_variables_of_own_surfaces(several):
-    page, variables = described(), made_variables(several)
+    page, variables = described_rows(), made_variables(several)
     for name, rows in variables.items():
         assert rows <= page[name] if name in SHARED else rows == page[name], name
     assert {"edges", "fit", "force", "spectra"} <= variables.keys()
@@ -64,7 +64,7 @@ def assert_honest(results, fitted=False):
 
 
 def assert_bounded(side):
-    """Expect of an edge that it lies between cutoffs and its interval around it, or is open."""
+    """Expect an edge between cutoffs and inside its interval, or an open edge."""
     cutoffs = side.dropna("cutoff_wavelength", subset=["scale_ratio"])["cutoff_wavelength"].values
     edge, bound = side["edge"].item(), side["edge_bound"].item()
     low, high = side["edge_interval"].values
@@ -111,7 +111,7 @@ def test_the_interval_from_own_forces_contains_the_true_work(several):
     works = fit.work_of_adhesion_interval
     low, high = works.sel(surface="twin").sel(rho=RANGE, method="nearest").values
     assert low < WORK < high < 5 * low
-    # The scan of the film is too small for an interval, so that no pair can be told.
+    # The scan of the film is too small for an interval, so that no pair is known.
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()
 
 
@@ -125,7 +125,7 @@ def test_the_page_shows_own_forces_as_measured(several):
 
 # A rough sphere
 
-#: What forces are not averaged over.
+#: Dimensions that are kept in means over contacts.
 AXES = ("contact_model", "rho")
 
 
@@ -134,7 +134,7 @@ def mean_over_contacts(values):
 
 
 def gaussian_relative(adhesion, rms_height):
-    """Mean over contacts of F/(2 pi R W) in closed form, at their approaches (model, range)."""
+    """Return the mean over contacts of F/(2 pi R W) in closed form (model, range)."""
     approach = -adhesion.apex_depth
     summits = xr.apply_ufunc(stats.norm.sf, approach / rms_height)
     relative = xr.apply_ufunc(gaussian_share, rms_height, approach, adhesion.rho) + summits
@@ -162,13 +162,13 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     ratio = mean_over_contacts(adhesion.pull_off_force) / mean_over_contacts(
         smooth_adhesion.pull_off_force
     )
-    # Of independent bodies the squares of the rms heights add up.
+    # The squares of the rms heights of independent bodies add up.
     flat = flat.sel(scan=1, drop=True)
     combined_rms = np.hypot(flat, ball.rename(scan="sphere_scan"))
     gaussian_ratio = gaussian_relative(adhesion, combined_rms) / gaussian_relative(
         smooth_adhesion, flat
     )
-    # The closed form is that of many points: single peaks decide at the shortest range alone.
+    # The closed form is for many points; single peaks decide only at the shortest range.
     touches_many = adhesion.rho > (combined_rms**2 / -adhesion.apex_depth).max()
     assert (~touches_many).sum() <= 1
     lost, lost_in_theory = (

@@ -1,4 +1,4 @@
-"""Kills, full disks, altered files and failing jobs: there is one line, and nothing is lost.
+"""After kills, full disks, altered files and failing jobs, a study continues and loses nothing.
 
 All on the small study of own surfaces, whose undisturbed results are the reference.
 """
@@ -17,14 +17,14 @@ from comparison import damaged, differences
 from own_studies import quick
 from refusals import assert_says
 from repository import ROOT, environment
-from scan_files import cut
+from scan_files import truncate_file
 
 from hardcontact.base.whole_file import PART
 
 pytestmark = pytest.mark.study
 
 RESULTS, STORE = "results/several-quick", "results/store-several-quick"
-#: Seconds after which what a test waits for has failed.
+#: Seconds that a test waits at most.
 PATIENCE = 600
 
 
@@ -167,7 +167,7 @@ with job_log("a.log"):
 
 @pytest.mark.parametrize("room", [0, 100_000])
 def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
-    """Even where there is no room for its log; netCDF must not crash."""
+    """There may be no room for the log, and netCDF must not crash."""
     with disk(tmp_path / "disk", "400k") as folder:
         fill(folder, room)
         job = subprocess.run(
@@ -206,7 +206,7 @@ def read_only(folder):
 
 
 def test_a_read_only_folder_is_named(copy):
-    # Other files cannot be replaced, which Snakemake tells before the study can.
+    # Snakemake itself refuses to replace existing files, before the study can.
     (copy / RESULTS / "ro-crate-metadata.json").unlink()
     with read_only(copy / RESULTS):
         failed_run = run(copy)
@@ -227,7 +227,7 @@ def flip_a_bit(path):
 
 
 def assert_refused(study, path):
-    """Expect a run to end because a file is not the one that the study wrote."""
+    """Expect a run to refuse a file that the study did not write."""
     failed_run = run(study, "--keep-going")
     assert failed_run.returncode != 0
     messages = "\n".join(errors(failed_run.stdout))
@@ -241,7 +241,7 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     (copy / RESULTS / "edges.nc").unlink()  # made from the scales
     assert_refused(copy, scales)
     flip_a_bit(stitched)
-    cut(spectra, 0.7)
+    truncate_file(spectra, 0.7)
     (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/study/scan-1.nc")
     forces.unlink()  # made from the stitched scan
     (copy / RESULTS / "adhesion.nc").unlink()
@@ -250,7 +250,7 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     for path in (scales, spectra, stitched):
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
     scales.unlink()
-    for path in (stitched, spectra):  # What reads the spectra comes after what reads the scan.
+    for path in (stitched, spectra):  # The spectra are read after the scan.
         assert_refused(copy, path)
         path.unlink()
     done = run(copy)
@@ -266,7 +266,7 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
 
 
 def alter(study, script, lines):
-    """Put lines into a script, where its log has begun."""
+    """Insert lines into a script, where its job begins."""
     path = study / f"workflow/scripts/{script}.py"
     head, begin, tail = path.read_text().partition("(snakemake) as job:\n")
     assert begin

@@ -1,11 +1,11 @@
-"""Studies of own surfaces made again: the same, or what a change of a key or a column concerns."""
+"""A study of own surfaces is reproduced, and a changed key or column repeats its dependents."""
 
 import re
 
 import pandas as pd
 import pytest
 import yaml
-from own_studies import changed, quick
+from own_studies import change_file, quick
 
 pytestmark = pytest.mark.study
 
@@ -30,13 +30,13 @@ def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
     assert {name: (probe / name).read_bytes() for name in first_answer} == first_answer
 
 
-# What a change makes again
+# Rules that a change repeats
 
 PAGE = {"answer_surfaces", "keep_configuration", "describe_crate"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_forces"}
 MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}
 SPECTRA = {"measure_spectrum", "draw_spectra", "aggregate_spectra"}
-#: What says of every surface how rough it is, and what reads that.
+#: The table of roughness of all surfaces, and its readers.
 TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_forces"}
 SCANS = {"prepare_scan"} | TOPOGRAPHY
 
@@ -71,7 +71,7 @@ def test_another_study_replaces_no_file_of_the_first(own_study, key, value):
 
 def test_more_forces_repeat_only_the_fit(own_study):
     path = own_study / "my.csv"
-    with changed(path, path.read_text() + "twin,1.0,uN\n"):
+    with change_file(path, path.read_text() + "twin,1.0,uN\n"):
         assert planned(own_study) == {"fit_forces", "answer_surfaces", "describe_crate"}
 
 
@@ -79,5 +79,5 @@ def test_a_changed_column_repeats_exactly_its_dependents(own_study):
     path = own_study / "config/several.tsv"
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
-    with changed(path, table.to_csv(sep="\t", index=False)):
+    with change_file(path, table.to_csv(sep="\t", index=False)):
         assert planned(own_study) == SPECTRA | MASTERS | TOPOGRAPHY | PAGE

@@ -1,4 +1,4 @@
-"""Every command of README.md and config/README.md does what it says, typed as it is printed.
+"""Every command of README.md and config/README.md works as it is printed.
 
 A shell without the environment on its PATH types them, where a program that was not activated is
 not found. Programs there only note how they were called. Then `hardcontact` is called in this way,
@@ -14,7 +14,7 @@ import sys
 
 import numpy as np
 import pytest
-from forked_runs import forked, run_here, without_library
+from forked_runs import forget_library, forked, run_here
 from own_studies import rough, spm
 from repository import ROOT, copy_repository
 from scan_files import container, scan
@@ -115,7 +115,7 @@ def calls(folder, typed):
 def call_hardcontact(folder, words):
     """Call the command in this process, in a folder with its own library; return its exit code."""
     os.chdir(folder)
-    without_library()
+    forget_library()
     sys.path.insert(0, str(folder / "workflow"))
     sys.argv = ["hardcontact", *words]
     sys.stdout = open(os.devnull, "w")

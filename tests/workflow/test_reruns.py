@@ -1,7 +1,7 @@
-"""What a dry run would make after a change: what depends on it by the files, and nothing else.
+"""After a change, a dry run plans exactly the files that depend on it.
 
-A change is a key, a column, a file, a script or a module; one or two of each stage are tried. What
-each job has as inputs is compared without a run: the modules that its script really loads.
+A change is a key, a column, a file, a script or a module; one or two of each stage are tried. The
+inputs of each job are compared with the modules that its script loads.
 """
 
 import ast
@@ -16,7 +16,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import yaml
-from forked_runs import forked, linked_copy, run_here, without_library
+from forked_runs import forget_library, forked, linked_copy, run_here
 from repository import PARTS, QUICK, ROOT, run_snakemake
 
 import hardcontact
@@ -33,7 +33,7 @@ def imports(path):
 
 def load(script, *names):
     """Return the modules of the library, as paths, that a script and given modules load."""
-    without_library()
+    forget_library()
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT / "workflow"))
     for name in names:
@@ -58,7 +58,7 @@ def run_dry(folder):
     return [(rule, output) for rule, output in planned_jobs if output]
 
 
-#: Rules that stand in loops, one a group of scans.
+#: Rules made in loops, one per group of scans.
 LOOPED = {"make_scans"}
 
 
@@ -86,7 +86,7 @@ class Graph:
         return {output for output, inputs in self.inputs.items() if path in inputs}
 
     def files_of_rules(self, rules):
-        """Return the files of some rules; one in a loop has a part of its own in its name."""
+        """Return the files of some rules; rules made in a loop have longer names."""
         return {
             path
             for path, rule in self.rule.items()
@@ -128,11 +128,11 @@ def rules_of(jobs):
     return {rule for rule, _ in jobs} - {"all"}
 
 
-# What a job has as inputs
+# Inputs of jobs
 
 
 def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
-    """So that a change of one has the effect of a change of the script, which is tried below."""
+    """A change of a module then has the effect of a change of the script, which is tested below."""
     for module in pkgutil.walk_packages(hardcontact.__path__, "hardcontact."):
         importlib.import_module(module.name)  # Other packages are then loaded once.
     runs = {}
@@ -184,7 +184,7 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
 
 # A key: the rules that it concerns, and all that is made from theirs
 
-#: Every value stands in the configuration kept with the results and on pages.
+#: Every value is in the configuration kept with the results and on pages.
 KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
 
 
@@ -256,7 +256,7 @@ def test_a_label_computes_no_forces(dry):
 
 
 def reworded(folder):
-    """Tell a statement of the paper in other words."""
+    """Reword a statement of the paper."""
     path = folder / "resources/paper/claims.csv"
     path.write_text(path.read_text().replace("The rms height of", "The rms roughness of"))
 

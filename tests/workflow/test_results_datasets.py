@@ -1,4 +1,4 @@
-"""The quick study's datasets: units, origin, physics; the same seed, the same values."""
+"""The quick study's datasets have units and labels, and the same seed gives the same values."""
 
 import numpy as np
 import pytest

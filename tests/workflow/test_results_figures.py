@@ -18,7 +18,7 @@ from hardcontact.report.captions import caption
 from hardcontact.report.figures import drawing, style
 from hardcontact.report.figures.listing import FIGURES, describe_figure
 
-#: Figures with values of the paper, and the words by which their captions name these.
+#: Figures with values of the paper, and words of their captions about these.
 PUBLISHED_IN = {
     "fig3": "published mean and median", "fig4": "published range", "fig5": "2 nm and 50 nm",
     "fig_fit": "published range", "fig6": "43 nm and 1.8 µm", "fig_sets": "46.3 mJ/m² and 5.6 nm",
@@ -61,7 +61,7 @@ def draw_checked(results):
 
 
 def texts(figure):
-    """Return the texts that are seen, and the boxes (pixels) that they fill, a pixel smaller."""
+    """Return the visible texts and their boxes (pixels), shrunk by a pixel."""
     visible_texts = [
         text for text in figure.findobj(Text) if text.get_visible() and text.get_text()
     ]
@@ -173,7 +173,7 @@ def test_the_files_of_a_figure_have_the_same_table(draw_checked, results, name):
 
 RUMPF = {"model": "rumpf_height", "metrics": "afm", "surface": "uncd"}
 PLASTIC = {"contact_model": "plastic"}
-#: A figure, what tells rows of its table, and their values in a dataset.
+#: A figure, the columns that select rows of its table, and the values in a dataset.
 NUMBERS = [
     ("fig1", {"surface": "mcd", "quantity": "rms_height_mean"},
      "topography", lambda data: data.rms_height_mean.sel(surface="mcd")),

@@ -4,7 +4,7 @@ import json
 import re
 
 import pandas as pd
-from browser import needs_browser, shown
+from browser import measure_page, needs_browser
 from html_page import Page
 from jsonschema import Draft202012Validator
 from paper_numbers import SUBSTRATES
@@ -97,7 +97,7 @@ def test_a_browser_shows_the_answer_on_phone_and_desk(results, tmp_path):
     page = (results / "answer.html").read_text()
     for fold in ("<details", 'class="chapter"'):
         page = page.replace(f"{fold}>", f"{fold} open>")
-    for text_box in shown(page, tmp_path):
+    for text_box in measure_page(page, tmp_path):
         assert text_box["overflow"] == 0 and text_box["requests"] == 0
         assert text_box["loaded"] == len(PAPER_FIGURES)
 

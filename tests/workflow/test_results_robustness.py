@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from repository import OTHERWISE, run_snakemake
+from repository import VARIANT_SURFACES, run_snakemake
 from small_study import QUICK_NUMBERS, QUICK_PATTERNS
 
 from hardcontact.base import dataset
@@ -54,7 +54,7 @@ def test_a_variant_of_a_surface_uses_the_same_random_numbers(finished):
         )
         return dataset.read(finished / path).heights.values.ravel()
 
-    for name in OTHERWISE:
+    for name in VARIANT_SURFACES:
         surface, variant = name.split("/")
         plain, varied_heights = heights(surface, "study"), heights(surface, variant)
         assert (plain != varied_heights).any()

@@ -1,4 +1,4 @@
-"""The rules as they are written: what Snakemake says of them, and what a cluster asks for."""
+"""Snakemake finds no fault in the rules, and the cluster profile fits them."""
 
 import re
 
@@ -12,7 +12,7 @@ def test_lint_finds_only_missing_environments(repository):
 
 
 def test_the_cluster_profile_names_existing_rules(repository):
-    """Snakemake passes over a name that no rule has."""
+    """Snakemake ignores unknown names of rules."""
     rules = {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
     for name in ("own_surfaces", "answer_surfaces"):  # of studies of own surfaces
         text = (repository / f"workflow/rules/{name}.smk").read_text()

@@ -25,7 +25,7 @@ STORE = STUDY["store"]
 FIXED = {
     "study", "store", "surfaces", "published", "forces", "effort", "quick", "sphere.surface"
 }  # fmt: skip
-#: Keys whose values, or the numbers of what they count, stand in paths.
+#: Keys whose values, or the numbers that they count, are part of paths.
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
     "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protrusion_draws",

@@ -48,17 +48,17 @@ class HeightMap:
         return self.pixels * self.pixel_size
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":
-        """Draw the heights in nm over positions in µm; return the axes, new ones if None is given.
+        """Draw the heights in nm over positions in µm.
 
         Parameters
         ----------
         axes : matplotlib.axes.Axes or None
-            Where to draw.
+            Axes to draw in; None for new axes.
 
         Returns
         -------
         matplotlib.axes.Axes
-            With a colour bar.
+            The axes, with a colour bar.
         """
         import matplotlib.pyplot as plt
 
@@ -247,7 +247,7 @@ def metrics(scan: HeightMap) -> dict[str, float]:
 
 
 def skewness_and_kurtosis(heights: np.ndarray) -> tuple[float, float]:
-    """Return the third and the fourth moment of heights (...), over powers of the second."""
+    """Return skewness and kurtosis of heights of any shape; the kurtosis of a Gaussian is 3."""
     deviation = heights.ravel() - heights.mean()
     square = deviation**2
     variance = square.mean()

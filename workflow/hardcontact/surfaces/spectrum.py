@@ -49,7 +49,7 @@ class Spectrum:
     density: Floats
 
     def __repr__(self) -> str:
-        """Return how many wavelengths there are, and between which."""
+        """Return the number of wavelengths, and the longest and the shortest."""
         longest, shortest = 2 * np.pi / self.wavevector[[0, -1]]
         return (
             f"Spectrum({len(self.wavevector)} wavelengths from {print_length(shortest)} to "
@@ -57,17 +57,17 @@ class Spectrum:
         )
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":
-        """Draw C_iso in nm⁴ over wavelengths in nm; return the axes, new ones if None is given.
+        """Draw C_iso in nm⁴ over wavelengths in nm.
 
         Parameters
         ----------
         axes : matplotlib.axes.Axes or None
-            Where to draw.
+            Axes to draw in; None for new axes.
 
         Returns
         -------
         matplotlib.axes.Axes
-            Both logarithmic.
+            The axes, both logarithmic.
         """
         import matplotlib.pyplot as plt
 

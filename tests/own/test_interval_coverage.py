@@ -1,4 +1,4 @@
-"""How often intervals of spectrum, force and edges hold the truth, of surfaces that are known."""
+"""Intervals of spectrum, force and edges contain the values of known surfaces."""
 
 from itertools import product
 
@@ -32,7 +32,7 @@ KNOWN_TIPS = [1e-3, 1e-3]
 
 
 def truth(rng):
-    """A spectrum that may be: bent or straight, with an rms height of 2 to 15 nm."""
+    """Return a random spectrum, bent or straight, with an rms height of 2 to 15 nm."""
     while True:
         hurst, change = rng.uniform(0.5, 0.95), rng.uniform(-0.1, 0.1)
         rolloff, height = np.exp(rng.uniform(np.log([300, 2]), np.log([5000, 15])))
@@ -46,7 +46,7 @@ def truth(rng):
 
 
 def measure_scans(rng, spectrum, has_line):
-    """A map of 10 µm, and a line of 228 nm, with heights that are calibrated to ten per cent."""
+    """Return a map of 10 µm and perhaps a line of 228 nm, calibrated to ten per cent."""
     scans = [map_of(rng, 256, 40.0, spectrum)]
     if has_line:
         scans.append(line_of(rng, 76, 3.0, spectrum))
@@ -58,7 +58,7 @@ def measure_scans(rng, spectrum, has_line):
 
 
 def logarithms(spectrum, edges):
-    """ln C where it was held back, ln F, and the change of ln F at both edges of the truth."""
+    """Return ln C at held-out wavelengths, ln F, and the change of ln F at both true edges."""
     force = closed_form(spectrum, CONTACT).force
     changes = [
         closed_form(filtered_spectrum(spectrum, side, edge), CONTACT).force / force

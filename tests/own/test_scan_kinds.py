@@ -1,4 +1,4 @@
-"""Kinds of scans that people have: a prediction reads them correctly, or names the defect."""
+"""Kinds of scans: a prediction reads them correctly, or names their defect."""
 
 import json
 
@@ -47,7 +47,7 @@ def stopped(heights, remaining_lines):
 
 
 WHOLE = rough(1, 8.0) + 35
-#: Heights, and what the caution says of them with its numbers.
+#: Heights, and parts of the caution about them.
 NAMED = {
     "stopped, zero": (stopped(WHOLE, 0.0), ["40 % of its lines"]),
     "stopped, repeated": (stopped(WHOLE, WHOLE[76]), ["40 % of its lines"]),

@@ -1,10 +1,10 @@
-"""What is computed of pairs of scans: indents, asperities, elastic contacts."""
+"""Indents and elastic contacts of pairs of scans."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, height_map, over, periodic_noise
+from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 from published_contact import MODULUS
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
@@ -28,17 +28,17 @@ def test_indents_of_scans_equal_those_of_each_pair():
     pair = bodies(substrates[4], spheres[2], CONTACT)
     contacts = all_lowest_gaps(pair, replace(CONTACT, preload=40e-6).pixels(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
-    for place, (gaps, _) in contacts.items():
-        assert depth[place] == pytest.approx(gaps[-1] - gaps[0], abs=1e-12)
+    for contact, (gaps, _) in contacts.items():
+        assert depth[contact] == pytest.approx(gaps[-1] - gaps[0], abs=1e-12)
     # The indents drawn are of a contact whose depth is the median of all.
-    drawn = indents.indentation.sel(preload=40e-6)
-    assert drawn.max() == np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]
-    assert drawn[MAP_HALF_WIDTH, MAP_HALF_WIDTH] == drawn.max()
+    drawn_depth = indents.indentation.sel(preload=40e-6)
+    assert drawn_depth.max() == np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]
+    assert drawn_depth[MAP_HALF_WIDTH, MAP_HALF_WIDTH] == drawn_depth.max()
     assert indents.sphere_height.shape == (2 * MAP_HALF_WIDTH + 1,) * 2
 
 
 def test_elastic_contacts_carry_the_preload():
-    pair = over(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
+    pair = make_bodies(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
     places = sampled_contacts(np.random.default_rng(1), 3, 2)
     solved = elastic_contacts_of_pair(pair, CONTACT, places, MODULUS, 600.0)
     assert {name: solved[name].units for name in ELASTIC_UNITS} == ELASTIC_UNITS
