@@ -1,4 +1,4 @@
-"""Critical wavelengths of curves that leave their tolerance at a known cutoff."""
+"""Edges of curves that leave their tolerance at a known cutoff."""
 
 import numpy as np
 import pytest
@@ -33,16 +33,16 @@ def scales(ratios):
     )
 
 
-def test_critical_wavelength_interpolates_in_log_wavelength():
+def test_an_edge_is_interpolated_in_log_wavelength():
     cutoffs, changes = np.array([1.0, 10.0, 100.0]), np.array([0.0, 0.05, 0.15])
     limits = (-0.1, 0.1)
-    assert band.critical_wavelength(cutoffs, changes, limits) == pytest.approx(10**1.5)
-    assert band.critical_wavelength(cutoffs, -changes, limits) == pytest.approx(10**1.5)
-    assert band.critical_wavelength(cutoffs, 2 * changes, limits) == pytest.approx(10.0)
-    assert np.isnan(band.critical_wavelength(cutoffs, np.array([0.0, 0.05, 0.1]), limits))
+    assert band.interpolate_edge(cutoffs, changes, limits) == pytest.approx(10**1.5)
+    assert band.interpolate_edge(cutoffs, -changes, limits) == pytest.approx(10**1.5)
+    assert band.interpolate_edge(cutoffs, 2 * changes, limits) == pytest.approx(10.0)
+    assert np.isnan(band.interpolate_edge(cutoffs, np.array([0.0, 0.05, 0.1]), limits))
     # From -0.1 to 0.2 through zero: two thirds of the decade, not none of it.
     through = np.array([0.0, -0.1, 0.2])
-    assert band.critical_wavelength(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
+    assert band.interpolate_edge(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
 
 
 def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():

@@ -186,7 +186,7 @@ def test_scans_like_the_paper_s_get_about_its_grids():
     assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
     assert small["transition"] == pytest.approx(20, rel=0.05) and large["transition"] == 1000
     assert small["pixels"] == large["pixels"] == 4096 and large["tiles"] == 4
-    # Both critical wavelengths of the paper lie well inside.
+    # Both edges of the paper lie well inside.
     assert small["cutoffs"][0] < 43 / 4 and small["cutoffs"][-1] == 2500
     assert large["cutoffs"][0] <= 100 and large["cutoffs"][-1] == 10000
 

@@ -1,4 +1,4 @@
-"""Variants whose range, work and critical wavelength are known."""
+"""Variants whose range, work and edge are known."""
 
 import numpy as np
 import pytest

@@ -39,7 +39,7 @@ def last_cutoff(values: xr.DataArray, side: str) -> float:
 
 
 def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
-    """Return the critical wavelengths, with the last cutoff of a side in place of NaN.
+    """Return the edges, with the last cutoff of a side in place of NaN.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
     Returns
     -------
     xarray.DataArray
-        Critical wavelengths (..., side, group) in nm.
+        Edges (..., side, group) in nm.
     """
     cutoffs = band["cutoff_wavelength"].where(band["scale_change"].notnull())
     last_cutoffs = cutoffs.max("cutoff_wavelength").where(
@@ -59,7 +59,7 @@ def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
 
 
 def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return ratio curves, changes of the force and critical wavelengths, by side.
+    """Return ratio curves, changes of the force and edges, by side.
 
     Mean ratios over realizations are sampled independently for each surface. The force on a surface
     leaves the tolerance where ln(ratio) does. A sample whose force never leaves the tolerance gets
@@ -155,16 +155,16 @@ def sampled_band(
     cutoffs = scales.cutoff_wavelength.values
     unfiltered = scales.unfiltered_wavelength.transpose("side", "surface").values
     unfiltered = np.concatenate([unfiltered, unfiltered.mean(axis=1, keepdims=True)], axis=1)
-    critical = _critical_wavelengths(unfiltered, cutoffs, ratio[None], tolerance)[0]
+    edges = _interpolate_edges(unfiltered, cutoffs, ratio[None], tolerance)[0]
     finite = np.isfinite(change)
     last_cutoffs = np.where(
         unfiltered < cutoffs[0],
         np.where(finite, cutoffs, -np.inf).max(axis=-1),
         np.where(finite, cutoffs, np.inf).min(axis=-1),
     )
-    critical_samples = _critical_wavelengths(unfiltered, cutoffs, ratio_samples, tolerance)
-    never_leaves = np.isnan(critical_samples) & np.isfinite(change_samples).any(axis=-1)
-    critical_samples = np.where(never_leaves, last_cutoffs, critical_samples)
+    edge_samples = _interpolate_edges(unfiltered, cutoffs, ratio_samples, tolerance)
+    never_leaves = np.isnan(edge_samples) & np.isfinite(change_samples).any(axis=-1)
+    edge_samples = np.where(never_leaves, last_cutoffs, edge_samples)
     return {
         "scale_ratio": SampledVariable(
             AXES, ratio, ratio_samples, "1", "pull-off force relative to the unfiltered force"
@@ -174,7 +174,7 @@ def sampled_band(
             "1", "magnitude of the relative change of the pull-off force",
         ),
         "edge": SampledVariable(
-            ("side", "group"), critical, critical_samples,
+            ("side", "group"), edges, edge_samples,
             "nm", "cutoff at which the change of the force exceeds the tolerance",
         ),
     }  # fmt: skip
@@ -197,9 +197,7 @@ def logarithmic_limits(tolerance: float) -> tuple[float, float]:
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
-def critical_wavelength(
-    cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]
-) -> float:
+def interpolate_edge(cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]) -> float:
     """Return the cutoff at which a curve first leaves its limits.
 
     The curve is interpolated linearly in the logarithm of the wavelength. The curve of a single
@@ -231,10 +229,10 @@ def critical_wavelength(
     return float(np.exp(np.log(cutoffs[crossing - 1]) + share * step))
 
 
-def _critical_wavelengths(
+def _interpolate_edges(
     unfiltered: np.ndarray, cutoffs: np.ndarray, ratios: np.ndarray, tolerance: float
 ) -> np.ndarray:
-    """Return critical wavelengths (n, side, group) of ratios (n, side, surface, cutoff)."""
+    """Return edges (n, side, group) of ratios (n, side, surface, cutoff)."""
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
     limits = [logarithmic_limits(tolerance)] * ratios.shape[2] + [(-np.inf, tolerance)]
     wavelengths = np.full(curves.shape[:3], np.nan)
@@ -244,7 +242,7 @@ def _critical_wavelengths(
         # Without a filter the curve is zero.
         curve = np.append(0.0, curves[sample, side, group, order])
         wavelengths_from_end = np.append(unfiltered[side, group], cutoffs[order])
-        wavelengths[sample, side, group] = critical_wavelength(
+        wavelengths[sample, side, group] = interpolate_edge(
             wavelengths_from_end, curve, limits[group]
         )
     return wavelengths
@@ -267,7 +265,7 @@ class RatioCurve(NamedTuple):
 def describe_edge(curve: RatioCurve) -> dict[str, Any]:
     """Return the edge of a curve with its interval and status.
 
-    An edge is a `critical_wavelength` between two computed cutoffs. The edge is open if the curve
+    `interpolate_edge` gives an edge between two computed cutoffs. The edge is open if the curve
     is outside its limits at the first cutoff already, or within them up to the last cutoff. Only a
     bound of an open edge is known. The ends of the interval are cutoffs, too. One end is the last
     cutoff before any value within the intervals leaves the limits. The other end is the first
@@ -295,7 +293,7 @@ def describe_edge(curve: RatioCurve) -> dict[str, Any]:
     status = "found"
     crossing = _index_of_first_outside(curve, value, value)
     if 0 < crossing < len(cutoffs):
-        edge = critical_wavelength(cutoffs, value, curve.limits)
+        edge = interpolate_edge(cutoffs, value, curve.limits)
     else:
         bound = float(cutoffs[0] if crossing == 0 else cutoffs[-1])
         is_lower_bound = small == (crossing > 0)

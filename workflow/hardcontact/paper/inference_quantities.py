@@ -153,7 +153,7 @@ def first_edge(band: xr.Dataset) -> xr.Dataset:
 
 
 def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the critical wavelength relative to sqrt(D rho) (side, group).
+    """Return the edge relative to sqrt(D rho) (side, group).
 
     D is the diameter of the sphere of the study, rho the published range.
     """

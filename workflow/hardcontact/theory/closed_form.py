@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.band.critical_band import critical_wavelength, logarithmic_limits
+from hardcontact.band.critical_band import interpolate_edge, logarithmic_limits
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.spectrum import Floats, Spectrum
@@ -276,7 +276,7 @@ def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float
     unfiltered = closed_form(spectrum, contact, rough_below=False).relative
 
     def edge(side: str, cutoffs: Floats) -> float:
-        """Return the critical wavelength (nm) of a side; no wave is removed at the first cutoff."""
+        """Return the edge (nm) of a side; no wave is removed at the first cutoff."""
         curve = [0.0]
         for cutoff in cutoffs[1:]:
             filtered = filtered_spectrum(spectrum, side, cutoff)
@@ -284,6 +284,6 @@ def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float
             curve.append(np.log(relative / unfiltered))
             if not limits[0] <= curve[-1] <= limits[1]:
                 break
-        return critical_wavelength(cutoffs[: len(curve)], np.array(curve), limits)
+        return interpolate_edge(cutoffs[: len(curve)], np.array(curve), limits)
 
     return edge("small", cutoffs), edge("large", cutoffs[::-1])

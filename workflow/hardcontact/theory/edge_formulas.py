@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.band.critical_band import critical_wavelength
+from hardcontact.band.critical_band import interpolate_edge
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import SUMMIT_SIZE, contact_share, gaussian_share
@@ -71,7 +71,7 @@ def formula_edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> Edg
     if waves is None:
         return Edges(np.nan, np.nan)
     wavelength, variance, gap = gaps_on_summits(waves, contact.radius, contact.area)
-    summit_edge = critical_wavelength(wavelength, gap / contact.range, (-1.0, change))
+    summit_edge = interpolate_edge(wavelength, gap / contact.range, (-1.0, change))
     if np.isnan(summit_edge):
         return Edges(np.nan, np.nan)
     approaches = closest_approaches(waves, contact.radius, contact.area)

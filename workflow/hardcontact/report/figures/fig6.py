@@ -46,7 +46,7 @@ def draw(
     """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
 
     The table has `ratio` and `change`, its distance from one, against `cutoff_wavelength` (nm), and
-    the critical wavelengths. Numbers beyond the last computed cutoff are empty; the column `beyond`
+    the edges. Numbers beyond the last computed cutoff are empty; the column `beyond`
     lists which of value, low and high these are.
     """
     figure = drawing.create(6.2, band)
@@ -134,7 +134,7 @@ def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
 def _draw_critical(
     axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, end_cutoff: float
 ) -> None:
-    """Mark the critical wavelength (nm) of each group with its interval, arrows beyond the last."""
+    """Mark the edge (nm) of each group with its interval, arrows beyond the last."""
     looks = _looks(side_band)
     labels = side_band["label"].to_series().to_dict() | {POOLED: "mean of all"}
     arrow = ">" if side_band["side"].item() == "small" else "<"

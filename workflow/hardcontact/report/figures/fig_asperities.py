@@ -96,13 +96,13 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
 
 
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
-    """Draw the long critical wavelength (µm) of the mean force, computed and published."""
+    """Draw the long edge (µm) of the mean force, computed and published."""
     pooled_band = band.sel(side="large", group=POOLED)
     edge = tables.value_and_bounds(pooled_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     published = tables.published_edge(published_constants, "large")
     confidence = print_share(band.attrs["confidence"])
-    axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
+    axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():
         axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")
     look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}

@@ -61,7 +61,7 @@ def draw(
     band: xr.Dataset,
     published_constants: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
+    """Draw (a) range, (b) work of adhesion, (c, d) edges, one row a variant.
 
     In the table only variants have a `variant`. Values are empty if a variant does not affect a
     quantity, or if the force stays within the tolerance.

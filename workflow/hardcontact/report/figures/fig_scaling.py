@@ -33,7 +33,7 @@ resources/paper/parameters.csv.
 """
 
 EDGE_LABELS = {"small": "short edge (nm)", "large": "long edge (nm)"}
-REACH = "$\\sqrt{2R\\rho}$"
+INTERACTION_RADIUS = "$\\sqrt{2R\\rho}$"
 PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 0.8, "ls": "--", "zorder": 1}
 #: Edges of designed surfaces.
 SIDE_LOOKS = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
@@ -84,7 +84,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     short.set(xlabel="range of adhesion ρ (nm)")
     short.set_xticks(scaling["rho"], [f"{rho:g}" for rho in scaling["rho"].values])
     short.xaxis.set_minor_locator(NullLocator())
-    long.set(xlabel=f"reach of the attraction {REACH} (nm)")
+    long.set(xlabel=f"interaction radius {INTERACTION_RADIUS} (nm)")
     held_out = scaling.sel(designed=scaling["held_out"] == 1, prediction=FORMULA)
     _draw_errors(errors, held_out)
     _draw_regimes(regimes, scaling)

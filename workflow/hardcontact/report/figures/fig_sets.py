@@ -131,7 +131,7 @@ def _draw_best_fits(axes: Axes, set_fits: xr.Dataset) -> pd.DataFrame:
 def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
     """Draw median and band of the force ratio of each surface against cutoff (nm).
 
-    Critical wavelengths beyond the last cutoff are missing; the last cutoff replaces them.
+    Edges beyond the last cutoff are missing; the last cutoff replaces them.
     """
     ratio = tables.summarize_sets(side_sets["scale_ratio"]).dropna("cutoff_wavelength", how="all")
     for look, curve in style.iterate_surfaces(ratio):

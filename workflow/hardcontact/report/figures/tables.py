@@ -78,7 +78,7 @@ def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -
 
 
 def published_edge(constants: pd.DataFrame, side: str) -> float:
-    """Return the published critical wavelength (nm) of one side of the band."""
+    """Return the published edge (nm) of one side of the band."""
     return float(constants["value"][f"edge_{side}"])
 
 
