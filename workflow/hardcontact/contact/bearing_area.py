@@ -133,7 +133,7 @@ class _Windows:
     def _sphere_in_window(self, offset: NDArray[np.int_]) -> Floats:
         """Return the height (nm) of the sphere along one axis, infinite outside the window."""
         geometry = self.geometry
-        return np.where(geometry.inside(offset), geometry.paraboloid(offset), np.inf)
+        return np.where(geometry.window_mask(offset), geometry.paraboloid(offset), np.inf)
 
 
 def lowest_gaps(

@@ -33,7 +33,7 @@ class ContactGeometry:
         """
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
-    def inside(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
+    def window_mask(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
         """Return which offsets (pixels) from the apex lie in the analysis window."""
         return (offsets >= -(self.window // 2)) & (offsets < self.window // 2)
 

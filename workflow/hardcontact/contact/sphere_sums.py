@@ -81,7 +81,7 @@ def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.in
     row, column = np.divmod(flat, pixels)
     y = row[:, None] + periods
     x = column[:, None] + periods
-    in_window = geometry.inside(y)[:, :, None] & geometry.inside(x)[:, None, :]
+    in_window = geometry.window_mask(y)[:, :, None] & geometry.window_mask(x)[:, None, :]
     own_y, own_x = (offsets // pixels + reach).T
     in_window[inverse, own_y, own_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
@@ -236,7 +236,7 @@ def _folded_by_shift(
     for image in range(-reach, reach):
         offset = np.arange(pixels) + image * pixels
         decay = np.exp(-geometry.paraboloid(offset) / rho)
-        weight = np.where(geometry.inside(offset), decay, 0.0)
+        weight = np.where(geometry.window_mask(offset), decay, 0.0)
         shift = image * pixels % period
         weights[shift] = weights.get(shift, np.zeros(pixels)) + weight
     return weights
