@@ -48,4 +48,4 @@ def test_other_texts_than_lengths_are_refused_in_one_line(text):
     ],
 )
 def test_quantities_are_printed_with_the_fitting_prefix(value, unit, words):
-    assert units.print_exact(value, unit) == words
+    assert units.format_exact(value, unit) == words

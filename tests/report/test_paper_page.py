@@ -9,7 +9,7 @@ from html_page import Page
 from paper_study import CITATION, answer, captions, claims, datasets, figures, make_page
 from refusals import assert_says
 
-from hardcontact.base.printing import print_as_paper
+from hardcontact.base.formatting import format_as_paper
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_answer import MAIN_FINDINGS
 
@@ -54,8 +54,8 @@ def test_the_page_says_first_whether_the_paper_holds(page):
     for name in ("short_edge", "long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
         interval = (edge.low, edge.high)
-        assert_says(first_words, print_as_paper(edge.value, edge.unit, interval, 2))
-        assert_says(first_words, print_as_paper(published.value, published.unit))
+        assert_says(first_words, format_as_paper(edge.value, edge.unit, interval, 2))
+        assert_says(first_words, format_as_paper(published.value, published.unit))
 
 
 def test_the_page_warns_of_coarse_grids_first():

@@ -49,10 +49,10 @@ def magnitude(text: object, unit: str) -> float:
     raise ValueError(f"expected {EXPECTED_QUANTITY[unit]}, found {reprlib.repr(text)}")
 
 
-def print_exact(value: float, unit: str) -> str:
+def format_exact(value: float, unit: str) -> str:
     """Return a quantity in a unit of the study with all its digits: ``(1e-5, "N")`` is ``"10 µN"``.
 
-    `printing.print_quantity` rounds instead.
+    `formatting.format_quantity` rounds instead.
     """
     name = "m" if unit == "nm" else unit
     for prefix in _PRINTED:

@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from hardcontact.base.code import LIBRARY
-from hardcontact.base.units import print_exact
+from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
 from hardcontact.config.model import NONE, PAPER, Study
 
@@ -146,7 +146,7 @@ def omitted_targets(configuration: Mapping[str, Any]) -> dict[str, str]:
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
     quantities = {
-        name: print_exact(get_key(config, key), unit)
+        name: format_exact(get_key(config, key), unit)
         for name, (key, unit) in CONTACT_QUANTITIES.items()
     }
     return {"sphere": str(config["sphere"]["surface"])} | quantities

@@ -4,7 +4,7 @@ import math
 import os
 from typing import NamedTuple
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.config.faults import Limit
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
@@ -68,7 +68,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
     two_pixels = "an interaction radius sqrt(2 R rho) of two pixels needs it"
     reasons = {
         f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
-        f"{two_pixels} at R = {print_length(radius)}": 2 * grid.pixel_size**2 / radius,
+        f"{two_pixels} at R = {format_length(radius)}": 2 * grid.pixel_size**2 / radius,
     }
     reason, shortest = max(reasons.items(), key=lambda item: item[1])
     step = 10.0 ** (math.floor(math.log10(shortest)) - 2)

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hardcontact.base.printing import print_quantity
+from hardcontact.base.formatting import format_quantity
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, violation_messages
 from hardcontact.config.grids import (
@@ -252,8 +252,8 @@ def _load_limits(use: Use, available: int, pixel_size: float, reason: str) -> It
     for key, contact in use.loads.items():
         largest = available * (pixel_size * 1e-9) ** 2 * contact.hardness
         accepted = (
-            f"at most {print_quantity(largest, 'N')} of load at a hardness of "
+            f"at most {format_quantity(largest, 'N')} of load at a hardness of "
             f"{contact.hardness / 1e9:.4g} GPa, {reason}"
         )
         holds = contact.pixels(pixel_size) <= available
-        yield Limit(holds, key, accepted, print_quantity(contact.preload, "N"))
+        yield Limit(holds, key, accepted, format_quantity(contact.preload, "N"))

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from hardcontact.base.units import path_token, print_exact
+from hardcontact.base.units import format_exact, path_token
 from hardcontact.config.patterns import STUDY_VARIANT
 from hardcontact.config.selection import Selection
 from hardcontact.contact.contact import Contact
@@ -130,7 +130,7 @@ def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Var
             replace(
                 baseline,
                 name=f"{quantity}-{path_token(value, unit)}",
-                label=f"{quantity} {print_exact(value, printed_unit)}",
+                label=f"{quantity} {format_exact(value, printed_unit)}",
                 group=quantity,
                 contact=replace(contact, **{quantity: value}),
             )

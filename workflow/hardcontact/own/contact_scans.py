@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import MAP_PIXELS, PIXEL_SIZES, same_grid
 from hardcontact.contact.contact import Contact
@@ -78,7 +78,7 @@ def contact_scans(
         if len(surface_groups) > 1:
             is_small = group[0].size < large_enough
             reason = "they come nearest to" if is_small else "the smallest of at least"
-            reason += f" {print_length(large_enough)}, four times sqrt(2 R sigma/t)"
+            reason += f" {format_length(large_enough)}, four times sqrt(2 R sigma/t)"
         selected += group
         reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
     if sphere is not None:
@@ -156,4 +156,4 @@ def _sphere_group(groups: list[Group], substrates: Sequence[Entry], radius: floa
 
 def _group_in_words(group: Group) -> str:
     scans = "the scan" if len(group) == 1 else f"the {len(group)} scans"
-    return f"{scans} of {print_length(group[0].size)} and {group[0].pixels} pixels"
+    return f"{scans} of {format_length(group[0].size)} and {group[0].pixels} pixels"

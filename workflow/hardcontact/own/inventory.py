@@ -7,7 +7,7 @@ from pathlib import PurePath
 
 import numpy as np
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.own.request import Source
@@ -225,15 +225,15 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
                 entry.name,
                 entry.channel,
                 "height map" if is_map else "line scan",
-                print_length(entry.size),
+                format_length(entry.size),
                 f"{entry.pixels} x {entry.pixels}" if is_map else str(entry.pixels),
                 entry.file_unit,
-                print_length(entry.rms_height),
-                print_length(entry.peak_to_valley),
-                "unknown" if tip is None else print_length(tip),
+                format_length(entry.rms_height),
+                format_length(entry.peak_to_valley),
+                "unknown" if tip is None else format_length(tip),
                 "none"
                 if entry.is_blind
-                else f"{print_length(band.shortest)} to {print_length(band.longest)}",
+                else f"{format_length(band.shortest)} to {format_length(band.longest)}",
                 use,
             )
         )

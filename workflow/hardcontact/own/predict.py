@@ -11,8 +11,8 @@ from pathlib import Path
 import pandas as pd
 
 from hardcontact.base.code import TEMPLATES
+from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
-from hardcontact.base.printing import print_length, print_quantity
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import NONE, Study
@@ -174,7 +174,7 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters |= {"length": print_length, "quantity": print_quantity}
+    environment.filters |= {"length": format_length, "quantity": format_quantity}
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in QUANTITY_OPTIONS.items()}
     report = environment.get_template("prediction.txt").render(

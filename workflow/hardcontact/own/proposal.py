@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.config import model
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import (
@@ -120,8 +120,8 @@ def propose(
     if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
         raise ValueError(
             "--surface: expected scans of similar size on all surfaces, found "
-            f"{print_length(smallest.size)} on {smallest.source.surface} and pixels of "
-            f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
+            f"{format_length(smallest.size)} on {smallest.source.surface} and pixels of "
+            f"{format_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
             "make a study of each"
         )
     contact, shortest_range, contact_reasons = choose_window(
@@ -212,7 +212,7 @@ def _contact_cautions(
         if high > 1:
             yield (
                 f"{surface}: the sphere finds its highest points within some "
-                f"{print_length(LARGE_ENOUGH * draw_size)}, the scans are {print_length(size)} "
+                f"{format_length(LARGE_ENOUGH * draw_size)}, the scans are {format_length(size)} "
                 f"wide: forces on such scans come out {low:g} to {high:g} times too high"
             )
 
@@ -259,8 +259,8 @@ def _master_choices(
     large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
     small_transition, large_transition, reason = _transitions(substrates)
     large_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
-    edge = f"mirrored scans along an edge, {print_length(2 * size * tiles)}"
-    yield Choice("scales.small.pixels", small_pixels, f"{print_length(finest)} a pixel")
+    edge = f"mirrored scans along an edge, {format_length(2 * size * tiles)}"
+    yield Choice("scales.small.pixels", small_pixels, f"{format_length(finest)} a pixel")
     yield Choice("scales.small.transition", _nm(small_transition), reason)
     yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
     yield Choice("scales.large.pixels", large_pixels, "those of the scans")

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report.figures.listing import describe_figure
 
 
@@ -39,7 +39,7 @@ def caption(figure: str, configuration: Mapping[str, Any]) -> Caption:
 
     description = describe_figure(figure)
     environment = Environment(undefined=StrictUndefined)
-    environment.filters["percent"] = print_share
+    environment.filters["percent"] = format_share
     text = environment.from_string(description.caption).render(configuration)
     paragraphs = [" ".join(paragraph.split()) for paragraph in text.split("\n\n")]
     return Caption(description.title, paragraphs[0], " ".join(paragraphs[1:]))

@@ -9,8 +9,13 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from hardcontact.base.formatting import (
+    PRINTED_UNITS,
+    format_as_paper,
+    format_quantity,
+    is_boundless,
+)
 from hardcontact.base.number import Number, plain
-from hardcontact.base.printing import PRINTED_UNITS, is_boundless, print_as_paper, print_quantity
 from hardcontact.base.statistics import bounds
 
 QuantityMapping = dict[str, Any]
@@ -109,8 +114,8 @@ def printed(number: Number, digits: int = 3, end: str = "") -> str:
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
     if number.unit in PRINTED_UNITS:
-        return print_quantity(number.value, number.unit, number.low, number.high, digits, open_end)
-    return print_as_paper(number.value, number.unit, (number.low, number.high), digits, open_end)
+        return format_quantity(number.value, number.unit, number.low, number.high, digits, open_end)
+    return format_as_paper(number.value, number.unit, (number.low, number.high), digits, open_end)
 
 
 def in_words(number: Number, digits: int = 3) -> str:

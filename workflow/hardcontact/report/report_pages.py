@@ -11,7 +11,7 @@ import yaml
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from hardcontact.base.printing import is_boundless, print_as_paper
+from hardcontact.base.formatting import format_as_paper, is_boundless
 from hardcontact.paper.selection import WITHOUT_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, MIN_STABILITY, summary
 from hardcontact.report.quantities import NO_INTERVAL
@@ -98,11 +98,11 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     unit = row["unit"]
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
-    computed_text = print_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
+    computed_text = format_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
     if is_boundless(row["computed"], *interval, unit):
-        computed_text = f"{print_as_paper(row['computed'], unit)} ({NO_INTERVAL['not_bounded']})"
+        computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['not_bounded']})"
     return {
-        "published_text": print_as_paper(row["published"], unit),
+        "published_text": format_as_paper(row["published"], unit),
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
         "may_change": row["stability"] < MIN_STABILITY,
@@ -113,10 +113,10 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
 def _print_accepted_range(low: float, high: float, unit: str) -> str:
     """Return the range of numbers that agree with a statement, in words."""
     if np.isinf(low):
-        return f"below {print_as_paper(high, unit)}"
+        return f"below {format_as_paper(high, unit)}"
     if np.isinf(high):
-        return f"above {print_as_paper(low, unit)}"
-    return f"{print_as_paper(low, unit)} to {print_as_paper(high, unit)}"
+        return f"above {format_as_paper(low, unit)}"
+    return f"{format_as_paper(low, unit)} to {format_as_paper(high, unit)}"
 
 
 def chapter(text: str) -> Chapter:

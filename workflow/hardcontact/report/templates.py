@@ -7,8 +7,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from hardcontact.base.formatting import format_as_paper, format_share
 from hardcontact.base.number import Number
-from hardcontact.base.printing import print_as_paper, print_share
 from hardcontact.report import quantities
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
@@ -57,7 +57,7 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
-        "in_percent": quantities.in_percent, "percent": print_share, "as_paper": print_as_paper,
+        "in_percent": quantities.in_percent, "percent": format_share, "as_paper": format_as_paper,
         "surfaces": quantities.surfaces, "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
     environment.globals |= {

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION_SCATTER,
     bias_of_log,
@@ -41,7 +41,7 @@ def contradiction_lines(pairs: Sequence[Contradiction], names: Sequence[str]) ->
         remainder = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
         yield (
             f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
-            f"from {print_length(pair.shortest)} to {print_length(pair.longest)} the power "
+            f"from {format_length(pair.shortest)} to {format_length(pair.longest)} the power "
             f"spectral density of the first is {pair.factor:.2g} times that of the other{remainder}"
         )
 

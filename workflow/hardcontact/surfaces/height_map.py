@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base import dataset
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,8 +33,8 @@ class HeightMap:
         rows, columns = self.heights.shape
         kind = "periodic, " * self.periodic + self.basis
         return (
-            f"HeightMap({columns} x {rows} pixels of {print_length(self.pixel_size)}, rms height "
-            f"{print_length(float(self.heights.std()))}, {kind})"
+            f"HeightMap({columns} x {rows} pixels of {format_length(self.pixel_size)}, rms height "
+            f"{format_length(float(self.heights.std()))}, {kind})"
         )
 
     @property

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
@@ -71,7 +71,7 @@ class ReliableBand(NamedTuple):
     def __str__(self) -> str:
         """Return both ends with their limits, in words."""
         limit = LIMIT_NAMES[self.limited_by]
-        shortest, longest = print_length(self.shortest), print_length(self.longest)
+        shortest, longest = format_length(self.shortest), format_length(self.longest)
         if self.shortest > self.longest:
             return f"at no wavelength: {limit} at {shortest}, a third of the size at {longest}"
         return f"from {shortest} ({limit}) to {longest} (a third of the size)"

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.base.printing import print_length, print_share
+from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.spectrum import Floats
 
 
@@ -252,13 +252,13 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
     words = {name: _format_number(name, number) for name, number in numbers.items()}
     return DEFECTS[code].sentence.format(
-        **words, spike=MIN_SPIKE_DISTANCE, edge_pixels=print_share(EDGE_PIXELS)
+        **words, spike=MIN_SPIKE_DISTANCE, edge_pixels=format_share(EDGE_PIXELS)
     )
 
 
 def _format_number(name: str, number: float) -> str:
     """Return a number of a defect with its unit, a share in per cent."""
     if DEFECT_UNITS[name] == "nm":
-        return print_length(number)
+        return format_length(number)
     number = float(f"{number:.2g}")
-    return print_share(number) if name.endswith("_share") else f"{number:g}"
+    return format_share(number) if name.endswith("_share") else f"{number:g}"

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.surfaces.limited_process import RefusedFile
 
 Floats = NDArray[np.float64]
@@ -75,7 +75,7 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int
     offset = float(np.median(heights))
     if maximum < abs(offset) < minimum / np.finfo(float).eps:
         heights = heights - offset
-        notes = [*notes, f"offset of {print_length(offset)} subtracted"]
+        notes = [*notes, f"offset of {format_length(offset)} subtracted"]
     low, high = heights.min(), heights.max()
     if (
         not minimum <= pixel_size <= maximum
@@ -135,9 +135,9 @@ def _square_pixels(
     width, height = edges * heights.shape
     if abs(width / height - 1) <= MAX_ASPECT_DEVIATION:
         # Files of Bruker state the size of the full scan, also of one with fewer lines.
-        square = " x ".join(print_length(count * edges.min()) for count in heights.shape)
+        square = " x ".join(format_length(count * edges.min()) for count in heights.shape)
         notes.append(
-            f"{TAKE_CARE}the file states {print_length(width)} x {print_length(height)} for "
+            f"{TAKE_CARE}the file states {format_length(width)} x {format_length(height)} for "
             f"{heights.shape[0]} x {heights.shape[1]} pixels, and is read so; if its pixels are "
             f"square, {square} were scanned, and heights are stretched "
             f"{longer / edges.min():.3g} times along {'xy'[edges.argmax()]}"

@@ -16,7 +16,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base import dataset
-from hardcontact.base.printing import print_length
+from hardcontact.base.formatting import format_length
 from hardcontact.surfaces.height_map import HeightMap, library_map
 
 if TYPE_CHECKING:
@@ -52,8 +52,8 @@ class Spectrum:
         """Return the number of wavelengths, and the longest and the shortest."""
         longest, shortest = 2 * np.pi / self.wavevector[[0, -1]]
         return (
-            f"Spectrum({len(self.wavevector)} wavelengths from {print_length(shortest)} to "
-            f"{print_length(longest)})"
+            f"Spectrum({len(self.wavevector)} wavelengths from {format_length(shortest)} to "
+            f"{format_length(longest)})"
         )
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":

@@ -2,8 +2,8 @@
 
 import math
 
+from hardcontact.base.formatting import format_quantity
 from hardcontact.base.number import Number
-from hardcontact.base.printing import print_quantity
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import (
     maugis_parameter,
@@ -54,7 +54,7 @@ def wide_contact_message(contact: Contact) -> str:
     if share < 1:
         return ""
     return (
-        f"preload: expected less than {print_quantity(contact.preload / share, 'N')} at this "
-        f"hardness, radius and range, found {print_quantity(contact.preload, 'N')}: the contact "
+        f"preload: expected less than {format_quantity(contact.preload / share, 'N')} at this "
+        f"hardness, radius and range, found {format_quantity(contact.preload, 'N')}: the contact "
         "alone would stick like a smooth sphere"
     )

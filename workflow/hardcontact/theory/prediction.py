@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number
-from hardcontact.base.printing import print_length
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
 from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
@@ -192,14 +192,15 @@ def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     minimum, maximum = 2 * np.pi / WAVEVECTORS[[-1, 0]]
     if shortest < minimum * (1 - 1e-9) or longest > maximum * (1 + 1e-9):
         raise ValueError(
-            f"{name}: expected wavelengths of {print_length(minimum)} to {print_length(maximum)}, "
-            f"found {shortest:.3g} nm to {longest:.3g} nm: is the unit right?"
+            f"{name}: expected wavelengths of {format_length(minimum)} to "
+            f"{format_length(maximum)}, found {shortest:.3g} nm to {longest:.3g} nm: "
+            "is the unit right?"
         )
     height = all_scales_rms(rough)[0]
     if not MIN_RMS_HEIGHT <= height <= longest:
         raise ValueError(
-            f"{name}: expected densities of an rms height of {print_length(MIN_RMS_HEIGHT)} to "
-            f"{print_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit "
+            f"{name}: expected densities of an rms height of {format_length(MIN_RMS_HEIGHT)} to "
+            f"{format_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit "
             "right?"
         )
     return rough

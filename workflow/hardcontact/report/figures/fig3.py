@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from scipy.stats import lognorm
 
-from hardcontact.base.printing import print_formatted
+from hardcontact.base.formatting import format_with_interval
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_range
@@ -108,7 +108,7 @@ def draw(
         published_pair = fit.sel(surface=surface, pair="published")
         shape_and_interval = tables.value_and_bounds(published_pair, "lognormal_shape")
         shape = f"published $s$ = {values['lognormal_shape']['']:.2f}"
-        shape += f"\nhere {print_formatted(shape_and_interval, '.2f')}"
+        shape += f"\nhere {format_with_interval(shape_and_interval, '.2f')}"
         style.label_panel(logarithmic, f"{letter}_2", shape)
         for axes in (linear, logarithmic):
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)

@@ -8,7 +8,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
@@ -81,7 +81,7 @@ def draw(
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:
     """Return one entry a surface and one for each kind of line and symbol of panels b and c."""
-    confidence = print_share(fit.attrs["confidence"])
+    confidence = format_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
     fit_label = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")
     grey: style.Look = {"color": "0.3"}

@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.band.critical_band import POOLED, last_cutoff
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fig. 6: the length scales that matter"
@@ -154,8 +154,8 @@ def _draw_critical(
 
 def _legend_handles(band: xr.Dataset, short: float, long: float) -> list[Artist]:
     """Return one entry a group and one for each kind of line."""
-    confidence = print_share(band.attrs["confidence"])
-    tolerance = print_share(band.attrs["scale_tolerance"])
+    confidence = format_share(band.attrs["confidence"])
+    tolerance = format_share(band.attrs["scale_tolerance"])
     return [
         *style.surface_handles(band),
         Line2D([], [], lw=1.8, label="mean change of all", **_looks(band)[POOLED]),

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from hardcontact.band.critical_band import POOLED
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "The asperities that carry the force"
@@ -101,7 +101,7 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
     edge = tables.value_and_bounds(pooled_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     published = tables.published_edge(published_constants, "large")
-    confidence = print_share(band.attrs["confidence"])
+    confidence = format_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():
         axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.band.critical_band import POOLED
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "The short edge with and without plasticity and a long range"
@@ -66,7 +66,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
         *style.surface_handles(enhancement),
         Line2D([], [], color="black", marker="h", label="mean change of all"),
         Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
-        Patch(color="0.88", label=f"change below {print_share(enhancement.attrs['tolerance'])}"),
+        Patch(color="0.88", label=f"change below {format_share(enhancement.attrs['tolerance'])}"),
     ]
     style.legend_above(figure, handles)
     return tables.label_rows(frames, enhancement, COLUMNS, "group"), figure

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
-from hardcontact.base.printing import print_formatted
+from hardcontact.base.formatting import format_with_interval
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
@@ -89,7 +89,9 @@ def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -
     style.label_logarithmic(axes.yaxis, digits=(1, 2, 5))
     axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
     interval_note = " over scans" if np.isfinite(best["low"]) else ""
-    style.label_panel(axes, "a", f"smallest error {print_formatted(best, '.2g')}{interval_note}")
+    style.label_panel(
+        axes, "a", f"smallest error {format_with_interval(best, '.2g')}{interval_note}"
+    )
     frames.append(tables.quantity_rows("a", "best_error", "1", **best))
     return pd.concat([*frames, _minimum_rows(fit, "a", "error", "1")])
 

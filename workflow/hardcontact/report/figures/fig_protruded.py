@@ -9,7 +9,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "If one coating or the sphere had rare protrusions"
@@ -62,7 +62,7 @@ def draw(
     for axes, (name, panel) in zip(panels, PANELS.items(), strict=True):
         share = _draw_fits(axes, fits.sel(bearer=name), norm)
         style.draw_published_fit(axes, published_constants)
-        style.label_panel(axes, panel, f"on the {name}; {print_share(share, '.0f')} agree")
+        style.label_panel(axes, panel, f"on the {name}; {format_share(share, '.0f')} agree")
     colour_scale = ScalarMappable(norm, HEIGHT_COLOURS)
     figure.colorbar(colour_scale, ax=panels[-1], label="height of protrusions / rms height")
     handles = [

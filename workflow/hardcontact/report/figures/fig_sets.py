@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.band.critical_band import last_cutoff
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, style, tables
 
@@ -107,7 +107,7 @@ def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataF
     axes.set_ylabel("share of sets (%)")
     axes.set_ylim(top=1.3 * axes.get_ylim()[1])
     axes.legend(loc="upper left")
-    interval = f"{print_share(tables.SHARE_OF_SETS)} in {low:.2g} to {high:.3g} nm"
+    interval = f"{format_share(tables.SHARE_OF_SETS)} in {low:.2g} to {high:.3g} nm"
     title = f"{sets.sizes['set']} sets: median {median:.3g} nm,\n{interval}"
     style.label_panel(axes, "a", title)
     return pd.concat(frames)

@@ -19,7 +19,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
-from hardcontact.base.printing import print_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report.figures.tables import SHARE_OF_SETS
 
 # The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
@@ -205,7 +205,7 @@ def mask_half_width(mask: xr.DataArray) -> float:
 
 def sets_handle() -> Patch:
     """Return the legend entry of bands over the sets of substitutes."""
-    label = f"{print_share(SHARE_OF_SETS)} of all sets of substitutes"
+    label = f"{format_share(SHARE_OF_SETS)} of all sets of substitutes"
     return Patch(color="0.3", alpha=OPACITY, lw=0, label=label)
 
 

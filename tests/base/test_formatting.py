@@ -4,12 +4,12 @@ from math import inf, nan
 
 import pytest
 
-from hardcontact.base.printing import (
+from hardcontact.base.formatting import (
+    format_as_paper,
+    format_number,
+    format_quantity,
+    format_with_interval,
     is_boundless,
-    print_as_paper,
-    print_formatted,
-    print_number,
-    print_quantity,
 )
 
 
@@ -34,7 +34,7 @@ from hardcontact.base.printing import (
     ],
 )
 def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, ends, printed):
-    assert print_quantity(value, unit, *ends) == printed
+    assert format_quantity(value, unit, *ends) == printed
 
 
 @pytest.mark.parametrize(
@@ -54,16 +54,16 @@ def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, 
     ],
 )
 def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
-    assert print_as_paper(value, unit, ends) == printed
+    assert format_as_paper(value, unit, ends) == printed
 
 
 def test_digits_are_as_asked_and_without_exponent():
-    assert print_as_paper(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"
-    assert print_formatted({"value": 0.0561, "low": 0.045, "high": 0.0684}, ".2g") == (
+    assert format_as_paper(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"
+    assert format_with_interval({"value": 0.0561, "low": 0.045, "high": 0.0684}, ".2g") == (
         "0.056 [0.045, 0.068]"
     )
-    assert print_formatted({"value": 1.8, "low": nan, "high": nan}, ".2f") == "1.80"
-    assert [print_number(length) for length in (99594.5, 0.1953)] == ["99600", "0.195"]
+    assert format_with_interval({"value": 1.8, "low": nan, "high": nan}, ".2f") == "1.80"
+    assert [format_number(length) for length in (99594.5, 0.1953)] == ["99600", "0.195"]
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ UNITS_OF_PAPER = {
 MAX_END_RATIO = 100
 
 
-def print_number(value: float, digits: int = 3) -> str:
+def format_number(value: float, digits: int = 3) -> str:
     """Return a number with this many significant digits, without exponent below a million."""
     return f"{float(f'{value:.{digits}g}'):g}"
 
@@ -34,7 +34,7 @@ def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:
     return f"{number} [{low}, {high}] {unit}".rstrip()
 
 
-def _print(
+def _format(
     value: float,
     units: Mapping[str, float],
     interval: tuple[float, float],
@@ -47,7 +47,7 @@ def _print(
     fitting = (name for name, size in units.items() if abs(value) >= threshold * size)
     name = next(fitting, list(units)[-1])
     number, low, high = (
-        print_number(amount / units[name], digits) for amount in (value, *interval)
+        format_number(amount / units[name], digits) for amount in (value, *interval)
     )
     if any(map(math.isnan, interval)):
         return f"{number} {name}".rstrip()
@@ -56,7 +56,7 @@ def _print(
     return _bracketed(number, low, high, name)
 
 
-def print_quantity(
+def format_quantity(
     value: float,
     unit: str,
     low: float = math.nan,
@@ -73,16 +73,16 @@ def print_quantity(
     finite = math.isfinite(low + high)
     boundless = finite and is_boundless(value, low, high, unit)
     interval = (low, high) if finite and not boundless else (math.nan, math.nan)
-    text = _print(value, PRINTED_UNITS[unit], interval, digits, open_end)
+    text = _format(value, PRINTED_UNITS[unit], interval, digits, open_end)
     return f"{text} [not bounded]" if boundless or (low, high) == (0, math.inf) else text
 
 
-def print_length(length: float) -> str:
+def format_length(length: float) -> str:
     """Return a length (nm) with its unit, for example "37 nm"."""
-    return print_quantity(length, "nm")
+    return format_quantity(length, "nm")
 
 
-def print_as_paper(
+def format_as_paper(
     value: float,
     unit: str,
     interval: tuple[float, float] = (math.nan, math.nan),
@@ -97,7 +97,7 @@ def print_as_paper(
     """
     if math.isnan(value):
         return ""
-    return _print(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end)
+    return _format(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end)
 
 
 def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
@@ -113,12 +113,12 @@ def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
     return far > MAX_END_RATIO * near
 
 
-def print_share(share: float, form: str = "g") -> str:
+def format_share(share: float, form: str = "g") -> str:
     """Return a share in percent: 0.95 is "95 %"."""
     return f"{100 * share:{form}} %"
 
 
-def print_formatted(ends: Mapping[str, float], form: str) -> str:
+def format_with_interval(ends: Mapping[str, float], form: str) -> str:
     """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if ends are NaN.
 
     A form such as ".2g" formats each number. There is no unit.
