@@ -23,7 +23,7 @@ def scales(ratios):
     surfaces = ["a", "b"][: len(ratios)]
     return xr.Dataset(
         {
-            "ratio": (("surface", "realization", "side", "cutoff_wavelength"), ratios),
+            "scale_ratio": (("surface", "realization", "side", "cutoff_wavelength"), ratios),
             "unfiltered_wavelength": (("surface", "side"), [[1.0, 20000.0]] * len(ratios)),
             "label": ("surface", [f"surface {name}" for name in surfaces]),
             "basis": ("surface", ["measured"] * len(surfaces)),

@@ -102,7 +102,7 @@ def filtered_window_forces(
 
     Returns
     -------
-    ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``ratio`` (realization,
+    ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``scale_ratio`` (realization,
     map_size, cutoff_wavelength), the force without wavelengths above the cutoff relative to the
     force with all, NaN at cutoffs above the period. Both are means over the windows of a surface.
     ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map sizes
@@ -125,7 +125,7 @@ def filtered_window_forces(
     return xr.Dataset(
         {
             "pull_off_force": (axes, means[..., 0], FORCE),
-            "ratio": ((*axes, "cutoff_wavelength"), means[..., 1:], ratio_attributes),
+            "scale_ratio": ((*axes, "cutoff_wavelength"), means[..., 1:], ratio_attributes),
             "period": ("map_size", periods, nm | {"long_name": "longest wave of the surface"}),
             "mirrored": (
                 "map_size",

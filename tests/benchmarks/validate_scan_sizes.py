@@ -299,8 +299,8 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     all_forces = stack(
         {(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"]
     )
-    ratio = all_forces["ratio"].mean("realization", keep_attrs=True)
-    interval = student_log_interval(all_forces["ratio"], CONFIDENCE, "realization")
+    ratio = all_forces["scale_ratio"].mean("realization", keep_attrs=True)
+    interval = student_log_interval(all_forces["scale_ratio"], CONFIDENCE, "realization")
     force = all_forces["pull_off_force"]
     relative_force, relative_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
     cells = windows["period"].broadcast_like(relative_force).transpose(*relative_force.dims)

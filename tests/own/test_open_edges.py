@@ -41,7 +41,9 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
 
 def test_the_interval_of_three_scans_comes_from_the_jackknife():
     master_forces = scales([[SMALL, LARGE]], spread=0.2)
-    ratio = master_forces.ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
+    ratio = (
+        master_forces.scale_ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
+    )
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
     band = band_edges(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
     interval = band.scale_ratio_interval.isel(surface=0).sel(side="small", cutoff_wavelength=100.0)

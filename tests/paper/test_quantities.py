@@ -344,7 +344,7 @@ def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
     dims = ("surface", "realization", "side", "cutoff_wavelength")
     scales = xr.Dataset(
         {
-            "ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
+            "scale_ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
             "unfiltered_wavelength": (("surface", "side"), np.tile([1.0, 2e4], (40, 1))),
         },
         {"surface": [f"s{number}" for number in range(40)], "side": ["small", "large"],

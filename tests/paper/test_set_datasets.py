@@ -81,8 +81,8 @@ def test_masters_are_drawn_again_for_every_set_and_surface():
     masters = make_masters()
     bands = [set_band(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
     ratio = np.array([band["scale_ratio"].values for band in bands])
-    mean = masters["ratio"].mean("realization").transpose("side", "surface", ...).values
-    deviation = masters["ratio"].std("realization").transpose("side", "surface", ...).values
+    mean = masters["scale_ratio"].mean("realization").transpose("side", "surface", ...).values
+    deviation = masters["scale_ratio"].std("realization").transpose("side", "surface", ...).values
     error = deviation / np.sqrt(5)
     np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.14)
     assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(300))[~np.isnan(mean)].all()

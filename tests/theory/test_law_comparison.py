@@ -111,7 +111,7 @@ def test_fit_finds_the_law_that_made_the_forces(number):
     assert fitted.range_of_law.item() == pytest.approx(rho)
     assert fitted.work_of_adhesion.item() == pytest.approx(0.03, rel=1e-3)
     assert fitted.fit_error.item() < 1e-3
-    np.testing.assert_allclose(fitted.ratio, laws.published_ratio, rtol=1e-3)
+    np.testing.assert_allclose(fitted.force_ratio, laws.published_ratio, rtol=1e-3)
     errors = laws.fit_error.sel(range_choice="fitted")
     ratio = errors / errors.sel(law="exponential")
     np.testing.assert_allclose(laws.error_over_exponential, ratio, rtol=1e-9)

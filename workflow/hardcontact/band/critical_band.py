@@ -68,9 +68,9 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     Parameters
     ----------
     scales : xarray.Dataset
-        ``ratio`` (surface, realization, side, cutoff_wavelength), the filtered force relative to
-        the unfiltered force, NaN at cutoffs of the other side; ``unfiltered_wavelength`` (surface,
-        side) in nm.
+        ``scale_ratio`` (surface, realization, side, cutoff_wavelength), the filtered force relative
+        to the unfiltered force, NaN at cutoffs of the other side; ``unfiltered_wavelength``
+        (surface, side) in nm.
     tolerance : float
         Relative change of the force that counts.
     sampling : Sampling
@@ -137,7 +137,7 @@ def sampled_band(
 
     Other forces on the same masters are sampled with the same random numbers.
     """
-    realizations = scales.ratio.transpose("realization", *AXES)
+    realizations = scales.scale_ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
     ratio_samples = np.stack(
         [
@@ -167,11 +167,14 @@ def sampled_band(
     edge_samples = np.where(never_leaves, last_cutoffs, edge_samples)
     return {
         "scale_ratio": SampledVariable(
-            AXES, ratio, ratio_samples, "1", "pull-off force relative to the unfiltered force"
+            AXES, ratio, ratio_samples, "1",
+            "mean pull-off force with roughness beyond the cutoff removed, relative to the force "
+            "with all roughness",
         ),
         "scale_change": SampledVariable(
             ("side", "group", "cutoff_wavelength"), change, change_samples,
-            "1", "magnitude of the relative change of the pull-off force",
+            "1",
+            "magnitude of the relative change of the force without roughness beyond the cutoff",
         ),
         "edge": SampledVariable(
             ("side", "group"), edges, edge_samples,

@@ -158,18 +158,20 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     -------
     xarray.Dataset
         The same variables over (surface, realization, side, ...), NaN at cutoffs of the other side.
-        ``ratio`` (surface, realization, side, cutoff_wavelength, ...) compares means over contacts;
-        ``unfiltered_wavelength`` (surface, side) is in nm.
+        ``scale_ratio`` (surface, realization, side, cutoff_wavelength, ...) compares means over
+        contacts; ``unfiltered_wavelength`` (surface, side) is in nm.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
     filtered = forces["pull_off_force"].mean(contacts)
     unfiltered = forces["unfiltered_pull_off_force"].mean(contacts)
     ratio = (filtered / unfiltered).assign_attrs(
-        units="1", long_name="mean pull-off force relative to the unfiltered force"
+        units="1",
+        long_name="mean pull-off force with roughness beyond the cutoff removed, relative to the "
+        "force with all roughness",
     )
     ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    scales = forces.assign(ratio=ratio, unfiltered_wavelength=ends)
+    scales = forces.assign(scale_ratio=ratio, unfiltered_wavelength=ends)
     scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
     return scales
 
@@ -188,11 +190,11 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     -------
     xarray.Dataset
         `scales` with ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the changes of the
-        logarithms of ``ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if there is no
-        varied master.
+        logarithms of ``scale_ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if there is
+        no varied master.
     """
     whole = "unfiltered_pull_off_force"
-    ratio = varied["ratio"] / scales["ratio"]
+    ratio = varied["scale_ratio"] / scales["scale_ratio"]
     mean = varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES)
     shifts = xr.Dataset(
         {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}

@@ -84,7 +84,7 @@ def force_curves(
     Returns
     -------
     dict of str to variable
-        ``mean_force`` in N and ``ratio``, both (surface, rho), with their intervals.
+        ``mean_force`` in N and ``force_ratio``, both (surface, rho), with their intervals.
     """
     dimensions = ("surface", "rho")
     ratio = means / means[reference_index]
@@ -94,7 +94,7 @@ def force_curves(
         **with_interval(
             "mean_force", dimensions, means, interval.values, {"units": "N"}, sampling.confidence
         ),
-        **sampling.with_interval("ratio", dimensions, ratio, ratio_samples, {"units": "1"}),
+        **sampling.with_interval("force_ratio", dimensions, ratio, ratio_samples, {"units": "1"}),
     }
 
 

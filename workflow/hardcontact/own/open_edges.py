@@ -74,7 +74,7 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     half = half_width_over_masters(
         masters, lambda filtered, unfiltered: filtered / unfiltered, "log_ratio_shift", confidence
     )
-    ratio = masters.forces.ratio.mean("realization").values
+    ratio = masters.forces.scale_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
     bounds = interval
     if not np.isnan(interval).all():

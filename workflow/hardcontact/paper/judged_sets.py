@@ -34,7 +34,7 @@ HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
 #: Variables of the inference of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
-    "minimum_error", "mean_force", "ratio",
+    "minimum_error", "mean_force", "force_ratio",
 ]  # fmt: skip
 #: Variables of the critical band of a set that sets.nc contains.
 SET_BAND_VARIABLES = ["scale_ratio", "scale_change", "edge"]
@@ -251,14 +251,16 @@ def set_band(
     """Return the critical band of masters of each substrate, drawn with replacement."""
     surface_ratios = []
     for surface in masters["surface"].values.tolist():
-        study_ratio = masters["ratio"].sel(surface=surface).dropna("realization", how="all")
+        study_ratio = masters["scale_ratio"].sel(surface=surface).dropna("realization", how="all")
         rng = generator(sampling.seed, surface, set_number, "set", "masters")
         drawn_masters = rng.choice(study_ratio.realization, realizations)
         ratio = study_ratio.sel(realization=drawn_masters)
         ratio = ratio.assign_coords(realization=range(realizations))
         surface_ratios.append(ratio.drop_vars("surface"))
     ratio = xr.concat(surface_ratios, masters["surface"])
-    return critical_band(masters.drop_dims("realization").assign(ratio=ratio), tolerance, sampling)
+    return critical_band(
+        masters.drop_dims("realization").assign(scale_ratio=ratio), tolerance, sampling
+    )
 
 
 def judge_sets(

@@ -98,7 +98,7 @@ def compare_laws(
     xarray.Dataset
         By law: ``best_error_by_range`` (target, rho) at the best work of adhesion. By law and range
         choice, with intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²), ``fit_error``,
-        ``ratio`` (surface) and ``edge`` (side, group; nm); ``strength_over_known`` from the
+        ``force_ratio`` (surface) and ``edge`` (side, group; nm); ``strength_over_known`` from the
         function of this name. By law: ``error_over_exponential``, the error of the best fit to the
         published forces relative to the best fit of Eq. 1, with an interval from common samples.
     """
@@ -225,7 +225,7 @@ def _fit_case(
         sampling.with_interval("range_of_law", (), value.length, samples.length, NM)
         | sampling.with_interval("work_of_adhesion", (), value.work, samples.work, ENERGY)
         | sampling.with_interval("fit_error", (), value.error, samples.error, ONE)
-        | sampling.with_interval("ratio", "surface", ratios[0], ratios[1], ONE)
+        | sampling.with_interval("force_ratio", "surface", ratios[0], ratios[1], ONE)
     )
 
 
@@ -249,6 +249,6 @@ def _band(
         return forces
 
     ratio = law_force("pull_off_force") / law_force("unfiltered_pull_off_force")
-    scales = masters[["unfiltered_wavelength"]].assign(ratio=ratio)
+    scales = masters[["unfiltered_wavelength"]].assign(scale_ratio=ratio)
     band = critical_band(scales, tolerance, sampling)
     return band[["edge", "edge_interval"]]

@@ -130,16 +130,16 @@ def _draw_ratios(
 
     The reference is the surface whose ratio is 1 everywhere.
     """
-    reference = abs(fit["ratio"] - 1).max("rho").idxmin("surface").item()
-    scans = tables.value_and_interval(fit, "ratio")
-    set_spread = tables.summarize_sets(set_fits["ratio"])
+    reference = abs(fit["force_ratio"] - 1).max("rho").idxmin("surface").item()
+    scans = tables.value_and_interval(fit, "force_ratio")
+    set_spread = tables.summarize_sets(set_fits["force_ratio"])
     rows = _draw_curves(axes, scans, set_spread, published / published[reference])
     best = tables.value_and_bounds(fit, "range_from_ratios")
     ranges = [best[name] for name in ("low", "value", "high")]
     axes.plot(ranges, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
     axes.set_ylabel(f"force relative to {fit['label'].sel(surface=reference).item()}")
     style.label_panel(axes, "b", "ratios of forces, for any $W$")
-    rows = rows.assign(panel="b", quantity="ratio", unit="1")
+    rows = rows.assign(panel="b", quantity="force_ratio", unit="1")
     best_rows = tables.quantity_rows("b", "range_from_ratios", "nm", over="scans", **best)
     return pd.concat([rows, best_rows])
 

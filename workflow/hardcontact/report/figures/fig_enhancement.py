@@ -58,7 +58,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
         edge_panel.set_xlabel("cutoff (nm)")
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
         columns = {"panel": letter, "contact_model": model, "rho": rho}
-        rows = tables.computed_rows(ratio, quantity="ratio", unit="1", **columns)
+        rows = tables.computed_rows(ratio, quantity="scale_ratio", unit="1", **columns)
         frames.append(rows.rename(columns={"surface": "group"}))
         frames.append(tables.computed_rows(edges, quantity="edge", unit="nm", **columns))
     grid[0, 0].set_ylabel("pull-off force / unfiltered")

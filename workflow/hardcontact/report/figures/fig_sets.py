@@ -142,6 +142,6 @@ def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
     style.label_logarithmic(axes.xaxis, axes.yaxis)
     end_cutoff = last_cutoff(side_sets["scale_ratio"], side_sets["side"].item())
     edges = tables.summarize_sets(side_sets["edge"].fillna(end_cutoff))
-    ratio_rows = tables.computed_rows(ratio, quantity="ratio", unit="1")
+    ratio_rows = tables.computed_rows(ratio, quantity="scale_ratio", unit="1")
     edge_rows = tables.computed_rows(edges, quantity="edge", unit="nm")
     return pd.concat([ratio_rows.rename(columns={"surface": "group"}), edge_rows])
