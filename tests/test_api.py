@@ -286,7 +286,11 @@ def test_faulty_arguments_are_refused_in_one_line(files):
         (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
         (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),
         (hc.read_scan, {"path": "scan.nc", "unit": None}, ["unit: expected a text, found None"]),
-        (hc.read_scan, {"path": "scan.nc", "edge": "5 um"}, ["edge: expected a positive number"]),
+        (
+            hc.read_scan,
+            {"path": "scan.nc", "map_size": "5 um"},
+            ["map_size: expected a positive number"],
+        ),
         (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
     ]
     for function, arguments, message_parts in cases:

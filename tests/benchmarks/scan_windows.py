@@ -86,7 +86,7 @@ class WindowFilters:
     cutoffs: list[float]  #: Ascending; wavelengths above are removed.
     seed: int
     #: At one range of adhesion, with the contacts on whole surfaces. Mirrored windows hold few
-    #: peaks, so that half as many contacts along an edge suffice there.
+    #: peaks, so that half as many contacts along a side suffice there.
     windows: Windows
 
 

@@ -50,7 +50,7 @@ BOUNDS = {
 LEVEL, RANGES = 3.3, (0.3, 40.0)
 #: Every how many surfaces are skewed, and how: exp(SKEWED z) of normal z has the skewness 0.61.
 EVERY, SKEWED = 5, 0.2
-#: Pixels and places along an edge; the cheapest that resolve the contact are taken.
+#: Pixels and places along a side; the cheapest that resolve the contact are taken.
 PIXELS, COUNTS = (512, 1024, 2048), (10, 8, 6, 5, 4)
 
 

@@ -130,7 +130,7 @@ def test_a_bare_matrix_is_read_with_the_given_size_and_unit(folder, run):
     np.savetxt(folder / "bare.csv", rough(), "%.6f", ",")
     done = run(NAME, "bare.csv", "--size", "2.5 um", "--unit", "mm,nm", "--work", "46.3J/m2")
     config, _ = accepted(folder, done)
-    assert config["scan"]["edge"] == 2500.0 and config["scan"]["unit"] == "mm,nm"
+    assert config["scan"]["map_size"] == 2500.0 and config["scan"]["unit"] == "mm,nm"
     assert "2.5 µm" in done.out and "- --work 46.3J/m2: is the unit right?" in done.out
 
 

@@ -350,7 +350,7 @@ def test_a_csv_of_heights_is_read_as_a_scan(tmp_path):
     scan_files.scan(tmp_path / "scan.nc", heights.T, (640.0, 640.0))
     np.savetxt(tmp_path / "scan.csv", heights, delimiter=",")
     spectra = [own_spectrum([tmp_path / "scan.nc"])]
-    spectra.append(own_spectrum([tmp_path / "scan.csv"], unit="nm", edge=640.0))
+    spectra.append(own_spectrum([tmp_path / "scan.csv"], unit="nm", map_size=640.0))
     assert spectra[1].spectrum.density == pytest.approx(spectra[0].spectrum.density)
 
 

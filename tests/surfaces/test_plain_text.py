@@ -56,20 +56,22 @@ def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     path = written(tmp_path / "a.csv", MATRICES[name])
     message = refusal(read_measurement, path)
     assert_says(message, "physical size and unit", "found none", "--size 5um", "--unit nm")
-    assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "--size 5um", "scan.edge")
-    measurement = read_measurement(path, unit="nm", edge=240.0)
+    assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "--size 5um", "scan.map_size")
+    measurement = read_measurement(path, unit="nm", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
-    coarse = read_measurement(path, unit="mm,nm", edge=480.0)  # the unit of positions is not used
+    coarse = read_measurement(
+        path, unit="mm,nm", map_size=480.0
+    )  # the unit of positions is not used
     assert coarse.pixel_size == pytest.approx(20.0)
     np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
 
 
 def test_the_given_size_is_the_longer_edge_of_files_without_a_size(tmp_path):
     path = written(tmp_path / "a.txt", matrix(" ")[:20])
-    assert read_measurement(path, unit="nm", edge=240.0).pixel_size == pytest.approx(10.0)
+    assert read_measurement(path, unit="nm", map_size=240.0).pixel_size == pytest.approx(10.0)
     path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
-    measurement = read_measurement(path, unit="nm", edge=999.0)
+    measurement = read_measurement(path, unit="nm", map_size=999.0)
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == ()
 
 

@@ -35,7 +35,7 @@ IN_PATHS = {
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
-    "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.edge": "5 um",
+    "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.map_size": "5 um",
     "scan.levelling": "lines", "reference_surface": "mcd", "indent.surface": "mcd",
     "robustness.heights.surface": "mcd", "robustness.heights.skewness": [0.5, 1.0],
     "scales.sphere_roughness": True,

@@ -60,7 +60,7 @@ def read_scan(
     *,
     undefined_pixels: str = "refuse",
     unit: str = NONE,
-    edge: float | str = NONE,
+    map_size: float | str = NONE,
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
@@ -75,8 +75,8 @@ def read_scan(
     undefined_pixels, levelling : str
         ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
         the scan lines first, or ``"quadratic"``, which also subtracts the bow of a scanner.
-    unit, edge : str, float or str
-        For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer edge in
+    unit, map_size : str, float or str
+        For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer side in
         nm.
     sphere_radius : float or None
         Radius in nm of a sphere on the scan, which is subtracted; None for a flat surface.
@@ -92,8 +92,10 @@ def read_scan(
     >>> size = scan.size  # nm
     """
     check_read_arguments([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
-    check_optional_lengths(edge=edge if edge != NONE else None, sphere_radius=sphere_radius)
-    measurement = read_measurement(path, dataset, undefined_pixels, unit, edge)
+    check_optional_lengths(
+        map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
+    )
+    measurement = read_measurement(path, dataset, undefined_pixels, unit, map_size)
     return _prepare(measurement, sphere_radius, levelling)
 
 
@@ -156,7 +158,7 @@ def read_spectrum(
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = NONE,
-    edge: float | str = NONE,
+    map_size: float | str = NONE,
     levelling: str = "plane",
     sphere_radius: float | None = None,
     extrapolated: bool = False,
@@ -173,7 +175,7 @@ def read_spectrum(
         Radius of the tip in nm for scans whose files do not state it.
     undefined_pixels, unit, levelling : str
         As for `read_scan`.
-    edge, sphere_radius : float or str, float or None
+    map_size, sphere_radius : float or str, float or None
         As for `read_scan`.
     extrapolated : bool
         Whether the spectrum of scans is extrapolated beyond their reliable wavelengths, like the
@@ -191,7 +193,9 @@ def read_spectrum(
     """
     check_read_arguments(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
     check_optional_lengths(
-        edge=edge if edge != NONE else None, tip_radius=tip_radius, sphere_radius=sphere_radius
+        map_size=map_size if map_size != NONE else None,
+        tip_radius=tip_radius,
+        sphere_radius=sphere_radius,
     )
     user_spectrum = own_spectrum(
         files,
@@ -199,7 +203,7 @@ def read_spectrum(
         tip_radius=tip_radius,
         undefined_pixels=undefined_pixels,
         unit=unit,
-        edge=edge,
+        map_size=map_size,
         levelling=levelling,
         sphere_radius=sphere_radius,
     )
@@ -234,7 +238,7 @@ def pull_off_forces(
         Ranges of adhesion in nm; work of adhesion in J/m².
     window, count : float, int
         Edge in nm of the square around each contact over which the force is summed; number of
-        contacts along an edge of the array.
+        contacts along a side of the array.
     sphere : HeightMap or None
         Levelled roughness of the sphere where it touches; None for a smooth sphere.
 

@@ -50,7 +50,7 @@ rule read_scan:
                 "dataset": SELECTION.dataset(w.surface, int(w.scan)),
                 "undefined_pixels": STUDY["scan"]["undefined_pixels"],
                 "unit": STUDY["scan"]["unit"],
-                "edge": STUDY["scan"]["edge"],
+                "map_size": STUDY["scan"]["map_size"],
             }
         ),
     script:

@@ -115,7 +115,7 @@ def _own_surface_checks(
     for path, dataset in zip(spectrum_scans.path, spectrum_scans.dataset, strict=True):
         yield partial(
             read_measurement,
-            path, dataset, scan["undefined_pixels"], unit=scan["unit"], edge=scan["edge"],
+            path, dataset, scan["undefined_pixels"], unit=scan["unit"], map_size=scan["map_size"],
         )  # fmt: skip
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
@@ -156,7 +156,7 @@ def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> 
     keys = config["scan"]
     for path, dataset in zip(rows.path, rows.dataset, strict=True):
         scan = read_scan(
-            path, dataset, keys["undefined_pixels"], unit=keys["unit"], edge=keys["edge"]
+            path, dataset, keys["undefined_pixels"], unit=keys["unit"], map_size=keys["map_size"]
         )
         relief = float(np.ptp(scan.heights))
         if relief == 0:

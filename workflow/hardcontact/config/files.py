@@ -264,7 +264,7 @@ class Files:
         return {**lengths, "loads": loads}
 
     def filters(self, purpose: str) -> dict[str, Any]:
-        """Return the settings of masters and filters on both sides, and contacts along an edge."""
+        """Return the settings of masters and filters on both sides, and contacts along a side."""
         configuration = self._configuration
         section, count = {
             "sets": ("sets", "sets.count"),

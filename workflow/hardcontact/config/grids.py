@@ -9,7 +9,7 @@ from hardcontact.config.faults import Limit
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
-#: Largest number of pixels along an edge of a map: arrays of more than 2 GiB are not validated.
+#: Largest number of pixels along a side of a map: arrays of more than 2 GiB are not validated.
 MAP_PIXELS = 16384
 #: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
 REALIZATION_OVER_SCAN = 4
@@ -30,9 +30,9 @@ BASE_MEGABYTES = 500
 
 
 class Grid(NamedTuple):
-    """The grid of all scans of a surface: pixels along an edge, and lengths in nm.
+    """The grid of all scans of a surface: pixels along a side, and lengths in nm.
 
-    These are the edge of a pixel and of the scan, and the relief, the largest difference in height.
+    These are the side of a pixel and of the scan, and the relief, the largest difference in height.
     """
 
     pixels: int
@@ -42,7 +42,7 @@ class Grid(NamedTuple):
 
 
 def realization_pixels(pixels: int) -> int:
-    """Return the pixels along an edge of the random surface from which a substitute is cut."""
+    """Return the pixels along a side of the random surface from which a substitute is cut."""
     return min(REALIZATION_OVER_SCAN * pixels, MAP_PIXELS)
 
 
@@ -56,7 +56,7 @@ def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]
     """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
 
     The range is in nm, rounded up to three digits, and comes with a reason in words. The radius of
-    the sphere and the edge of the window are in nm. The grid describes the surface before
+    the sphere and the side of the window are in nm. The grid describes the surface before
     stitching, which doubles its size to the period. The interaction radius sqrt(2 R rho) must span
     two pixels, and exponentials of height over range must not overflow. If the window contains a
     period of the surface, the highest pixel of the map is within half a period of every contact.
@@ -86,7 +86,7 @@ def memory_limit(key: str, pixels: int, available: int) -> Limit:
 def master_megabytes(pixels: int, minimum: int) -> int:
     """Return the memory (10^6 bytes) of a job that makes a master, or filters and presses it.
 
-    It depends on the pixels along an edge of the master; smaller masters take the minimum.
+    It depends on the pixels along a side of the master; smaller masters take the minimum.
     """
     return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 

@@ -33,7 +33,7 @@ LIST_LIMIT = 4
 VALUES_IN_WORDS = {
     "scans": "`all` or a list: 1 to 9999",
     "quick": "a mapping",
-    "scan.edge": "`none` or 0.01 to 1e+09 nm",
+    "scan.map_size": "`none` or 0.01 to 1e+09 nm",
 }
 
 

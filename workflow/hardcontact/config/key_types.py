@@ -114,7 +114,7 @@ Forces = Annotated[list[Force], Field(max_length=20), ASCENDING]
 SomeForces = Annotated[list[Force], Field(min_length=1, max_length=20), ASCENDING]
 Pressures = Annotated[list[Pressure], Field(max_length=20), ASCENDING]
 
-#: Contacts along an edge: 40 000 a pair of scans.
+#: Contacts along a side: 40 000 a pair of scans.
 Count = Annotated[int, Field(ge=1, le=200)]
 ContactCount = Annotated[int, Field(ge=1, le=40000)]
 Realizations = Annotated[int, Field(ge=1, le=1000)]

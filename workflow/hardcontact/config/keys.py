@@ -82,17 +82,17 @@ class ScanKeys(Keys):
     """
 
     pixels: ScanPixels = key(512, "Methods")
-    """Pixels along an edge of a substitute scan."""
+    """Pixels along a side of a substitute scan."""
     size: Length = key("2500 nm", "Methods")
-    """Edge of a substitute scan."""
+    """Side of a substitute scan."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """Measured scans with undefined pixels: `refuse` them, or fill the pixels with a `harmonic`
     function."""
     unit: Annotated[str, UNIT] = "none"
     """Unit of length of all measured scans whose files state none; two, such as `mm,nm`, for
     positions and for heights; `none`: such files are refused."""
-    edge: LengthOrNone = key("none")
-    """The longer edge of all measured scans whose files state no size; `none`: such files are
+    map_size: LengthOrNone = key("none")
+    """The longer side of all measured scans whose files state no size; `none`: such files are
     refused."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
     """For measured scans: subtract the mean `plane`, align the `lines` of the scan first, or
@@ -109,7 +109,7 @@ class ContactKeys(Keys):
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
     """Edge of the square around a contact over which the force is summed."""
     count: Count = key(20, "Intrinsic Work of Adhesion")
-    """Contacts along an edge of the array, over one period of the stitched scan."""
+    """Contacts along a side of the array, over one period of the stitched scan."""
 
 
 class AdhesionKeys(Keys):
@@ -143,7 +143,7 @@ class SmallScaleKeys(Keys):
     """Masters of small scales."""
 
     pixels: MasterPixels = key(8192, "Determining the Most Relevant Length-scales")
-    """Pixels along an edge of the small-scale master, which is two scans long: 0.610 nm per pixel
+    """Pixels along a side of the small-scale master, which is two scans long: 0.610 nm per pixel
     (0.625 nm in the paper)."""
     transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
@@ -157,9 +157,9 @@ class LargeScaleKeys(Keys):
     """Masters of large scales."""
 
     pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
-    """Pixels along an edge that forces are computed on at large scales."""
+    """Pixels along a side that forces are computed on at large scales."""
     tiles: TileCount = key(4, "Determining the Most Relevant Length-scales: 20 µm")
-    """Stitched scans along an edge of the large-scale master; 8 would give the printed 8192 pixels
+    """Stitched scans along a side of the large-scale master; 8 would give the printed 8192 pixels
     of 4.883 nm."""
     transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
@@ -224,7 +224,7 @@ class SetSmallScaleKeys(Keys):
     """Small-scale masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along an edge of the small-scale masters."""
+    """Pixels along a side of the small-scale masters."""
     cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
     """Short-wavelength cutoffs, ascending."""
 
@@ -233,7 +233,7 @@ class SetLargeScaleKeys(Keys):
     """Large-scale masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along an edge that forces are computed on at large scales."""
+    """Pixels along a side that forces are computed on at large scales."""
     cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
     """Long-wavelength cutoffs, ascending."""
 
@@ -257,7 +257,7 @@ class SetsKeys(Keys):
     """Number of draws of rare protrusions, on `robustness.heights.surface` or on the sphere. Every
     set is fitted with each draw. A quarter of the draws have no protrusions."""
     count: Count = 10
-    """Contacts along an edge of the array."""
+    """Contacts along a side of the array."""
     realizations: Realizations = 20
     """Masters of each substrate on each side, from which bands are drawn."""
     small: SetSmallScaleKeys = SetSmallScaleKeys()
@@ -295,7 +295,7 @@ class LawSmallScaleKeys(Keys):
     """Small-scale masters for other laws."""
 
     pixels: Pixels = 2048
-    """Pixels along an edge of the small-scale masters."""
+    """Pixels along a side of the small-scale masters."""
     cutoffs: Lengths = key(["25 nm", "43 nm", "75 nm", "200 nm"])
     """Short-wavelength cutoffs, ascending."""
 
@@ -304,9 +304,9 @@ class LawLargeScaleKeys(Keys):
     """Large-scale masters for other laws."""
 
     pixels: Pixels = 2048
-    """Pixels along an edge that forces are computed on at large scales."""
+    """Pixels along a side that forces are computed on at large scales."""
     tiles: TileCount = 2
-    """Stitched scans along an edge of the large-scale master."""
+    """Stitched scans along a side of the large-scale master."""
     cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"])
     """Long-wavelength cutoffs, ascending."""
 
@@ -322,9 +322,9 @@ class ScalingLargeScaleKeys(Keys):
     """Large-scale masters whose edges are scaled."""
 
     pixels: Pixels = 4096
-    """Pixels along an edge that forces are computed on at large scales."""
+    """Pixels along a side that forces are computed on at large scales."""
     tiles: TileCount = 4
-    """Stitched scans along an edge of the large-scale master."""
+    """Stitched scans along a side of the large-scale master."""
     cutoffs: Lengths = key(nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000))
     """Long-wavelength cutoffs, ascending."""
 
@@ -356,11 +356,11 @@ class InsightKeys(Keys):
     """Number of random surfaces of each size for the closed form, and of scans with masters for
     other laws, for each substrate. Also the number of surfaces in repeated contact."""
     count: Count = 8
-    """Contacts along an edge of the array."""
+    """Contacts along a side of the array."""
     ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
     """Ranges of adhesion, ascending; `scales.range` is always one of them."""
     pixels: Pixels = 1024
-    """Pixels along an edge of the random surfaces that are compared with the closed form."""
+    """Pixels along a side of the random surfaces that are compared with the closed form."""
     sizes: Lengths = key(["5000 nm", "20000 nm"])
     """Edges of these surfaces, ascending; repeated contact is on the largest."""
     window: Length = key("80 um")

@@ -48,7 +48,7 @@ class Use:
     """The contacts that a section of the configuration computes on scans or masters."""
 
     section: str
-    count_key: str  #: The key of the contacts along an edge of the array.
+    count_key: str  #: The key of the contacts along a side of the array.
     loads: dict[str, Contact]  #: By key: the contact with the largest load that the key gives.
     shortest_range: RangeUse
 
@@ -225,7 +225,7 @@ def _map_limit(surfaces_in_words: str, pixel_size: float, *grids: Grid) -> Limit
     """Return the limit of stitched maps on the pixels (nm) of the finest map."""
     pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
     accepted = (
-        f"at most {MAP_PIXELS} pixels along an edge of {surfaces_in_words} on common pixels of "
+        f"at most {MAP_PIXELS} pixels along a side of {surfaces_in_words} on common pixels of "
         f"{pixel_size:.4g} nm"
     )
     return Limit(pixels <= MAP_PIXELS, "surfaces and scan", accepted, pixels)

@@ -75,7 +75,7 @@ def own_spectrum(
     tip_radius: float | None = None,
     undefined_pixels: str = "harmonic",
     unit: str = "none",
-    edge: float | str = "none",
+    map_size: float | str = "none",
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> OwnSpectrum:
@@ -95,8 +95,8 @@ def own_spectrum(
         ``"refuse"``, or the interpolation that fills undefined pixels.
     unit : str
         The unit of length for files that do not state it, or ``"none"``.
-    edge : float or str
-        The longer edge in nm for files that do not state it, or ``"none"``.
+    map_size : float or str
+        The longer side in nm for files that do not state it, or ``"none"``.
     levelling : str
         One of LEVELLING.
     sphere_radius : float or None
@@ -124,7 +124,9 @@ def own_spectrum(
         return OwnSpectrum(spectrum, (note,) if zeros else (), None, 0.0)
     scans = [
         examine(
-            read_measurement(path, member, undefined_pixels, unit, edge), sphere_radius, levelling
+            read_measurement(path, member, undefined_pixels, unit, map_size),
+            sphere_radius,
+            levelling,
         )
         for path in files
         for member in ([dataset] if dataset else list_measurements(path))

@@ -11,7 +11,7 @@ from typing import Any
 from hardcontact.base.origin import canonical
 from hardcontact.config.configuration import get_key
 
-_READING = ("scan.undefined_pixels", "scan.unit", "scan.edge")
+_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size")
 _MEASURED = (*_READING, "scan.levelling", "scans")
 _SUBSTITUTES = ("seed", "scans", "scan.pixels", "scan.size")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.

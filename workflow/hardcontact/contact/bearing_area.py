@@ -16,7 +16,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
 
-#: Pixels along an edge of a tile, and tiles that are read at once.
+#: Pixels along a side of a tile, and tiles that are read at once.
 TILE = 64
 BATCH = 64
 

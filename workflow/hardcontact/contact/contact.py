@@ -24,7 +24,7 @@ class Contact:
     preload: float  #: Load in N.
     hardness: float  #: Hardness of the softer body in Pa.
     window: float = math.nan  #: Edge in nm of the square around each contact that attracts.
-    count: int = 1  #: Contacts along an edge of the array; there are count x count.
+    count: int = 1  #: Contacts along a side of the array; there are count x count.
     range: float = math.nan  #: Range of adhesion rho in nm.
     work: float = math.nan  #: Work of adhesion in J/m².
 

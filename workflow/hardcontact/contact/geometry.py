@@ -21,8 +21,8 @@ class ContactGeometry:
     """The smooth sphere, its analysis window and the array of contacts."""
 
     radius: float  #: Of the sphere, in nm.
-    pixel_size: float  #: Edge of a pixel in nm.
-    window: int  #: Pixels along an edge of the analysis window, even.
+    pixel_size: float  #: Side of a pixel in nm.
+    window: int  #: Pixels along a side of the analysis window, even.
     #: (contact,) pixels along either axis; the contacts are all pairs of them.
     positions: NDArray[np.int_]
 

@@ -21,23 +21,23 @@ from hardcontact.surfaces.height_map import HeightMap
 #: Pixels on either side of the deepest pixel in the height map of one contact.
 MAP_HALF_WIDTH = 32
 
-INDENT_UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indent_count": "1"}
+INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
 def indent_sizes(contact_pixels: LowestGaps, pixel_size: float) -> tuple[float, float, float, int]:
-    """Return depth, edge length, lateral size (nm) and number of the indents of one contact.
+    """Return depth, two sizes (nm) and number of the indents of one contact, as INDENT_UNITS.
 
-    The depth is the penetration of the deepest pixel. The edge length is the root of the area of
-    the largest indent, the lateral size the longer side of its bounding box.
+    The depth is the penetration of the deepest pixel. The sizes are the side of a square with the
+    area of the largest indent, and the longer side of its bounding box.
     """
-    gaps, offsets = contact_pixels
+    gaps, offsets = contact_pixels  # the last gap closes just at this load
     are_neighbours = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
     count, labels = connected_components(are_neighbours, directed=False)
     pixel_counts = np.bincount(labels)
     largest_indent = offsets[labels == pixel_counts.argmax()]
-    edge_length = np.sqrt(pixel_counts.max()) * pixel_size
-    lateral_size = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
-    return gaps[-1] - gaps[0], edge_length, lateral_size, count
+    equal_area_side = np.sqrt(pixel_counts.max()) * pixel_size
+    longer_side = (np.ptp(largest_indent, axis=0).max() + 1) * pixel_size
+    return gaps[-1] - gaps[0], equal_area_side, longer_side, count
 
 
 def flattening(contact_pixels: LowestGaps, half_width: int) -> NDArray[np.float64]:

@@ -27,7 +27,7 @@ from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
 Floats = NDArray[np.float64]
-#: Largest number of pixels along an edge of a large surface.
+#: Largest number of pixels along a side of a large surface.
 MAX_PIXELS = 4096
 
 
@@ -97,7 +97,7 @@ def large_surface(
     Returns
     -------
     HeightMap
-        Periodic, with at most MAX_PIXELS pixels along an edge.
+        Periodic, with at most MAX_PIXELS pixels along a side.
     """
     pixels = min(window_pixels(size, pixel_size), MAX_PIXELS)
     return random_surface(rng, pixels, pixel_size, spectrum)

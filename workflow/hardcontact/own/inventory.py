@@ -43,7 +43,7 @@ class Entry:
     channel: str
     file_unit: str
     kind: str
-    pixels: int  #: along an edge of a map, or points of a line scan
+    pixels: int  #: along a side of a map, or points of a line scan
     pixel_size: float
     rms_height: float  #: levelled, of the sphere without its paraboloid
     peak_to_valley: float  #: the same
@@ -88,7 +88,7 @@ def inventory(
     tip_radius: float | None,
     channel: str = "",
     unit: str = "none",
-    edge: float | str = "none",
+    map_size: float | str = "none",
     levelling: str = "plane",
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Read all topographies of files, and all members of containers.
@@ -103,8 +103,8 @@ def inventory(
         The channel of files that are not containers; empty for the file's own choice.
     unit : str
         The unit of length for files that do not state it, or ``"none"``.
-    edge : float or str
-        The longer edge in nm for files that do not state it, or ``"none"``.
+    map_size : float or str
+        The longer side in nm for files that do not state it, or ``"none"``.
     levelling : str
         One of LEVELLING.
 
@@ -124,7 +124,7 @@ def inventory(
             for dataset in list_measurements(source.file):
                 try:
                     measurement = read_measurement(
-                        source.file, dataset or channel, FILLING, unit, edge
+                        source.file, dataset or channel, FILLING, unit, map_size
                     )
                     file_entries.append(_entry(source, measurement, tip_radius, levelling))
                 except ValueError as error:

@@ -175,7 +175,9 @@ def _choices_without_scans(
     if arguments.unit != NONE:
         yield Choice("scan.unit", arguments.unit, "as given, for files that state none")
     if "size" in quantities:
-        yield Choice("scan.edge", quantities["size"].text, "as given, for files that state none")
+        yield Choice(
+            "scan.map_size", quantities["size"].text, "as given, for files that state none"
+        )
     if arguments.levelling != "plane":
         yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
     if arguments.forces is not None:

@@ -95,7 +95,7 @@ def fit_measured(
     forces : pandas.DataFrame
         Measured forces in N, from `config.tables.measured_forces`.
     sizes : mapping of str to float
-        Edge of the scans of each surface in nm.
+        Side of the scans of each surface in nm.
     sampling : Sampling
         Seed, number of samples and confidence.
 

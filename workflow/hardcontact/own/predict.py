@@ -95,7 +95,7 @@ def predict(arguments: Namespace) -> str:
         dataset=arguments.dataset,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,
-        edge=quantities["size"].number if "size" in quantities else NONE,
+        map_size=quantities["size"].number if "size" in quantities else NONE,
         levelling=arguments.levelling,
     )
     _, user_spectrum = refuse_all([partial(refuse_lines, faults), reader])

@@ -140,7 +140,7 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: fl
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
-    `size` is the edge of a scan and `radius` the radius of the sphere, in nm; `places` comes from
+    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `places` comes from
     `fewest_places`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
@@ -169,7 +169,7 @@ def predicted_force(
     work, rho : float
         Work of adhesion in J/m² and range of adhesion in nm.
     sizes : mapping of str to float
-        Edge of the scans of each surface in nm.
+        Side of the scans of each surface in nm.
     confidence : float
         The confidence of the intervals.
 

@@ -35,7 +35,7 @@ MIN_WINDOW_SHARE = 0.99
 RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
-#: Numbers of contacts along an edge of the array. Even ones fall evenly on the quarters of a scan.
+#: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
 CONTACT_COUNTS = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take.
 CONTACT_SECONDS = 2.0
@@ -51,11 +51,11 @@ MANY_UNDEFINED = 0.05
 class Effort(NamedTuple):
     """The size of a study, which decides its cost."""
 
-    pixels: int  #: along an edge of masters, if scans do not have more
+    pixels: int  #: along a side of masters, if scans do not have more
     cutoffs: int  #: on each side
     realizations: int  #: masters of each side
     slow_realizations: int  #: masters of each side if contacts take long
-    contacts: int  #: along an edge of the array
+    contacts: int  #: along a side of the array
     ranges: int  #: of adhesion
 
 
@@ -211,9 +211,10 @@ def _contact_cautions(
         low, high = finite_scan_ratio(size, draw_size)
         if high > 1:
             yield (
-                f"{surface}: the sphere finds its highest points within some "
-                f"{format_length(LARGE_ENOUGH * draw_size)}, the scans are {format_length(size)} "
-                f"wide: forces on such scans come out {low:g} to {high:g} times too high"
+                f"{surface}: the sphere finds its highest summits within some "
+                f"{format_length(draw_size)}. Scans of {LARGE_ENOUGH:g} times this size are large "
+                f"enough, these are {format_length(size)} wide: forces come out {low:g} to "
+                f"{high:g} times too high"
             )
 
 
@@ -238,7 +239,7 @@ def _choices(
     ranges = [_nm(rho) for rho in _ranges(contact.range, shortest_range, effort.ranges)]
     permitted = f"these scans permit {shortest_range:.3g} nm or more"
     yield Choice("contact.window", _nm(contact.window), reasons["contact.window"])
-    yield Choice("contact.count", count, "contacts along an edge of their array")
+    yield Choice("contact.count", count, "contacts along a side of their array")
     yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
     yield Choice("scales.range", _nm(contact.range), reasons["scales.range"])
     yield Choice("scales.realizations", realizations, "masters on each side")
@@ -259,7 +260,7 @@ def _master_choices(
     large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
     small_transition, large_transition, reason = _transitions(substrates)
     large_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
-    edge = f"mirrored scans along an edge, {format_length(2 * size * tiles)}"
+    edge = f"mirrored scans along a side, {format_length(2 * size * tiles)}"
     yield Choice("scales.small.pixels", small_pixels, f"{format_length(finest)} a pixel")
     yield Choice("scales.small.transition", _nm(small_transition), reason)
     yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
@@ -291,7 +292,7 @@ def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
 def _count(
     substrates: Sequence[Entry], contact: Contact, small_pixels: int, max_count: int
 ) -> tuple[int, bool]:
-    """Return the contacts along an edge that time and memory permit, and whether they take long.
+    """Return the contacts along a side that time and memory permit, and whether they take long.
 
     The pixels of all contacts stay in memory: on scans with their images, and on masters.
     """

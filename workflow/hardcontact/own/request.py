@@ -130,7 +130,7 @@ def add_shared_options(parser: ArgumentParser) -> None:
         "units, of positions and of heights, such as mm,nm",
     )  # fmt: skip
     parser.add_argument(
-        "--size", help="longer edge of the scan, for the files that do not state it"
+        "--size", help="longer side of the scan, for the files that do not state it"
     )
     parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",

@@ -93,7 +93,7 @@ class ScanParts:
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
     """Return the quarter of the scan that holds each contact of an array (count, count).
 
-    A map is a mirrored scan, repeated `tiles` times along an edge; `contact_positions` defines the
+    A map is a mirrored scan, repeated `tiles` times along a side; `contact_positions` defines the
     positions of the contacts. The quarter is 2 in the second half along y, plus 1 in the second
     half along x.
     """
@@ -118,7 +118,7 @@ def parts_of_scans(
     quarters : numpy.ndarray
         (contact_y, contact_x) The quarter of each contact, from `quarters_of_contacts`.
     size : float
-        Edge of a scan in nm.
+        Side of a scan in nm.
     weight_deviation : float
         sqrt(R rho) in nm, the deviation of the weight with which a contact feels the surface.
     places : float

@@ -13,11 +13,11 @@ from hardcontact.config.limits import penetration_depth
 from hardcontact.contact.contact import Contact
 from hardcontact.own.inventory import Entry
 
-#: Height of the sphere above its apex at the edge of the window, relative to the range of adhesion
-#: (14 in the paper) and to the rms height.
+#: Height of the sphere above its apex at the border of the window, relative to the range of
+#: adhesion (14 in the paper) and to the rms height.
 RANGES_IN_WINDOW = 14
 RMS_IN_WINDOW = 4
-#: Largest number of mirrored scans along an edge of the window: all have the same summits.
+#: Largest number of mirrored scans along a side of the window: all have the same summits.
 MAX_IMAGES = 10
 #: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
 LONGEST_RANGE = 40.0
@@ -36,7 +36,7 @@ def choose_window(
     """Return the probe with a window, and with a longer range of adhesion if the scans need it.
 
     `scans` includes the scans of the sphere, `substrates` does not; masters have at most
-    `max_pixels` along an edge. Also returns the shortest range (nm) that the scans permit, and the
+    `max_pixels` along a side. Also returns the shortest range (nm) that the scans permit, and the
     reasons for window and range by key. The limits of the study refuse a range that stays too
     short.
     """
@@ -54,7 +54,7 @@ def choose_window(
 
 
 def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:
-    """Return the edge of the window (nm) for a range of adhesion (nm), and the reason."""
+    """Return the side of the window (nm) for a range of adhesion (nm), and the reason."""
     rms_height = max(scan.rms_height for scan in scans)
     finest = min(scan.pixel_size for scan in scans)
     smallest = min(scan.size for scan in scans)
@@ -63,10 +63,10 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
     if RMS_IN_WINDOW * rms_height > height:
         height = RMS_IN_WINDOW * rms_height
         height_words = f"{RMS_IN_WINDOW} rms heights"
-    edge, reason = min(
+    window, reason = min(
         (
             2 * math.sqrt(2 * radius * height),
-            f"at its edge the sphere is {height_words} above its apex",
+            f"at its border the sphere is {height_words} above its apex",
         ),
         (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
         (
@@ -74,8 +74,8 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
             f"{MAX_IMAGES} mirrored scans, which all have the same summits",
         ),
     )
-    digit = 10.0 ** (math.floor(math.log10(edge)) - 2)
-    return float(f"{math.floor(edge / digit) * digit:.3g}"), reason
+    digit = 10.0 ** (math.floor(math.log10(window)) - 2)
+    return float(f"{math.floor(window / digit) * digit:.3g}"), reason
 
 
 def _shortest_range(
@@ -98,7 +98,7 @@ def _shortest_range(
 
 
 def count_tiles(substrates: Sequence[Entry], window: float, pixels: int) -> int:
-    """Return the number of stitched scans along an edge of large-scale masters.
+    """Return the number of stitched scans along a side of large-scale masters.
 
     The master is eight scans long, as in the paper, and longer than the window (nm), if its number
     of pixels suffices.

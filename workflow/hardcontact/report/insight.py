@@ -50,7 +50,7 @@ def insight_page(
     constants : pandas.DataFrame
         The table that `published.constants` returns.
     pixels : int
-        Pixels along an edge of the scans.
+        Pixels along a side of the scans.
     errors : mapping
         Errors of the closed form, from `prediction.validated_errors`.
 

@@ -137,7 +137,7 @@ def filtered_series(
     cutoffs : sequence of float or None
         In nm; None removes nothing.
     pixels : int
-        Pixels along an edge of the yielded surfaces.
+        Pixels along a side of the yielded surfaces.
 
     Yields
     ------

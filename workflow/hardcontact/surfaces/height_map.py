@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class HeightMap:
     """A surface on square pixels; heights grow out of the material.
 
-    Heights (y, x) and the edge of a pixel are in nm. A periodic map repeats beyond its edges.
+    Heights (y, x) and the side of a pixel are in nm. A periodic map repeats beyond its edges.
     The basis is ``"measured"`` or ``"substitute"``.
     """
 
@@ -39,7 +39,7 @@ class HeightMap:
 
     @property
     def pixels(self) -> int:
-        """Pixels along an edge of a square map."""
+        """Pixels along a side of a square map."""
         return int(self.heights.shape[0])
 
     @property

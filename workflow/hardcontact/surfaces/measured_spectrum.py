@@ -35,7 +35,7 @@ FLATTEST_PROFILE_SLOPE = -1.0
 
 
 def measured_size(measurement: Measurement) -> float:
-    """Return the length of a profile, or the shorter edge of a map, in nm."""
+    """Return the length of a profile, or the shorter side of a map, in nm."""
     return float(min(measurement.heights.shape) * measurement.pixel_size)
 
 

@@ -81,7 +81,7 @@ MAX_UNCURVED_SHARE = 0.9
 #: Least ratio of the power of polynomials of second order to that of third and fourth order. The
 #: largest in 8100 self-affine maps without a roll-off and curvature (H from 0.5 to 1) is 34.
 MIN_SECOND_ORDER_RATIO = 50.0
-#: Points along an edge to which polynomials are fitted.
+#: Points along a side to which polynomials are fitted.
 POLYNOMIAL_POINTS = 32
 #: A lay has at least this ratio of the variance of profiles along its wavevector to that across.
 #: Smaller shares of the variance of heights are drift and noise of lines. Of 5400 self-affine maps
@@ -110,7 +110,7 @@ def scan_defects(
     raw_heights, levelled_heights : array
         Heights in nm, of a map (y, x) or a line scan (n,), before and after levelling.
     pixel_size : float
-        Edge of a pixel, or spacing of a line scan, in nm.
+        Side of a pixel, or spacing of a line scan, in nm.
 
     Returns
     -------
@@ -218,7 +218,7 @@ def _lay_numbers(heights: Floats) -> list[float]:
     window = np.hanning(pixels + 1)[:-1]
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
     waves = np.fft.fftfreq(pixels, 1 / pixels)
-    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves along an edge
+    wavevector = waves + 1j * waves[:, None]  # x + iy, in waves along a side
     size = np.abs(wavevector)
     is_resolved = (MIN_WAVES <= size) & (size <= pixels / MIN_WAVELENGTH_PIXELS)
     # opposite wavevectors have the same square

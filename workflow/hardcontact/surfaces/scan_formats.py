@@ -49,7 +49,7 @@ MAX_SCANS = 1000
 DATA_FILES = ("original", "squeezed-netcdf")
 #: Metadata that hold for the measured file only: they are ignored for the processed file.
 ORIGINAL_KEYS = ("data_source", "height_scale")
-#: Stands for a unit or an edge that is not given, for files that state none.
+#: Stands for a unit or a size that is not given, for files that state none.
 NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 METADATA_KEYS = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
@@ -75,7 +75,7 @@ def list_datasets(content: bytes) -> dict[str, Any]:
 
 
 def read_measurement_fields(
-    content: bytes, dataset: str, undefined_pixels: str, unit: str, edge: float | str
+    content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str
 ) -> dict[str, Any]:
     """Return all fields of a `Measurement` except its path, for `scans.read_measurement`."""
     entries = _container_entries(content)
@@ -95,7 +95,7 @@ def read_measurement_fields(
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     notes = text_notes + notes
     topography, metadata_in_words = _read_topography(
-        channel, entry or _user_metadata(channel, unit, edge)
+        channel, entry or _user_metadata(channel, unit, map_size)
     )
     if topography.unit is None:
         raise RefusedFile(
@@ -281,10 +281,10 @@ def _unit_in_words(channel: Any) -> str:
     return str(unit or "of no stated unit")
 
 
-def _user_metadata(channel: Any, unit: str, edge: float | str) -> dict[str, Any]:
+def _user_metadata(channel: Any, unit: str, map_size: float | str) -> dict[str, Any]:
     """Return the user's metadata for a file that lacks them, in the form of a container.
 
-    `unit` may have two units, for positions and for heights; `edge` is the longer edge in nm.
+    `unit` may have two units, for positions and for heights; `map_size` is the longer side in nm.
     """
     metadata: dict[str, Any] = {}
     lateral, _, vertical = unit.partition(",")
@@ -293,8 +293,8 @@ def _user_metadata(channel: Any, unit: str, edge: float | str) -> dict[str, Any]
         if vertical:
             metadata["height_scale"] = unit_in_nm(vertical) / unit_in_nm(lateral)
     known_unit = metadata.get("unit", channel.unit)
-    if edge != NOT_GIVEN and channel.physical_sizes is None and known_unit:
-        pixel = float(edge) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
+    if map_size != NOT_GIVEN and channel.physical_sizes is None and known_unit:
+        pixel = float(map_size) / unit_in_nm(known_unit) / max(channel.nb_grid_pts)
         metadata["size"] = [pixel * count for count in channel.nb_grid_pts]
     return metadata
 
@@ -317,13 +317,13 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         raise RefusedFile(f"expected a positive height scale, found {scale}")
     if channel.physical_sizes is None and size is None and not has_positions:
         expected = "the physical size"
-        remedy = "gives the longer edge"
+        remedy = "gives the longer side"
         if channel.unit is None and "unit" not in metadata:
             expected += " and unit"
             remedy += ", and --unit nm the unit of the heights"
         raise RefusedFile(
             f"expected a file that states {expected} of the scan, found none: the file is damaged, "
-            f"or its format has none; --size 5um, or the key scan.edge, {remedy}"
+            f"or its format has none; --size 5um, or the key scan.map_size, {remedy}"
         )
     # Metadata that the file has already are left out: a second height scale would scale twice.
     arguments: dict[str, Any] = {}

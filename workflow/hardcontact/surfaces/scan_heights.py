@@ -15,7 +15,7 @@ from hardcontact.surfaces.limited_process import RefusedFile
 
 Floats = NDArray[np.float64]
 
-#: Pixels along an edge of a map: substitutes have no fewer, and masters at least twice as many.
+#: Pixels along a side of a map: substitutes have no fewer, and masters at least twice as many.
 PIXEL_BOUNDS = (16, 8192)
 #: Points of a line scan, as read and as resampled.
 POINT_BOUNDS = (16, 2**20)
@@ -51,7 +51,7 @@ def check_points(counts: tuple[int, ...]) -> None:
     is_map = len(counts) == 2
     minimum, maximum = PIXEL_BOUNDS if is_map else POINT_BOUNDS
     if not minimum <= min(counts) <= max(counts) <= maximum:
-        points_in_words = "pixels along an edge" if is_map else "points along a line scan"
+        points_in_words = "pixels along a side" if is_map else "points along a line scan"
         raise RefusedFile(
             f"expected {minimum} to {maximum} {points_in_words}, "
             f"found {' x '.join(map(str, counts))}"
@@ -102,10 +102,10 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     )
     columns, rows = heights.shape
     if rows != columns:
-        edge = min(rows, columns)
-        first_column, first_row = (columns - edge) // 2, (rows - edge) // 2
-        heights = heights[first_column : first_column + edge, first_row : first_row + edge]
-        notes.append(f"cropped from {columns} x {rows} to {edge} x {edge} pixels")
+        side = min(rows, columns)
+        first_column, first_row = (columns - side) // 2, (rows - side) // 2
+        heights = heights[first_column : first_column + side, first_row : first_row + side]
+        notes.append(f"cropped from {columns} x {rows} to {side} x {side} pixels")
     undefined, gaps = _undefined(heights, undefined_pixels)
     values = heights.data
     if undefined:
@@ -118,7 +118,7 @@ def _square_pixels(
     heights: np.ma.MaskedArray, edges: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
     """Return heights (x, y) on square pixels, interpolated from pixels of these edges (nm)."""
-    # On squares of the shorter edge waves would be missing along one axis.
+    # On squares of the shorter side waves would be missing along one axis.
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
         raise RefusedFile(f"expected pixels of positive edges, found edges of {edges} nm")

@@ -80,7 +80,7 @@ def read_measurement(
     dataset: str = "",
     undefined_pixels: str = "refuse",
     unit: str = "none",
-    edge: float | str = "none",
+    map_size: float | str = "none",
 ) -> Measurement:
     """Read a topography: a map cropped to its central square, or a line scan on uniform spacing.
 
@@ -96,8 +96,8 @@ def read_measurement(
     unit : str
         The unit of length of a file that states none, or ``"none"``; two, as ``"mm,nm"``, are of
         positions and of heights.
-    edge : float or str
-        The longer edge in nm of a map, or the length of a line scan, whose file states none, or
+    map_size : float or str
+        The longer side in nm of a map, or the length of a line scan, whose file states none, or
         ``"none"``.
 
     Returns
@@ -114,7 +114,7 @@ def read_measurement(
     from hardcontact.surfaces.scan_formats import read_measurement_fields
 
     fields = read_in_child(
-        read_measurement_fields, Path(path), dataset, undefined_pixels, unit, edge
+        read_measurement_fields, Path(path), dataset, undefined_pixels, unit, map_size
     )
     fields["notes"] = tuple(fields["notes"])
     return Measurement(path=str(path), **fields)
@@ -126,13 +126,13 @@ def read_scan(
     undefined_pixels: str = "refuse",
     basis: str = "measured",
     unit: str = "none",
-    edge: float | str = "none",
+    map_size: float | str = "none",
 ) -> HeightMap:
     """Read a height map with `read_measurement`.
 
     Raises ValueError if the file has a line scan.
     """
-    return height_map(read_measurement(path, dataset, undefined_pixels, unit, edge), basis)
+    return height_map(read_measurement(path, dataset, undefined_pixels, unit, map_size), basis)
 
 
 def list_measurements(path: str | Path) -> list[str]:

@@ -16,13 +16,13 @@ from hardcontact.surfaces.synthesis import random_surface
 class ScanGrid(NamedTuple):
     """The pixels and size of substitute scans."""
 
-    pixels: int  #: Pixels along an edge of a scan.
-    size: float  #: Edge of a scan in nm.
-    realization_pixels: int  #: Pixels along an edge of the random surfaces.
+    pixels: int  #: Pixels along a side of a scan.
+    size: float  #: Side of a scan in nm.
+    realization_pixels: int  #: Pixels along a side of the random surfaces.
 
     @property
     def pixel_size(self) -> float:
-        """Edge of a pixel in nm."""
+        """Side of a pixel in nm."""
         return self.size / self.pixels
 
 

@@ -56,11 +56,11 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     Parameters
     ----------
     pixels : int
-        Pixels along an edge of the periodic surface.
+        Pixels along a side of the periodic surface.
     pixel_size : float
-        Edge of a pixel in nm.
+        Side of a pixel in nm.
     window_pixels : int
-        Pixels along an edge of the scan.
+        Pixels along a side of the scan.
 
     Returns
     -------

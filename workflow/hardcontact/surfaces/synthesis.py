@@ -68,7 +68,7 @@ def large_scale_master(
 ) -> HeightMap:
     """Return a mirror-stitched scan with artificial roughness above the transition wavelength (nm).
 
-    The scan is repeated `tiles` times along each edge. A random surface, whose C_iso follows the
+    The scan is repeated `tiles` times along each side. A random surface, whose C_iso follows the
     density, replaces the wavelengths above the transition. Source: as for `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))

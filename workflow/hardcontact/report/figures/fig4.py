@@ -30,7 +30,7 @@ parameters.csv and pull_off.csv of resources/paper.
 """
 
 MEGAPASCAL = 1e6
-DRAWN_MAP_PIXELS = 640  # along an edge of the map of the pressure
+DRAWN_MAP_PIXELS = 640  # along a side of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 PUBLISHED_MEAN: style.Look = {"lw": 1.0, "ls": ":"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
@@ -99,7 +99,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     """Map the largest PRESSURE_DECADES of the adhesive pressure (MPa) around the apex.
 
-    The map has at most DRAWN_MAP_PIXELS along an edge, each with the largest pressure of the pixels
+    The map has at most DRAWN_MAP_PIXELS along a side, each with the largest pressure of the pixels
     that it covers. A finer map looks the same and takes gigabytes to draw.
     """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL

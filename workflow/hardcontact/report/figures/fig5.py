@@ -32,8 +32,8 @@ DEPTH_COLOURS = mpl.colormaps[
 ]  # preloads have its colours too, as black is for published values
 SIZES = {  # title, axis, published constant
     "depth": ("deepest point", "depth (nm)", "indent_depth"),
-    "edge_length": ("largest indent: √area", "edge length (nm)", "indent_edge_length"),
-    "lateral_size": ("largest indent: longer side", "lateral size (nm)", "indent_edge_length"),
+    "equal_area_side": ("largest indent: √area", "edge length (nm)", "indent_edge_length"),
+    "longer_side": ("largest indent: longer side", "lateral size (nm)", "indent_edge_length"),
 }
 PRELOAD = "preload_indentation"  # the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
