@@ -76,7 +76,7 @@ def topography(count=1, basis="measured"):
 MEASUREMENTS = {
     "fine.spm": ("map", 640, 10, 55, 320, "tip", 10),
     "coarse.spm": ("map", 10_000, 40, 160, 5000, "noise", np.nan),
-    "line.txt": ("profile", 50_000, 200, 800, 25_000, "pixels", np.nan),
+    "line.txt": ("line scan", 50_000, 200, 800, 25_000, "pixels", np.nan),
 }  # fmt: skip
 
 

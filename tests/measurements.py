@@ -12,7 +12,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
     """Return a map or a line scan, by the dimensions of its heights (nm)."""
-    kind = "map" if heights.ndim == 2 else "profile"
+    kind = "map" if heights.ndim == 2 else "line scan"
     return Measurement(path, "", "Height", "nm", kind, heights, pixel_size, tip_radius, (), 0)
 
 

@@ -76,7 +76,7 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
         # Scans without a reliable wavelength come last, and line scans make no contacts.
         ([entry(6000, band=BLIND), entry(2500)], 250e3, {2500: 1}),
         ([entry(6000, band=BLIND)], 250e3, {6000: 1}),
-        ([entry(1e5, 3000, kind="profile"), entry()], 250e3, {2500: 1}),
+        ([entry(1e5, 3000, kind="line scan"), entry()], 250e3, {2500: 1}),
         # Surfaces are compared on one grid where they have one in common.
         (
             [entry(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
@@ -230,7 +230,7 @@ def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings,
 @pytest.mark.parametrize(
     ("entries", "settings", "message_parts"),
     [
-        ([entry(1e5, 3000, kind="profile")], probe(), ["surface a: expected a height map"]),
+        ([entry(1e5, 3000, kind="line scan")], probe(), ["surface a: expected a height map"]),
         ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
         ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
     ],

@@ -51,7 +51,7 @@ def rms_height(spectrum):
     return all_scales_rms(spectrum)[0]
 
 
-@pytest.mark.parametrize("kind", ["map", "profile"])
+@pytest.mark.parametrize("kind", ["map", "line scan"])
 @pytest.mark.parametrize("order", [0.2, 0.5, 1.0, 2.0])
 def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
     rng, position = generator(1), (np.arange(48) + 0.5) / 48 - 0.5

@@ -39,7 +39,7 @@ def test_line_scans_have_the_spectrum_of_their_surface():
     )
 
 
-@pytest.mark.parametrize("kind", ["map", "profile"])
+@pytest.mark.parametrize("kind", ["map", "line scan"])
 def test_spectra_scatter_by_their_number_of_independent_waves(kind):
     draws = [
         map_of(generator(4, k), 64, 20.0) if kind == "map" else line_of(generator(5, k), 256, 20.0)

@@ -31,7 +31,7 @@ def test_the_real_container_is_read_whole():
     measurements = [
         read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)
     ]
-    assert [measurement.kind for measurement in measurements] == ["profile", "map", "profile"]
+    assert [measurement.kind for measurement in measurements] == ["line scan", "map", "line scan"]
     tem, afm, stylus = measurements
     assert [measurement.tip_radius for measurement in measurements] == [None, 26.0, 5000.0]
     assert [measurement.file_unit for measurement in measurements] == ["nm", "nm", "mm"]

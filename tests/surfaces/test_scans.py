@@ -146,7 +146,11 @@ def test_a_line_scan_is_read_and_its_gaps_are_filled_linearly(tmp_path, form):
     file = write_and_list(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
     assert_says(refusal(read_measurement, *file), "found 4", "undefined_pixels")
     measurement = read_measurement(*file, "harmonic")
-    assert (measurement.kind, measurement.file_unit, measurement.undefined) == ("profile", "nm", 4)
+    assert (measurement.kind, measurement.file_unit, measurement.undefined) == (
+        "line scan",
+        "nm",
+        4,
+    )
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, np.linspace(0, 8, 41), atol=1e-12)
     assert not any("resampled" in note for note in measurement.notes)
@@ -299,7 +303,7 @@ def test_a_stylus_file_states_its_radius(tmp_path):
     text = "Scan Parameters,\nStylus,Radius: 2.5 um\nScan Data,\n\nLateral um,Raw Micrometer,\n"
     (tmp_path / "a.csv").write_text(text + rows + "\n")
     measurement = read_measurement(tmp_path / "a.csv")
-    assert (measurement.kind, measurement.tip_radius) == ("profile", pytest.approx(2500.0))
+    assert (measurement.kind, measurement.tip_radius) == ("line scan", pytest.approx(2500.0))
     assert measurement.pixel_size == pytest.approx(100.0)
     np.testing.assert_allclose(measurement.heights, 10 * heights(40), atol=1e-3)
 

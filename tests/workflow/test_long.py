@@ -43,7 +43,10 @@ def test_real_scans_give_plausible_roughness_edges_and_forces(folder):
     surface = quantities(results)["both"]
     assert surface["scan_size"]["value"] == 10_000.0
     assert 14.2 < surface["scan_1_rms_height"]["value"] < 14.4
-    assert set(xr.load_dataset(results / "spectra.nc")["kind"].values.ravel()) == {"map", "profile"}
+    assert set(xr.load_dataset(results / "spectra.nc")["kind"].values.ravel()) == {
+        "map",
+        "line scan",
+    }
     mean = surface["force_mean"]
     assert mean["low"] < mean["value"] < mean["high"]
     assert 20 < surface["short_edge"]["value"] < 100

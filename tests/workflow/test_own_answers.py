@@ -88,7 +88,7 @@ def test_files_of_all_kinds_are_reported_and_used(own_study, several):
     assert overlay["scan"]["undefined_pixels"] == "harmonic"
     spectra = xr.load_dataset(several / "spectra.nc")
     film, twin = spectra["kind"].values[:2].tolist()
-    assert film == ["map", "profile"] and twin[0] == "map"
+    assert film == ["map", "line scan"] and twin[0] == "map"
     assert "4 undefined pixels" in spectra["notes"].values[1, 0]
     assert spectra["label"].values[0] == "My film"
 

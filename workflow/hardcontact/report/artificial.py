@@ -10,7 +10,7 @@ from hardcontact.report.datasets import Datasets
 
 #: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements
 #: than another, its datasets are padded.
-MEASUREMENT_KINDS = ("map", "profile", "description")
+MEASUREMENT_KINDS = ("map", "line scan", "description")
 #: Smallest share of a change that counts as the whole change.
 NEARLY_ALL = 0.9
 #: Lengths of each measurement, in nm.

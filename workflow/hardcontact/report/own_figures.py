@@ -32,7 +32,7 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
 }
 #: Looks of curves: the contact model of the answer first, then other models.
 MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
-KIND_COLOURS = {"map": "#332288", "profile": "#882255", "description": "#999933"}
+KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
 UNRELIABLE_LOOK: style.Look = {"color": "#999999"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_COLOUR = "0.3"

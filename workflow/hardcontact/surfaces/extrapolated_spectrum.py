@@ -151,7 +151,7 @@ def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
     mean_x, slope_x = _squared_projections(half * np.cos(angle))
-    if kind == "profile":
+    if kind == "line scan":
         return np.asarray((1 - mean_x - slope_x).mean(axis=1))
     mean_y, slope_y = _squared_projections(half * np.sin(angle))
     removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
@@ -229,7 +229,7 @@ class LongWaves:
         # is a gamma variable of relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π
         # along a line, and 1 for waves longer than the scan, which appear as a bow.
         waves = WAVEVECTORS * self.size / (2 * np.pi)
-        wave_count = np.maximum(waves if self.kind == "profile" else np.pi * waves**2, 1)
+        wave_count = np.maximum(waves if self.kind == "line scan" else np.pi * waves**2, 1)
         power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
         # Noise at wavelengths too short to be reliable adds to the heights of the surface.
         excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)

@@ -132,7 +132,7 @@ def read_measurement_fields(
         "dataset": dataset if entry or len(reader.channels) > 1 else "",
         "channel": channel.name,
         "file_unit": topography.unit,
-        "kind": "map" if is_map else "profile",
+        "kind": "map" if is_map else "line scan",
         "tip_radius": tip_radius,
         **values,
         "notes": [*notes, *values["notes"], *tip_notes],

@@ -21,7 +21,7 @@ class Measurement:
     dataset: str  #: The data file in a container, the channel of any other file, or empty.
     channel: str  #: Name of the channel that was read.
     file_unit: str  #: Unit of length that the file, or its container, states.
-    kind: str  #: ``"map"`` or ``"profile"``.
+    kind: str  #: ``"map"`` or ``"line scan"``.
     heights: np.ndarray  #: (y, x), or (n,) of a profile, in nm, on uniform spacing, without gaps.
     pixel_size: float  #: In nm; of a profile its spacing.
     tip_radius: float | None  #: In nm, if the file or its container states one.
