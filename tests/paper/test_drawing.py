@@ -13,7 +13,7 @@ from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.paper.judged_sets import draw_scans, scale_to_sampled_mean
-from hardcontact.surfaces.conditioning import group_heights
+from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import metrics, mirror_stitch
 
 POOL = range(1, 7)
@@ -21,11 +21,11 @@ POOL = range(1, 7)
 
 def test_drawn_heights_have_the_exact_mean_and_deviation():
     drawn_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
-    heights = group_heights(drawn_heights, 3.2, 1.6)
+    heights = scale_rms_heights(drawn_heights, 3.2, 1.6)
     assert heights.mean() == pytest.approx(3.2, rel=1e-12)
     assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
     np.testing.assert_array_equal(np.argsort(heights), np.argsort(drawn_heights))
-    np.testing.assert_array_equal(group_heights(drawn_heights[:1], 3.2, 1.6), [3.2])
+    np.testing.assert_array_equal(scale_rms_heights(drawn_heights[:1], 3.2, 1.6), [3.2])
 
 
 def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_drawn_heights():

@@ -62,7 +62,9 @@ def spectrum():
 
 def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
     """Metrics of every synthesized scan of a group: a column each metric."""
-    density = conditioning.multiply_amplitudes(spectrum_of_dataset(spectrum), group.gain.values)
+    density = conditioning.multiply_amplitudes(
+        spectrum_of_dataset(spectrum), group.amplitude_gain.values
+    )
     values = []
     for number in group.scan.values:
         rng = generator(seed, surface, number, "scan")
@@ -144,7 +146,7 @@ def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
         conditioning.scan_targets(spectrum, TABLE1.iloc[:0], CONSTANTS, DEFINITIONS, GRID) is None
     )
     group = conditioning.condition_group(spectrum, None, generators(1, 2), GRID)
-    assert (group.gain == 1).all() and (group.factor == 1).all()
+    assert (group.amplitude_gain == 1).all() and (group.factor == 1).all()
     np.testing.assert_array_equal(group.scan, [1, 2])
 
 

@@ -21,7 +21,7 @@ SETTINGS = dict(
     basis={"uncd": "measured", "ruby": "substitute"},
     sphere_surface="ruby",
     reference_surface="uncd",
-    table1={"slope": "gradient", "curvature": "half_laplacian"},
+    definitions={"slope": "gradient", "curvature": "half_laplacian"},
     confidence=0.9,
 )
 

@@ -26,7 +26,7 @@ rule calibrate_spectrum:
         canonical=lambda w: canonical(
             {
                 "surface": w.surface,
-                "table1": FILES.surface_variants[w.variant].table1,
+                "definitions": FILES.surface_variants[w.variant].table1_definitions,
             }
         ),
     script:
@@ -94,7 +94,7 @@ rule condition_scans:
                 "scans": SELECTION.scans_of_group(w.surface, int(w.group)),
                 "scan": SCAN_GRID,
                 "seed": STUDY["seed"],
-                "table1": FILES.surface_variants[w.variant].table1,
+                "definitions": FILES.surface_variants[w.variant].table1_definitions,
             }
         ),
     script:

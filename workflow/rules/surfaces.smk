@@ -23,7 +23,7 @@ def pool_parameters(wildcards):
         "last": int(wildcards.last),
         "scans": len(SELECTION.scans(wildcards.surface)),
         "scan": SCAN_GRID,
-        "table1": FILES.surface_variants[wildcards.variant].table1,
+        "definitions": FILES.surface_variants[wildcards.variant].table1_definitions,
         "rms_heights": STUDY["sets"]["rms_heights"],
         "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
         "ranges": RANGES,

@@ -21,7 +21,7 @@ rule aggregate_topography:
                 "conditioned": list(FILES.conditionings),
                 **NAMED_SURFACES,
                 "sphere_surface": SPHERE,
-                "table1": TABLE1_DEFINITIONS,
+                "definitions": TABLE1_DEFINITIONS,
                 "reference_surface": STUDY["reference_surface"],
                 "confidence": STUDY["inference"]["confidence"],
             }

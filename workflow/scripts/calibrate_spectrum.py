@@ -10,7 +10,9 @@ with job(snakemake) as job:
         substitute_spectrum(
             job.input.description,
             rows_of_surface(
-                published.table1(job.input.published_table1), surface, **job.parameters["table1"]
+                published.table1(job.input.published_table1),
+                surface,
+                **job.parameters["definitions"],
             ),
             published.constants(job.input.published_constants),
         ),

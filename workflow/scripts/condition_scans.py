@@ -1,4 +1,4 @@
-"""The gain of a substitute's spectrum, and the factor of each of its scans."""
+"""The gain of the amplitudes of a substitute's scans, and the factor of each scan."""
 
 from functools import partial
 
@@ -16,16 +16,18 @@ with job(snakemake) as job:
     grid = ScanGrid(**params["scan"])
     targets = scan_targets(
         spectrum_data,
-        rows_of_surface(published.table1(job.input.published_table1), surface, **params["table1"]),
+        rows_of_surface(
+            published.table1(job.input.published_table1), surface, **params["definitions"]
+        ),
         published.constants(job.input.published_constants),
-        params["table1"],
+        params["definitions"],
         grid,
     )
-    generator_makers = {
+    generator_functions = {
         number: partial(generator, params["seed"], surface, number, "scan")
         for number in params["scans"]
     }
     job.write(
-        condition_group(spectrum_data, targets, generator_makers, grid),
+        condition_group(spectrum_data, targets, generator_functions, grid),
         title=f"gain and factors of substitute scans of {surface}",
     )

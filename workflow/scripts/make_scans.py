@@ -13,7 +13,9 @@ with job(snakemake) as job:
     surface = params["surface"]
     scans = params["scans"]
     conditioning = dataset.read(job.input.conditioning)
-    density = multiply_amplitudes(read_spectrum(job.input.spectrum), conditioning["gain"].values)
+    density = multiply_amplitudes(
+        read_spectrum(job.input.spectrum), conditioning["amplitude_gain"].values
+    )
     for index, number in enumerate(scans):
         # Substitutes of all scans come first among the outputs, then levelled and stitched scans.
         levelled_output = index + len(scans)

@@ -34,7 +34,7 @@ class SurfaceVariant:
         return STUDY_VARIANT if self.curvature is None else self.name
 
     @property
-    def table1(self) -> dict[str, str]:
+    def table1_definitions(self) -> dict[str, str]:
         """The readings of slope and curvature in Table 1."""
         return TABLE1_DEFINITIONS | ({"curvature": self.curvature} if self.curvature else {})
 

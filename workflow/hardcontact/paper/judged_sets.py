@@ -18,7 +18,7 @@ from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.inference import Published, infer
 from hardcontact.paper.pool import height_weights
-from hardcontact.surfaces.conditioning import group_heights
+from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
@@ -138,7 +138,7 @@ def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dat
     deviation = pool.attrs["rms_height_deviation"]
     for _ in range(MAX_DRAWS):
         pool_scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
-        heights = group_heights(pool_scans["rms_height"].values, mean, deviation)
+        heights = scale_rms_heights(pool_scans["rms_height"].values, mean, deviation)
         if heights.min() >= lowest * (1 - 1e-9):
             return _scale_scans(pool_scans, heights)
     raise ValueError(

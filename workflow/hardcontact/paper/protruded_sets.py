@@ -20,7 +20,7 @@ from hardcontact.contact.pull_off import plastic_forces, range_axis
 from hardcontact.paper.inference import Published
 from hardcontact.paper.leave_one_out import fitted_pairs
 from hardcontact.paper.pool import PoolSettings, PoolSources
-from hardcontact.surfaces.conditioning import group_heights
+from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.protrusions import PublishedRoughness, add_protrusions, draw_protrusions
 from hardcontact.surfaces.substitute_scans import draw_scan
@@ -125,7 +125,7 @@ def _protruded_forces(
     ]
     unscaled = [level(draw_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
     rms_heights = np.array([scan.heights.std() for scan in unscaled])
-    target_heights = group_heights(rms_heights, targets.means["rms_height"], targets.deviation)
+    target_heights = scale_rms_heights(rms_heights, targets.means["rms_height"], targets.deviation)
     # With six scans or more a target may be below the smallest rms height of the pool.
     target_heights = np.maximum(target_heights, pool_rms_heights[0])
     forces = []

@@ -1,7 +1,7 @@
 """Substitute scans of one surface, conditioned together on Table 1.
 
-A smooth gain of the spectrum and one factor for each scan give a group of random scans exactly the
-published mean and standard deviation of rms heights, and mean slope and curvature.
+A smooth gain of the amplitudes and one factor for each scan give a group of random scans exactly
+the published mean and standard deviation of rms heights, and mean slope and curvature.
 """
 
 import math
@@ -25,8 +25,8 @@ from hardcontact.surfaces.spectrum import (
 from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
 from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
-#: Each metric of an isotropic surface relative to the moment (height, gradient, half-Laplacian)
-#: from which it follows.
+#: Ratio of each metric of an isotropic surface to its moment: rms height, gradient or
+#: half-Laplacian.
 METRIC_PER_MOMENT = {
     "rms_height": 1.0,
     "rms_gradient": 1.0,
@@ -35,7 +35,7 @@ METRIC_PER_MOMENT = {
     "rms_laplacian": 2.0,
 }
 #: Number of components of the gain. The amplitudes of the second and the third relative to the
-#: first are fitted; the common factor follows from the mean of the factors of the scans.
+#: first are fitted; the mean of the factors of the scans is moved into the gain.
 COMPONENT_COUNT = 3
 #: Largest amplitude of a component relative to that of the longest wavelengths, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
@@ -48,7 +48,7 @@ class Targets(NamedTuple):
 
     means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
     deviation: float  #: Standard deviation of the rms heights in nm (ddof 1).
-    rows: tuple[str, ...]  #: Rows of Table 1 that these targets meet.
+    rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
 
 
 def scan_targets(
@@ -60,10 +60,10 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on this study's pixels.
 
-    Scans with the paper's pixels and size get the attribute ``expected_scan_moments`` of the
-    spectrum. With other pixels, slope and curvature are those expected on these pixels. With
-    another size, rms height, slope and curvature are. The deviation relative to the rms height is
-    the published one.
+    On the paper's pixels and size the targets are the attribute ``expected_scan_moments`` of the
+    spectrum. On other pixels slope and curvature are computed from the spectrum for these pixels;
+    with another size, the rms height is, too. The deviation relative to the rms height is the
+    published one.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def scan_targets(
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
         moments = np.where(keeps_moment, moments, expected_moments(spectrum, weights))
     height = table1.loc["afm_rms_height"]
-    calibrated = rows_met(spectrum_data.attrs["table1_rows_met"])
+    calibrated_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
         {
@@ -106,45 +106,45 @@ def scan_targets(
         tuple(
             row
             for row, is_kept in zip(AFM_ROWS, keeps_moment, strict=True)
-            if is_kept and row in calibrated
+            if is_kept and row in calibrated_rows
         ),
     )
 
 
-def group_heights(rms_heights: Floats, mean: float, deviation: float) -> Floats:
-    """Return rms heights (scan,) in nm, shifted and stretched to a mean and a standard deviation.
+def scale_rms_heights(rms_heights: Floats, mean: float, deviation: float) -> Floats:
+    """Return rms heights (scan,) in nm, scaled and shifted to a mean and a standard deviation.
 
     The standard deviation has ddof 1. The heights keep their order and relative distances. A single
     scan gets the mean.
     """
-    deviations = rms_heights - rms_heights.mean()
+    differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
-        deviations *= deviation / deviations.std(ddof=1)
-    return np.asarray(mean + deviations)
+        differences *= deviation / differences.std(ddof=1)
+    return np.asarray(mean + differences)
 
 
 def component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
     The shares add up to one. Each component passes into the next as sin² of the logarithm of
-    wavelength: the first from the size of a scan to its geometric mean with two pixels, the second
-    from there to two pixels.
+    wavelength: the first into the second between the size L of a scan and sqrt(2 p L), the second
+    into the third between sqrt(2 p L) and 2 p, where p is the side of a pixel.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
-    position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
-    long_step = np.sin(np.pi / 2 * np.clip(2 * position, 0, 1)) ** 2
-    short_step = np.sin(np.pi / 2 * np.clip(2 * position - 1, 0, 1)) ** 2
+    log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
+    long_step = np.sin(np.pi / 2 * np.clip(2 * log_position, 0, 1)) ** 2
+    short_step = np.sin(np.pi / 2 * np.clip(2 * log_position - 1, 0, 1)) ** 2
     return np.array([1 - long_step, long_step - short_step, short_step])
 
 
-def multiply_amplitudes(density: SpectrumFunction, gain: Floats) -> SpectrumFunction:
-    """Return a spectrum whose amplitudes are multiplied by a gain.
+def multiply_amplitudes(density: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
+    """Return a spectrum whose amplitudes are multiplied by a gain, and C_iso by its square.
 
     Parameters
     ----------
     density : callable
         C_iso in nm⁴ of wavevectors in rad/nm.
-    gain : numpy.ndarray
+    amplitude_gain : numpy.ndarray
         Factors of amplitudes on WAVEVECTORS; between them they are interpolated.
 
     Returns
@@ -155,8 +155,8 @@ def multiply_amplitudes(density: SpectrumFunction, gain: Floats) -> SpectrumFunc
 
     def amplified_density(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
-            gains = np.interp(np.log(wavevector), np.log(WAVEVECTORS), gain)
-        return density(wavevector) * gains**2
+            factors = np.interp(np.log(wavevector), np.log(WAVEVECTORS), amplitude_gain)
+        return density(wavevector) * factors**2
 
     return amplified_density
 
@@ -192,16 +192,16 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
 
     means = np.array(list(targets.means.values()))
 
-    def relative_errors(logs: Floats) -> tuple[Floats, Floats]:
+    def relative_errors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
         """Return the errors (3,), and the factors (scan,) that give scans their rms heights."""
-        amplitudes = np.exp(np.append(0.0, logs))
+        amplitudes = np.exp(np.append(0.0, log_amplitudes))
         values = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
         rms_heights = values[:, 0]
-        factors = group_heights(rms_heights, means[0], targets.deviation) / rms_heights
+        factors = scale_rms_heights(rms_heights, means[0], targets.deviation) / rms_heights
         return (factors[:, None] * values).mean(axis=0) / means - 1, factors
 
-    def slope_and_curvature_errors(logs: Floats) -> Floats:
-        return relative_errors(logs)[0][1:]
+    def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
+        return relative_errors(log_amplitudes)[0][1:]
 
     fit = least_squares(
         slope_and_curvature_errors,
@@ -215,20 +215,20 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
     if factors.min() <= 0:
         raise ValueError(
             f"expected rms heights above zero of {len(matrices)} scans with the mean "
-            f"{means[0]:.3g} nm and the deviation {targets.deviation:.3g} nm, found one below: "
-            "fewer scans deviate less"
+            f"{means[0]:.3g} nm and the deviation {targets.deviation:.3g} nm, found one of zero or "
+            "below: use fewer scans of this surface, whose rms heights deviate less"
         )
-    mean = factors.mean()
-    return mean * np.exp(np.append(0.0, fit.x)), factors / mean, mean_errors
+    mean_factor = factors.mean()
+    return mean_factor * np.exp(np.append(0.0, fit.x)), factors / mean_factor, mean_errors
 
 
 def condition_group(
     spectrum_data: xr.Dataset,
     targets: Targets | None,
-    generator_makers: Mapping[int, Callable[[], np.random.Generator]],
+    generator_functions: Mapping[int, Callable[[], np.random.Generator]],
     grid: ScanGrid,
 ) -> xr.Dataset:
-    """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
+    """Return the `amplitude_gain` (wavevector) and the `factor` (scan) of heights of a group.
 
     Parameters
     ----------
@@ -236,7 +236,7 @@ def condition_group(
         The dataset that `substitute_spectrum` returns.
     targets : Targets or None
         The targets that `scan_targets` returns; with None, gain and factors equal 1.
-    generator_makers : mapping of int to callable
+    generator_functions : mapping of int to callable
         By number of the scan: a function that returns a new generator for this scan.
     grid : ScanGrid
         Pixels and size of the scans.
@@ -252,36 +252,42 @@ def condition_group(
     ValueError
         If an rms height would be negative.
     """
-    gain = np.ones_like(WAVEVECTORS)
-    factors = np.ones(len(generator_makers))
-    calibrated = rows_met(spectrum_data.attrs["table1_rows_met"])
+    amplitude_gain = np.ones_like(WAVEVECTORS)
+    factors = np.ones(len(generator_functions))
+    conditioned_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
         shares = component_shares(grid)
         spectrum = spectrum_of_dataset(spectrum_data)
         component_spectra = [multiply_amplitudes(spectrum, share) for share in shares]
         matrices = []
-        for make_generator in generator_makers.values():
+        for make_generator in generator_functions.values():
             components = [
                 level(draw_scan(make_generator(), component_spectrum, grid))
                 for component_spectrum in component_spectra
             ]
             matrices.append(metric_matrices(components, list(targets.means)))
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
-        gain = amplitudes @ shares
+        amplitude_gain = amplitudes @ shares
         met_rows = {
             row
             for row, error in zip(AFM_ROWS, mean_errors, strict=True)
             if row in targets.rows and abs(error) < TOLERANCE
         }
-        calibrated = [row for row in calibrated if row in met_rows or row not in AFM_ROWS]
+        conditioned_rows = [
+            row for row in conditioned_rows if row in met_rows or row not in AFM_ROWS
+        ]
     return xr.Dataset(
         {
-            "gain": ("wavevector", gain, {"units": "1", "long_name": "gain of amplitudes"}),
+            "amplitude_gain": (
+                "wavevector",
+                amplitude_gain,
+                {"units": "1", "long_name": "factor of the amplitudes"},
+            ),
             "factor": ("scan", factors, {"units": "1", "long_name": "factor of heights"}),
         },
         {
             "wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"}),
-            "scan": list(generator_makers),
+            "scan": list(generator_functions),
         },
-        {"basis": "substitute", "table1_rows_met": ",".join(calibrated)},
+        {"basis": "substitute", "table1_rows_met": ",".join(conditioned_rows)},
     )

@@ -83,7 +83,7 @@ def roughness_table(
     basis: Mapping[str, str],
     sphere_surface: str,
     reference_surface: str,
-    table1: Mapping[str, str],
+    definitions: Mapping[str, str],
     confidence: float,
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
@@ -106,7 +106,7 @@ def roughness_table(
         Surface of the sphere.
     reference_surface : str
         Surface to which others are compared.
-    table1 : mapping
+    definitions : mapping
         Meaning of slope and curvature in Table 1: arguments of `height_map.table1_variables`.
     confidence : float
         Probability of the intervals.
@@ -136,7 +136,7 @@ def roughness_table(
         sphere_surface=sphere_surface,
         reference_surface=reference_surface,
         confidence=confidence,
-        table1_variables=canonical(table1_variables(**table1)),
+        table1_variables=canonical(table1_variables(**definitions)),
     )
 
 
