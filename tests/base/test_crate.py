@@ -86,7 +86,7 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
     assert jobs == {f"draw_{name}" for name in FIGURES} | {
-        "describe_study",
+        "write_pages",
         "answer_paper",
         "answer_insight",
     }

@@ -130,7 +130,7 @@ def test_only_substitutes_have_pools_computed_in_chunks():
 
 
 @pytest.mark.parametrize(
-    ("bearer", "measured_surfaces", "surfaces"),
+    ("protruded_body", "measured_surfaces", "surfaces"),
     [
         ("polished_uncd", [], ["polished_uncd"]),
         ("polished_uncd", ["mcd", "ruby"], ["polished_uncd"]),
@@ -142,12 +142,14 @@ def test_only_substitutes_have_pools_computed_in_chunks():
     ],
 )
 def test_protrusions_change_the_coating_or_all_coatings_below_the_sphere(
-    bearer, measured_surfaces, surfaces
+    protruded_body, measured_surfaces, surfaces
 ):
     rows = files(measured_surfaces=measured_surfaces, sets__protrusion_draws=10).protruded_chunks(
-        bearer
+        protruded_body
     )
-    assert rows == [(name, bearer, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))]
+    assert rows == [
+        (name, protruded_body, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))
+    ]
 
 
 # Swept values

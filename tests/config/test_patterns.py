@@ -20,7 +20,7 @@ INTERMEDIATES = {
 CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"], ["study", "skewness+0.3"])
 VALUES = {
     "surface": ["uncd", "polished_uncd", "b.c"],
-    "bearer": ["uncd", "polished_uncd"],
+    "protruded_body": ["uncd", "polished_uncd"],
     "variant": ["study", "skewness+0.3"],
     "scan": ["1", "12"],
     "sphere_scan": ["3"],

@@ -13,9 +13,9 @@ from hardcontact.contact.pull_off import plastic_forces
 from hardcontact.paper import protruded_sets
 from hardcontact.paper.inference import Pair, Published
 from hardcontact.paper.protruded_sets import (
-    compute_protruded,
-    empty_protruded,
-    judge_protruded,
+    compute_protruded_forces,
+    empty_protruded_forces,
+    fit_protruded_sets,
 )
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.protrusions import Protrusions, PublishedRoughness, add_protrusions
@@ -27,28 +27,29 @@ PAIR = Pair(5.0, 0.05)
 ROUGHNESS = PublishedRoughness(10.0, 0.5, 0.7, 3.0)
 
 
-@pytest.mark.parametrize("bearer", ["uncd", "ruby"])
-def test_a_variant_does_not_depend_on_the_other_variants(bearer):
-    variants = compute_protruded([1, 2], 2, SOURCES, ROUGHNESS, bearer)
-    variant = compute_protruded([2], 2, SOURCES, ROUGHNESS, bearer)
+@pytest.mark.parametrize("protruded_body", ["uncd", "ruby"])
+def test_a_variant_does_not_depend_on_the_other_variants(protruded_body):
+    variants = compute_protruded_forces([1, 2], 2, SOURCES, ROUGHNESS, protruded_body)
+    variant = compute_protruded_forces([2], 2, SOURCES, ROUGHNESS, protruded_body)
     assert variants["pull_off_force"].sizes == {"draw": 2, "rho": 3, "contact": 2 * 2 * 2}
     xr.testing.assert_equal(variants.sel(draw=[2]), variant)
 
 
-@pytest.mark.parametrize("bearer", ["uncd", "ruby"])
-def test_protrusions_without_height_change_no_force(bearer, monkeypatch):
+@pytest.mark.parametrize("protruded_body", ["uncd", "ruby"])
+def test_protrusions_without_height_change_no_force(protruded_body, monkeypatch):
     flat_protrusions = Protrusions(density=50.0, height=0.0, width=50.0)
     monkeypatch.setattr(protruded_sets, "draw_protrusions", lambda *_: flat_protrusions)
-    variant = compute_protruded([1], 2, SOURCES, ROUGHNESS, bearer)
+    variant = compute_protruded_forces([1], 2, SOURCES, ROUGHNESS, protruded_body)
     np.testing.assert_allclose(variant["mean_force_ratio"], 1, rtol=1e-9)
 
 
 def test_protrusions_of_the_sphere_are_the_same_for_all_coatings_and_keep_their_height():
     ncd_sources = SOURCES._replace(settings=SOURCES.settings | {"surface": "ncd"})
     variants = [
-        compute_protruded([2], 1, sources, ROUGHNESS, "ruby") for sources in (SOURCES, ncd_sources)
+        compute_protruded_forces([2], 1, sources, ROUGHNESS, "ruby")
+        for sources in (SOURCES, ncd_sources)
     ]
-    for name in ("density", "height", "width"):
+    for name in protruded_sets.PROTRUSION_UNITS:
         assert variants[0][name].item() == variants[1][name].item()
     assert (variants[0]["pull_off_force"] != variants[1]["pull_off_force"]).any()
 
@@ -100,9 +101,9 @@ def test_the_fit_recovers_the_pair_of_the_measured_forces():
                 (mean_on_smooth_sphere[:, None] * [0.5, 1.5])[None],
             ),
             "mean_force_ratio": (("draw", "rho"), np.ones((1, RANGES.size))),
-            "density": ("draw", [1.0]),
-            "height": ("draw", [4.0]),
-            "width": ("draw", [50.0]),
+            "protrusion_density": ("draw", [1.0]),
+            "protrusion_height": ("draw", [4.0]),
+            "protrusion_width": ("draw", [50.0]),
         },
         {"draw": [7], "rho": RANGES},
         {"surface": "smooth"},
@@ -111,17 +112,19 @@ def test_the_fit_recovers_the_pair_of_the_measured_forces():
         surface="rough"
     )
     protruded = [smooth, halved]
-    fits = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR)).sel(draw=7)
+    fits = fit_protruded_sets(protruded, "smooth", sets, Published(forces, PAIR)).sel(draw=7)
     np.testing.assert_allclose(fits["range_of_adhesion"], PAIR[0], rtol=0.01)
     np.testing.assert_allclose(fits["work_of_adhesion"], PAIR[1], rtol=0.03)
-    np.testing.assert_allclose(fits["mean_force"], measured_forces["smooth"], rtol=0.03)
+    np.testing.assert_allclose(fits["mean_force_at_fit"], measured_forces["smooth"], rtol=0.03)
     assert fits["agrees"].values.tolist() == [1, 1]
     forces.loc["smooth", "median_force"] /= 3  # the median of two contacts is their mean
-    fits_of_skewed = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR))
+    fits_of_skewed = fit_protruded_sets(protruded, "smooth", sets, Published(forces, PAIR))
     assert fits_of_skewed["agrees"].values.tolist() == [[0, 0]]
-    assert fits["mean_at_published"].item() == pytest.approx(measured_forces["smooth"], rel=1e-3)
+    assert fits["mean_force_at_published"].item() == pytest.approx(
+        measured_forces["smooth"], rel=1e-3
+    )
     assert fits["log_force_std_at_published"].item() == pytest.approx(np.log(3) / 2)
-    fits_of_no_variant = judge_protruded(
-        [empty_protruded("smooth", RANGES)], "smooth", sets, Published(forces, PAIR)
+    fits_of_no_variant = fit_protruded_sets(
+        [empty_protruded_forces("smooth", RANGES)], "smooth", sets, Published(forces, PAIR)
     )
     assert fits_of_no_variant["agrees"].sizes == {"draw": 0, "set": 2}

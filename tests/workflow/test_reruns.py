@@ -185,7 +185,7 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
 # A key: the rules that it concerns, and all that is made from theirs
 
 #: Every value is in the configuration kept with the results and on pages.
-KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
+KEPT = {"keep_configuration", "write_pages", "answer_paper", "answer_insight"}
 
 
 def overlay(key, value):

@@ -3,7 +3,7 @@
 from hardcontact.config.configuration import CHAPTERS, PAGES
 
 
-rule describe_study:
+rule write_pages:
     """Write the pages of the report: verdicts, chapters, parameters."""
     input:
         **{chapter: f"workflow/report/{chapter}.md" for chapter in CHAPTERS},
@@ -12,7 +12,7 @@ rule describe_study:
         sets=PATTERNS.dataset("sets"),
         environment=PINS[0],
         templates=template_inputs("claims.html", "chapter.html", "parameters.html", "verdicts.html"),
-        code=code_inputs("describe_study.py"),
+        code=code_inputs("write_pages.py"),
     output:
         **{
             page: report(
@@ -23,10 +23,10 @@ rule describe_study:
             for page, (category, title) in PAGES.items()
         },
     log:
-        PATTERNS.log("describe_study"),
+        PATTERNS.log("write_pages"),
     benchmark:
-        PATTERNS.benchmark("describe_study")
+        PATTERNS.benchmark("write_pages")
     params:
         canonical=canonical(config),
     script:
-        "../scripts/describe_study.py"
+        "../scripts/write_pages.py"

@@ -41,7 +41,7 @@ rule compute_protruded:
                 **pool_parameters(w),
                 # Of the other coatings the ratio of mean forces on the same scans is enough.
                 **({} if w.surface == FILES.protruded_coating else {"scans": 2}),
-                "bearer": w.bearer,
+                "protruded_body": w.protruded_body,
                 "coating": FILES.protruded_coating,
             }
         ),

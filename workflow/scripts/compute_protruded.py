@@ -3,7 +3,7 @@
 from hardcontact.base import published
 from hardcontact.base.job import job
 from hardcontact.paper.pool import read_pool_sources
-from hardcontact.paper.protruded_sets import compute_protruded, published_roughness
+from hardcontact.paper.protruded_sets import compute_protruded_forces, published_roughness
 
 with job(snakemake) as job:
     params = job.parameters
@@ -16,6 +16,9 @@ with job(snakemake) as job:
     sources = read_pool_sources(job.input, params)
     numbers = range(params["first"], params["last"] + 1)
     job.write(
-        compute_protruded(numbers, params["scans"], sources, roughness, params["bearer"]),
-        title=f"pull-off forces on {params['surface']} with protrusions of {params['bearer']}",
+        compute_protruded_forces(
+            numbers, params["scans"], sources, roughness, params["protruded_body"]
+        ),
+        title=f"pull-off forces on {params['surface']} with protrusions of "
+        f"{params['protruded_body']}",
     )

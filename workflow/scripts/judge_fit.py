@@ -9,7 +9,7 @@ from hardcontact.base.job import job
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.inference import Pair, Published
 from hardcontact.paper.leave_one_out import leave_one_out_fits
-from hardcontact.paper.protruded_sets import empty_protruded, judge_protruded
+from hardcontact.paper.protruded_sets import empty_protruded_forces, fit_protruded_sets
 from hardcontact.paper.standoff import standoff
 
 with job(snakemake) as job:
@@ -30,14 +30,16 @@ with job(snakemake) as job:
     plastic_sets = sets.sel(contact_model=PLASTIC)
     pair = Pair(constants["range_of_adhesion"], constants["work_of_adhesion"])
     coating = job.parameters["surface"]
-    for output, bearer in (("protruded", "one coating"), ("protruded_sphere", "the sphere")):
+    for output, body in (("protruded", "one coating"), ("protruded_sphere", "the sphere")):
         chunks = [read(path) for path in job.input[output]]
         # Without substitutes there are no chunks.
-        chunks = chunks or [empty_protruded(coating, plastic_sets["rho"].values)]
-        protruded_fits = judge_protruded(chunks, coating, plastic_sets, Published(pull_off, pair))
+        chunks = chunks or [empty_protruded_forces(coating, plastic_sets["rho"].values)]
+        protruded_fits = fit_protruded_sets(
+            chunks, coating, plastic_sets, Published(pull_off, pair)
+        )
         job.write(
             protruded_fits.assign_attrs(job.parameters),
-            title=f"range and work of adhesion if {bearer} had protrusions",
+            title=f"range and work of adhesion if {body} had protrusions",
             output=output,
         )
 

@@ -32,7 +32,7 @@ VARIED = ("sets", "robustness")
 Scan = namedtuple("Scan", "surface scan")
 ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
-ProtrudedChunk = namedtuple("ProtrudedChunk", "surface bearer first last")
+ProtrudedChunk = namedtuple("ProtrudedChunk", "surface protruded_body first last")
 MeanForces = namedtuple("MeanForces", "surface variant probe radii loads ranges")
 FilteredMasters = namedtuple(
     "FilteredMasters", "purpose settings surface variant probe first last radii loads ranges"
@@ -229,19 +229,21 @@ class Files:
         pooled = self._selection.pooled
         return surface if surface in pooled or not pooled else pooled[0]
 
-    def protruded_chunks(self, bearer: str) -> list[ProtrudedChunk]:
-        """Return the variants of each job, first to last, of each surface that they change.
+    def protruded_chunks(self, protruded_body: str) -> list[ProtrudedChunk]:
+        """Return the draws of each job, first to last, of each surface that they change.
 
-        All substrates feel protrusions of the sphere. The list is empty unless bearer and surfaces
-        are substitutes, since protrusions cannot be added to measured surfaces.
+        All substrates feel protrusions of the sphere. The list is empty unless protruded body and
+        surfaces are substitutes, since protrusions cannot be added to measured surfaces.
         """
         selection = self._selection
-        surfaces = selection.substrates if bearer == selection.sphere else [bearer]
-        is_measured = selection.basis[bearer] == "measured"
+        surfaces = selection.substrates if protruded_body == selection.sphere else [protruded_body]
+        is_measured = selection.basis[protruded_body] == "measured"
         if is_measured or not set(surfaces) <= set(selection.pooled):
             return []
         chunks = _chunks(self._configuration["sets"]["protrusion_draws"], PROTRUDED_CHUNK)
-        return [ProtrudedChunk(name, bearer, *chunk) for name in surfaces for chunk in chunks]
+        return [
+            ProtrudedChunk(name, protruded_body, *chunk) for name in surfaces for chunk in chunks
+        ]
 
     # Masters
 

@@ -67,7 +67,9 @@ class Patterns:
 
         settings = "{radius}/{load}/{range}/{surface}/{variant}"
         self.pool = f"{folder['pool']}/{settings}/scans-{{first}}-{{last}}.nc"
-        self.protruded = f"{folder['protruded']}/{settings}/{{bearer}}/{{first}}-{{last}}.nc"
+        self.protruded = (
+            f"{folder['protruded']}/{settings}/{{protruded_body}}/{{first}}-{{last}}.nc"
+        )
         self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
         law_folder = f"{folder['laws']}/{sphere}/{settings}/scan-{{scan}}"
         self.law_scan = f"{law_folder}/scan.nc"
@@ -132,7 +134,7 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
     load = f"H{_NUMBER}GPa-F{_NUMBER}uN"
     rho = f"rho{_NUMBER}nm"
     return {
-        **dict.fromkeys(("surface", "bearer"), any_name_pattern(surfaces)),
+        **dict.fromkeys(("surface", "protruded_body"), any_name_pattern(surfaces)),
         "variant": any_name_pattern(variants),
         **dict.fromkeys(("group", "scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",

@@ -31,8 +31,12 @@ from hardcontact.surfaces.substitute_spectra import rows_of_surface
 MAX_FORCE_FACTOR = 2.0
 Floats = NDArray[np.float64]
 NEWTON = {"units": "N"}
-#: Units of the fields of `Protrusions`.
-PROTRUSION_UNITS = {"density": "um-2", "height": "1", "width": "nm"}
+#: Units of the fields of `Protrusions`, as variables of a dataset.
+PROTRUSION_UNITS = {
+    "protrusion_density": "um-2",
+    "protrusion_height": "1",
+    "protrusion_width": "nm",
+}
 
 
 def published_roughness(
@@ -58,19 +62,19 @@ def published_roughness(
     rows = rows_of_surface(table1, coating, **definitions)
     slope = float(rows["value"]["afm_rms_slope"])
     return PublishedRoughness(
-        float(rows["value"]["afm_rms_height"]),
-        slope,
-        slope + float(rows["uncertainty"]["afm_rms_slope"]),
-        float(constants["value"]["sphere_rms_height_upper_bound"]),
+        rms_height=float(rows["value"]["afm_rms_height"]),
+        rms_slope=slope,
+        max_rms_slope=slope + float(rows["uncertainty"]["afm_rms_slope"]),
+        max_sphere_rms_height=float(constants["value"]["sphere_rms_height_upper_bound"]),
     )
 
 
-def compute_protruded(
+def compute_protruded_forces(
     draw_numbers: Sequence[int],
     scan_count: int,
     sources: PoolSources,
     roughness: PublishedRoughness,
-    bearer: str,
+    protruded_body: str,
 ) -> xr.Dataset:
     """Compute the forces between sphere and coating if either of them has protrusions.
 
@@ -83,13 +87,13 @@ def compute_protruded(
     draw_numbers : sequence of int
         Numbers of the draws. Each draw has other protrusions.
     scan_count : int
-        Number of scans of the coating in each draw. Their rms heights get the mean and the
-        deviation of the targets.
+        Number of scans of the coating in each draw. Their rms heights are scaled to the
+        mean and the standard deviation of the targets.
     sources : PoolSources
         Spectrum and targets of the coating without protrusions.
     roughness : PublishedRoughness
         Published roughness, which limits protrusions.
-    bearer : str
+    protruded_body : str
         Name of the body with protrusions: the coating or the sphere. Protrusions of the sphere are
         the same for all coatings.
 
@@ -98,11 +102,11 @@ def compute_protruded(
     xarray.Dataset
         ``pull_off_force`` (draw, rho, contact) in N at 1 J/m², plastic, of a smooth sphere at
         all contacts on all scans; ``mean_force_ratio`` (draw, rho), the mean force relative to the
-        mean force without protrusions; ``density`` (1/µm²), ``height`` (rms heights) and ``width``
-        (nm) by draw.
+        mean force without protrusions; ``protrusion_density`` (1/µm²), ``protrusion_height`` (rms
+        heights) and ``protrusion_width`` (nm) by draw.
     """
     draws = [
-        _protruded_forces(number, scan_count, sources, roughness, bearer)
+        _protruded_forces(number, scan_count, sources, roughness, protruded_body)
         for number in progress(draw_numbers, len(draw_numbers), "protruded surfaces")
     ]
     axis = pd.Index(list(draw_numbers), name="draw")
@@ -110,17 +114,21 @@ def compute_protruded(
 
 
 def _protruded_forces(
-    number: int, scan_count: int, sources: PoolSources, roughness: PublishedRoughness, bearer: str
+    draw_number: int,
+    scan_count: int,
+    sources: PoolSources,
+    roughness: PublishedRoughness,
+    protruded_body: str,
 ) -> xr.Dataset:
     """Return forces and protrusions of one draw."""
     spectrum, targets, pool_rms_heights, settings = sources
     seed = settings["seed"]
     coating = settings["surface"]
-    sphere_is_bearer = bearer != coating
-    protrusion_rng = generator(seed, bearer, number, "protrusions")
-    protrusions = draw_protrusions(protrusion_rng, roughness, sphere_is_bearer)
+    sphere_is_protruded = protruded_body != coating
+    protrusion_rng = generator(seed, protruded_body, draw_number, "protrusions")
+    protrusions = draw_protrusions(protrusion_rng, roughness, sphere_is_protruded)
     scan_rngs = [
-        generator(seed, coating, number, scan_number, "protruded scan")
+        generator(seed, coating, draw_number, scan_number, "protruded scan")
         for scan_number in range(1, scan_count + 1)
     ]
     unscaled = [level(draw_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
@@ -132,20 +140,22 @@ def _protruded_forces(
     unprotruded_forces = []
     for rng, scan, rms_height in zip(scan_rngs, unscaled, target_heights, strict=True):
         scan = _scale_scan(scan, rms_height)
-        if sphere_is_bearer:
+        if sphere_is_protruded:
             protruded = add_protrusions(rng, scan, protrusions, roughness.rms_height)
         else:
             protruded = level(add_protrusions(rng, scan, protrusions, rms_height))
             protruded = _scale_scan(protruded, rms_height)
         forces.append(_plastic_forces(protruded, settings))
         unprotruded_forces.append(_plastic_forces(scan, settings))
-    change = np.mean(forces, axis=(0, 2)) / np.mean(unprotruded_forces, axis=(0, 2))
-    values = {name: ((), getattr(protrusions, name), {"units": unit})
-              for name, unit in PROTRUSION_UNITS.items()}  # fmt: skip
+    force_ratio = np.mean(forces, axis=(0, 2)) / np.mean(unprotruded_forces, axis=(0, 2))
+    values = {
+        name: ((), getattr(protrusions, name.removeprefix("protrusion_")), {"units": unit})
+        for name, unit in PROTRUSION_UNITS.items()
+    }
     return xr.Dataset(
         {
             "pull_off_force": (("rho", "contact"), np.concatenate(forces, axis=1), NEWTON),
-            "mean_force_ratio": ("rho", change, {"units": "1"}),
+            "mean_force_ratio": ("rho", force_ratio, {"units": "1"}),
             **values,
         },
         range_axis(settings["ranges"]),
@@ -161,22 +171,22 @@ def _plastic_forces(scan: HeightMap, settings: PoolSettings) -> Floats:
     """Return the plastic forces (rho, contact) of a smooth sphere on a scan, in N at 1 J/m²."""
     contact = settings["contact"]
     ranges = settings["ranges"]
-    pair = bodies(mirror_stitch(scan), None, contact)
-    return np.reshape(plastic_forces(pair, [contact], ranges)[0], (len(ranges), -1))
+    contact_bodies = bodies(mirror_stitch(scan), None, contact)
+    return np.reshape(plastic_forces(contact_bodies, [contact], ranges)[0], (len(ranges), -1))
 
 
-def judge_protruded(
-    chunks: Iterable[xr.Dataset], surface: str, sets: xr.Dataset, published: Published
+def fit_protruded_sets(
+    draw_datasets: Iterable[xr.Dataset], surface: str, sets: xr.Dataset, published: Published
 ) -> xr.Dataset:
     """Fit range and work of adhesion to every set, with the protrusions of every draw.
 
     The forces with protrusions replace the forces of the sets on this surface. The mean forces on
-    other surfaces are multiplied by the change that protrusions cause.
+    other surfaces are multiplied by the ratio of the forces with and without protrusions.
 
     Parameters
     ----------
-    chunks : iterable of xarray.Dataset
-        From `compute_protruded`: the same draws for each surface whose forces change.
+    draw_datasets : iterable of xarray.Dataset
+        From `compute_protruded_forces`: the same draws for each surface whose forces change.
     surface : str
         The surface whose forces are compared with published forces.
     sets : xarray.Dataset
@@ -188,24 +198,26 @@ def judge_protruded(
     Returns
     -------
     xarray.Dataset
-        The `fitted_pairs` by (draw, set). At the fitted pair ``mean_force`` and
-        ``median_force`` (draw, set) of the protruded surface in N; ``agrees`` (draw, set) is
+        The `fitted_pairs` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
+        ``median_force_at_fit`` (draw, set) of the protruded surface in N; ``agrees`` (draw, set) is
         1 if both are within the factor MAX_FORCE_FACTOR of the published forces. At the published
-        pair ``mean_at_published`` and ``median_at_published`` (draw) in N and
-        ``log_force_std_at_published`` (draw), the standard deviation of ln F. The fields of
-        `Protrusions` (draw).
+        pair ``mean_force_at_published`` and ``median_force_at_published`` (draw) in N and
+        ``log_force_std_at_published`` (draw), the standard deviation of ln F. The variables
+        of PROTRUSION_UNITS (draw).
     """
-    surface_chunks: dict[str, list[xr.Dataset]] = {}
-    for chunk in chunks:
-        surface_chunks.setdefault(chunk.attrs["surface"], []).append(chunk)
-    protruded = {name: xr.concat(chunk_list, "draw") for name, chunk_list in surface_chunks.items()}
-    factor = sets["sphere_factor"].sel(surface=surface, drop=True)
-    forces = protruded[surface]["pull_off_force"] * factor
+    draws_by_surface: dict[str, list[xr.Dataset]] = {}
+    for draws in draw_datasets:
+        draws_by_surface.setdefault(draws.attrs["surface"], []).append(draws)
+    protruded = {
+        name: xr.concat(surface_draws, "draw") for name, surface_draws in draws_by_surface.items()
+    }
+    sphere_factor = sets["sphere_factor"].sel(surface=surface, drop=True)
+    forces = protruded[surface]["pull_off_force"] * sphere_factor
     forces = forces.transpose("draw", "contact", "rho")
     ranges = forces["rho"].values
-    changes = [draws["mean_force_ratio"] for draws in protruded.values()]
-    change = xr.concat(changes, pd.Index(list(protruded), name="surface"))
-    curves = sets["mean_force"] * change.reindex(surface=sets["surface"], fill_value=1.0)
+    force_ratios = [draws["mean_force_ratio"] for draws in protruded.values()]
+    force_ratio = xr.concat(force_ratios, pd.Index(list(protruded), name="surface"))
+    curves = sets["mean_force"] * force_ratio.reindex(surface=sets["surface"], fill_value=1.0)
     curves = curves.where(sets["surface"] != surface, forces.mean("contact"))
     fits = fitted_pairs(curves.transpose("draw", "set", ...), published.forces["mean_force"])
     shape = tuple(fits.sizes.values())
@@ -225,11 +237,11 @@ def judge_protruded(
         interpolate_to_ranges(forces.values, ranges, np.array([rho]))[..., 0] * work
     )
     return fits.assign(
-        mean_force=(("draw", "set"), means, NEWTON),
-        median_force=(("draw", "set"), medians, NEWTON),
+        mean_force_at_fit=(("draw", "set"), means, NEWTON),
+        median_force_at_fit=(("draw", "set"), medians, NEWTON),
         agrees=(("draw", "set"), agrees.astype("int8")),
-        mean_at_published=("draw", published_pair_forces.mean(axis=1), NEWTON),
-        median_at_published=("draw", np.median(published_pair_forces, axis=1), NEWTON),
+        mean_force_at_published=("draw", published_pair_forces.mean(axis=1), NEWTON),
+        median_force_at_published=("draw", np.median(published_pair_forces, axis=1), NEWTON),
         log_force_std_at_published=(
             "draw",
             np.log(published_pair_forces).std(axis=1),
@@ -238,8 +250,8 @@ def judge_protruded(
     ).assign(protruded[surface][list(PROTRUSION_UNITS)])
 
 
-def empty_protruded(surface: str, ranges: np.ndarray) -> xr.Dataset:
-    """Return the dataset of `compute_protruded` without any draw.
+def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:
+    """Return the dataset of `compute_protruded_forces` without any draw.
 
     Parameters
     ----------
@@ -251,7 +263,7 @@ def empty_protruded(surface: str, ranges: np.ndarray) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        As from `compute_protruded`; the dimension draw has the length zero.
+        As from `compute_protruded_forces`; the dimension draw has the length zero.
     """
     forces = np.empty((0, len(ranges), 1))
     return xr.Dataset(

@@ -36,8 +36,8 @@ HEIGHT_COLOURS = "viridis"
 PANELS = {"coating": "b", "sphere": "c"}
 SYMBOLS = {"coating": "o", "sphere": "^"}
 COLUMNS = [
-    "panel", "bearer", "draw", "set", "origin", "quantity", "density", "height", "width",
-    "agrees", *tables.VALUE_COLUMNS,
+    "panel", "protruded_body", "draw", "set", "origin", "quantity", "protrusion_density",
+    "protrusion_height", "protrusion_width", "agrees", *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
 
@@ -47,24 +47,26 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) forces of each variant, (b, c) fits of all sets with each variant.
+    """Draw (a) forces of each draw of protrusions, (b, c) fits of all sets with each draw.
 
     The table has (a) mean and median force (N), and (b, c) range (nm) and work of adhesion (J/m2)
     of each set. `agrees` is 1 if its forces agree with the published forces, else 0.
     """
     published_forces = published_pull_off.loc[protruded.attrs["surface"]]
-    bearer = pd.Index(list(PANELS), name="bearer")
-    fits = xr.concat([protruded, protruded_sphere], bearer, join="outer", combine_attrs="override")
-    norm = Normalize(0, np.nanmax(fits["height"].values, initial=1.0))
+    protruded_body = pd.Index(list(PANELS), name="protruded_body")
+    fits = xr.concat(
+        [protruded, protruded_sphere], protruded_body, join="outer", combine_attrs="override"
+    )
+    norm = Normalize(0, np.nanmax(fits["protrusion_height"].values, initial=1.0))
     figure = drawing.create(3.2, protruded)
-    forces, *panels = figure.subplots(1, 3, width_ratios=(1, 1, 1.2))
-    _draw_forces(forces, fits, published_forces, norm)
-    for axes, (name, panel) in zip(panels, PANELS.items(), strict=True):
-        share = _draw_fits(axes, fits.sel(bearer=name), norm)
+    force_axes, *fit_axes = figure.subplots(1, 3, width_ratios=(1, 1, 1.2))
+    _draw_forces(force_axes, fits, published_forces, norm)
+    for axes, (name, letter) in zip(fit_axes, PANELS.items(), strict=True):
+        share = _draw_fits(axes, fits.sel(protruded_body=name), norm)
         style.draw_published_fit(axes, published_constants)
-        style.label_panel(axes, panel, f"on the {name}; {format_share(share, '.0f')} agree")
+        style.label_panel(axes, letter, f"on the {name}; {format_share(share, '.0f')} agree")
     colour_scale = ScalarMappable(norm, HEIGHT_COLOURS)
-    figure.colorbar(colour_scale, ax=panels[-1], label="height of protrusions / rms height")
+    figure.colorbar(colour_scale, ax=fit_axes[-1], label="height of protrusions / rms height")
     handles = [
         *(Line2D([], [], ls="none", marker=symbol, color="0.4", label=f"on the {name} (a)")
           for name, symbol in SYMBOLS.items()),
@@ -76,20 +78,24 @@ def draw(
     style.legend_above(figure, handles, max_columns=5)
     published_rows = [
         tables.quantity_rows(
-            "a", f"{name}_at_published", "N", "published", value=published_forces[f"{name}_force"]
+            "a",
+            f"{name}_force_at_published",
+            "N",
+            "published",
+            value=published_forces[f"{name}_force"],
         )
         for name in ("mean", "median")
     ]
-    protrusions = fits[["density", "height", "width"]]
+    protrusions = fits[["protrusion_density", "protrusion_height", "protrusion_width"]]
     frames = [
         tables.computed_rows(
             protrusions.assign(value=fits[name]), panel="a", quantity=name, unit="N"
         )
-        for name in ("mean_at_published", "median_at_published")
+        for name in ("mean_force_at_published", "median_force_at_published")
     ] + [
         tables.computed_rows(
             protrusions.assign(value=fits[name], agrees=fits["agrees"]), quantity=name, unit=unit
-        ).assign(panel=lambda rows: rows["bearer"].map(PANELS))
+        ).assign(panel=lambda rows: rows["protruded_body"].map(PANELS))
         for name, unit in (("range_of_adhesion", "nm"), ("work_of_adhesion", "J/m2"))
     ]
     return pd.concat([*frames, *published_rows], ignore_index=True).reindex(columns=COLUMNS), figure
@@ -102,10 +108,10 @@ def _draw_forces(
     published = [
         published_forces[name] / style.MICRONEWTON for name in ("mean_force", "median_force")
     ]
-    forces = fits[["mean_at_published", "median_at_published"]] / style.MICRONEWTON
+    forces = fits[["mean_force_at_published", "median_force_at_published"]] / style.MICRONEWTON
     for name, symbol in SYMBOLS.items():
-        mean, median = forces.sel(bearer=name).values()
-        colours = fits["height"].sel(bearer=name)
+        mean, median = forces.sel(protruded_body=name).values()
+        colours = fits["protrusion_height"].sel(protruded_body=name)
         axes.scatter(mean, median, c=colours, cmap=HEIGHT_COLOURS, norm=norm, s=14, marker=symbol)
     axes.plot(*published, "s", color="black", ms=5)
     largest = np.nanmax(forces.to_array().values, initial=max(published))
@@ -119,7 +125,7 @@ def _draw_forces(
 def _draw_fits(axes: Axes, fits: xr.Dataset, norm: Normalize) -> float:
     """Draw work (mJ/m²) against range of adhesion (nm); return the share of sets that agrees."""
     agrees = fits["agrees"].values == 1
-    heights = fits["height"].broadcast_like(fits["agrees"]).values
+    heights = fits["protrusion_height"].broadcast_like(fits["agrees"]).values
     ranges = fits["range_of_adhesion"].values
     works = fits["work_of_adhesion"].values / style.MILLIJOULE
     axes.plot(ranges[~agrees], works[~agrees], "o", mfc="none", mec="0.75", mew=0.4, ms=2.5)
