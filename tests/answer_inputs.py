@@ -264,7 +264,7 @@ def extrapolated_force(count=1):
         {"surface": SURFACES[:count], "side": SIDES},
     )
     return data.assign(
-        extrapolation_source=(axes, [["scans"] * 2] * count),
+        extrapolated_force_interval_source=(axes, [["scans"] * 2] * count),
         extrapolation_end=(axes, [[5.0, 2560.0]] * count),
         extrapolation_matters=(axes, [[0, 0]] * count),
         transition=("side", [20.0, 1000.0]),

@@ -21,7 +21,7 @@ from hardcontact.base import units
     ],
 )
 def test_a_quantity_becomes_a_number_in_its_unit(text, unit, value):
-    assert units.magnitude(text, unit) == value
+    assert units.parse_quantity(text, unit) == value
 
 
 @pytest.mark.parametrize(
@@ -33,7 +33,7 @@ def test_other_texts_than_lengths_are_refused_in_one_line(text):
     with pytest.raises(
         ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
     ) as refusal:
-        units.magnitude(text, "nm")
+        units.parse_quantity(text, "nm")
     assert "\n" not in str(refusal.value)
 
 

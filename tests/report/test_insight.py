@@ -56,7 +56,7 @@ def test_errors_of_the_law_come_from_held_out_gaussian_surfaces():
     names = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
     columns = {
         "held_out": [1, 1, 0, 1],
-        "skewed": [0, 0, 0, 1],
+        "skew_parameter": [0, 0, 0, 1],
         "level": [5.0] * 4,
         "weibull_modulus": [0.5, 2, 2, 2],
         "log_force_std": [1.1, 0.5, 9, 9],

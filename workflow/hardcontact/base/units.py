@@ -33,7 +33,7 @@ _QUANTITY = re.compile(
 _PRINTED = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
 
 
-def magnitude(text: object, unit: str) -> float:
+def parse_quantity(text: object, unit: str) -> float:
     """Return the number of a quantity such as ``"10 uN"`` in a unit of the study such as ``"N"``.
 
     It is rounded to twelve digits. Raises ValueError with one line if the quantity is no finite

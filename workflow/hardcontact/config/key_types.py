@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from pydantic import Field, GetCoreSchemaHandler, WrapValidator
 from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.base.units import magnitude
+from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import shorten
 
 
@@ -31,7 +31,7 @@ class Quantity:
 
     def number(self, text: object) -> float:
         """Return the number of a text. Raises ValueError if it is no quantity within the bounds."""
-        value = magnitude(text, self.unit)
+        value = parse_quantity(text, self.unit)
         if not self.low <= value <= self.high:
             raise ValueError(f"expected {self.expects}, found {shorten(text)}")
         return value

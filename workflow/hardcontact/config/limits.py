@@ -1,7 +1,7 @@
 """Limits of keys that follow from the pixels of scans.
 
-Each surface, pair of surfaces and master has a list of limits, met or not. The first limit of a
-list that does not hold is reported.
+Each surface, pair of surfaces and master has a list of limits. Of each list only the first limit
+that does not hold is reported.
 """
 
 import math
@@ -35,8 +35,8 @@ from hardcontact.surfaces.synthesis import SIDES
 MAX_INDENT_PIXELS = 2**12
 
 
-class RangeUse(NamedTuple):
-    """A range of adhesion that a section computes, with the sphere for which it is least safe."""
+class ShortestRange(NamedTuple):
+    """The shortest range of adhesion and the smallest sphere radius that a section computes."""
 
     key: str  #: The key that gives the range.
     rho: float  #: Shortest range of adhesion in nm.
@@ -44,71 +44,79 @@ class RangeUse(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Use:
+class ContactSection:
     """The contacts that a section of the configuration computes on scans or masters."""
 
-    section: str
+    name: str
     count_key: str  #: The key of the contacts along a side of the array.
-    loads: dict[str, Contact]  #: By key: the contact with the largest load that the key gives.
-    shortest_range: RangeUse
+    #: By key: the contact with the largest area that the key gives.
+    largest_contacts: dict[str, Contact]
+    shortest_range: ShortestRange
 
 
-def contact_uses(config: dict[str, Any]) -> list[Use]:
-    """Return the sections of a study that compute contacts: on scans (the first), on masters."""
+def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
+    """Return the sections that compute contacts: the first on scans, the others on masters."""
     contact = study_contact(config)
-    loads = {"contact.preload": contact}
-    range_use = RangeUse("scales.range", contact.range, contact.radius)
-    uses = [Use(section, "contact.count", loads, range_use) for section in ("contact", "scales")]
+    largest_contacts = {"contact.preload": contact}
+    shortest_range = ShortestRange("scales.range", contact.range, contact.radius)
+    sections = [
+        ContactSection(section, "contact.count", largest_contacts, shortest_range)
+        for section in ("contact", "scales")
+    ]
     if config["published"] != PAPER:
-        return uses
+        return sections
     indented = replace(contact, preload=config["indent"]["preloads"][-1])
     robustness = config["robustness"]
-    varied_loads = dict(loads)
+    varied_contacts = dict(largest_contacts)
     for preload in robustness["preloads"][-1:]:
-        varied_loads["robustness.preloads"] = replace(contact, preload=preload)
+        varied_contacts["robustness.preloads"] = replace(contact, preload=preload)
     for hardness in robustness["hardnesses"][:1]:
-        varied_loads["robustness.hardnesses"] = replace(contact, hardness=hardness)
+        varied_contacts["robustness.hardnesses"] = replace(contact, hardness=hardness)
     section = "insight.scaling"
     scaling = config["insight"]["scaling"]
     scaled = replace(contact, preload=scaling["preloads"][-1])
-    scaling_range = RangeUse(f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0])
+    scaling_range = ShortestRange(f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0])
     return [
-        replace(uses[0], loads=loads | {"indent.preloads": indented}),
-        uses[1],
-        Use("sets", "sets.count", varied_loads, range_use),
-        Use("insight", "insight.count", loads, range_use),
-        Use(section, "insight.count", {f"{section}.preloads": scaled}, scaling_range),
+        replace(sections[0], largest_contacts=largest_contacts | {"indent.preloads": indented}),
+        sections[1],
+        ContactSection("sets", "sets.count", varied_contacts, shortest_range),
+        ContactSection("insight", "insight.count", largest_contacts, shortest_range),
+        ContactSection(section, "insight.count", {f"{section}.preloads": scaled}, scaling_range),
     ]
 
 
 def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse values that the pixels of scans, a grid for each surface, do not permit.
+    """Refuse values that the pixels of scans do not permit; `grids` are by surface.
 
-    The configuration has quantities as numbers. Raises ValueError with a line for each fault, which
-    names the key.
+    Quantities in `config` are numbers in the units of the study. Raises ValueError with a line for
+    each fault, which names the key.
     """
     sphere_surface = config["sphere"]["surface"]
-    _, *master_uses = contact_uses(config)
+    _, *master_sections = contact_sections(config)
     limit_lists = [scan_limits(config, surface, grid) for surface, grid in grids.items()]
     for surface, grid in grids.items():
         if surface != sphere_surface:
             sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
             limit_lists.append(_pair_limits(config, surface, grid, sphere_grid))
             limit_lists += [
-                _master_limits(config, use, side, surface, grid, sphere_grid)
-                for use, side in product(master_uses, SIDES)
+                _master_limits(config, section, side, surface, grid, sphere_grid)
+                for section, side in product(master_sections, SIDES)
             ]
+    # Of each list only the first limit that does not hold is reported.
     first_messages = (islice(violation_messages(limits), 1) for limits in limit_lists)
     refuse_all(partial(refuse_lines, messages) for messages in first_messages)
 
 
 def window_images(window: float, size: float) -> float:
-    """Return the number of images of a stitched scan that a window holds (edges in nm)."""
+    """Return the number of images of a stitched scan that a window holds (sides in nm)."""
     return max(1.0, window / (2 * size)) ** 2
 
 
 def max_contact_pixels(window: float, grid: Grid) -> int:
-    """Return how many pixels may carry a load: a quarter of a stitched scan in a window (nm)."""
+    """Return the largest number of contact pixels.
+
+    It is a quarter of the pixels of the window (nm), or of the stitched scan if it is smaller.
+    """
     return min(window_pixels(window, grid.pixel_size), 2 * grid.pixels) ** 2 // 4
 
 
@@ -122,27 +130,27 @@ def penetration_depth(contact: Contact, relief: float) -> float:
 
 def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Yield the limits of the scans of a surface: loads, numbers of contacts, ranges."""
-    uses = contact_uses(config)
+    sections = contact_sections(config)
     window = config["contact"]["window"]
     radius = config["sphere"]["radius"]
     stitched_pixels = 2 * grid.pixels
     if surface == config["sphere"].get("surface"):
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         yield Limit(radius >= grid.size, "sphere.radius", accepted, f"{radius:.6g} nm")
-    available = max_contact_pixels(window, grid)
-    reason = f"which a quarter of the {4 * available} pixels of {surface} can carry"
-    for use in uses:
-        yield from _load_limits(use, available, grid.pixel_size, reason)
+    available_pixels = max_contact_pixels(window, grid)
+    reason = f"which a quarter of the {4 * available_pixels} pixels of {surface} can carry"
+    for section in sections:
+        yield from _load_limits(section, available_pixels, grid.pixel_size, reason)
     accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
-    for use in uses:
-        count = get_key(config, use.count_key)
-        yield Limit(count <= stitched_pixels, use.count_key, accepted, count)
+    for section in sections:
+        count = get_key(config, section.count_key)
+        yield Limit(count <= stitched_pixels, section.count_key, accepted, count)
     ranges = {"scales.range": config["scales"]["range"]}
     ranges["adhesion.ranges"] = config["adhesion"]["ranges"][0]
     if config["published"] == PAPER:
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
     for key, rho in ranges.items():
-        yield _range_limit(window, RangeUse(key, rho, radius), surface, grid)
+        yield _range_limit(window, ShortestRange(key, rho, radius), surface, grid)
 
 
 def _pair_limits(
@@ -157,11 +165,11 @@ def _pair_limits(
     yield Limit(pixels <= MAP_PIXELS, "contact.window", accepted, pixels)
     yield _map_limit(surfaces_in_words, pixel_size, grid, sphere_grid)
     images = window_images(window, grid.size)
-    for use in contact_uses(config):
-        if use.section in ("contact", "sets"):
-            yield from _contact_pixel_limits(config, use, surface, pixel_size, images)
-        if "indent.preloads" in use.loads and surface == config["indent"]["surface"]:
-            pixels = use.loads["indent.preloads"].pixels(pixel_size)
+    for section in contact_sections(config):
+        if section.name in ("contact", "sets"):
+            yield from _contact_pixel_limits(config, section, surface, pixel_size, images)
+        if "indent.preloads" in section.largest_contacts and surface == config["indent"]["surface"]:
+            pixels = section.largest_contacts["indent.preloads"].pixels(pixel_size)
             fits = 2 <= pixels <= MAX_INDENT_PIXELS
             accepted = (
                 f"2 to {MAX_INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
@@ -170,55 +178,62 @@ def _pair_limits(
 
 
 def _master_limits(
-    config: dict[str, Any], use: Use, side: str, surface: str, grid: Grid, sphere_grid: Grid
+    config: dict[str, Any],
+    section: ContactSection,
+    side: str,
+    surface: str,
+    grid: Grid,
+    sphere_grid: Grid,
 ) -> Iterator[Limit]:
     """Yield the limits of the masters of one side that are built on a surface."""
-    keys = master_keys(config, use.section, side)
+    keys = master_keys(config, section.name, side)
     values = {name: get_key(config, key) for name, key in keys.items()}
     pixels = values["pixels"]
     tiles = values.get("tiles", 1)
     size = 2 * grid.size * tiles
     min_pixels = 2 * grid.pixels * tiles
     master_pixel_size = size / pixels
-    # A grid describes a scan, half as large as its periodic map; the pixels of this one are unused.
+    # A grid has the size of a scan, half that of its periodic map. Its `pixels` are not used below.
     master_grid = grid._replace(size=size / 2)
     accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
     yield Limit(pixels >= min_pixels, keys["pixels"], accepted, pixels)
     yield memory_limit(keys["pixels"], pixels, machine_megabytes())
-    yield _range_limit(config["contact"]["window"], use.shortest_range, surface, master_grid)
-    if use.section in ("scales", "sets"):  # These sections compute at `scales.range` alone.
-        for key, contact in use.loads.items():
+    yield _range_limit(config["contact"]["window"], section.shortest_range, surface, master_grid)
+    if section.name in ("scales", "sets"):  # These sections compute at `scales.range` alone.
+        for key, contact in section.largest_contacts.items():
             depth = penetration_depth(contact, grid.relief)
-            allowed_rho = depth / PENETRATION_OVER_RANGE
+            min_rho = depth / PENETRATION_OVER_RANGE
             depth_reason = f"as {key} presses the bodies some {depth:.3g} nm into each other"
-            accepted = f"at least {allowed_rho:.3g} nm, {depth_reason}"
-            is_long = contact.range >= allowed_rho
-            yield Limit(is_long, use.shortest_range.key, accepted, f"{contact.range:.4g} nm")
+            accepted = f"at least {min_rho:.3g} nm, {depth_reason}"
+            is_long_enough = contact.range >= min_rho
+            yield Limit(
+                is_long_enough, section.shortest_range.key, accepted, f"{contact.range:.4g} nm"
+            )
     cutoff_pixel_size = master_pixel_size if side == "small" else grid.pixel_size
     for name, pixel_size in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
         # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
         wavelengths = np.atleast_1d(values[name])
         accepted = (
             f"wavelengths of more than two pixels ({2 * pixel_size:.4g} nm) and at most the "
-            f"{size:.6g} nm of a master of {use.section}.{side} on {surface}"
+            f"{size:.6g} nm of a master of {section.name}.{side} on {surface}"
         )
         for wavelength in wavelengths:
             fits = 2 * pixel_size * (1 + 1e-9) < wavelength <= size
             yield Limit(fits, keys[name], accepted, f"{wavelength:.4g} nm")
     pixel_size = master_pixel_size
-    if use.section == "sets" or config["scales"]["sphere_roughness"]:
+    if section.name == "sets" or config["scales"]["sphere_roughness"]:
         pixel_size = min(master_pixel_size, sphere_grid.pixel_size)
         surfaces_in_words = f"the {side}-scale masters of {surface} and the sphere"
         yield _map_limit(surfaces_in_words, pixel_size, master_grid, sphere_grid)
-    yield from _contact_pixel_limits(config, use, surface, pixel_size, 1)
+    yield from _contact_pixel_limits(config, section, surface, pixel_size, 1)
 
 
-def _range_limit(window: float, range_use: RangeUse, surface: str, grid: Grid) -> Limit:
+def _range_limit(window: float, shortest_range: ShortestRange, surface: str, grid: Grid) -> Limit:
     """Return the limit of a range of adhesion for the pixels and the relief of a surface."""
-    key, rho, radius = range_use
-    allowed_rho, reason = minimum_range(radius, window, grid)
-    accepted = f"at least {allowed_rho:g} nm on {surface}, where {reason}"
-    return Limit(rho >= allowed_rho, key, accepted, f"{rho:.4g} nm")
+    key, rho, radius = shortest_range
+    min_rho, reason = minimum_range(radius, window, grid)
+    accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
+    return Limit(rho >= min_rho, key, accepted, f"{rho:.4g} nm")
 
 
 def _map_limit(surfaces_in_words: str, pixel_size: float, *grids: Grid) -> Limit:
@@ -232,28 +247,30 @@ def _map_limit(surfaces_in_words: str, pixel_size: float, *grids: Grid) -> Limit
 
 
 def _contact_pixel_limits(
-    config: dict[str, Any], use: Use, surface: str, pixel_size: float, images: float
+    config: dict[str, Any], section: ContactSection, surface: str, pixel_size: float, images: float
 ) -> Iterator[Limit]:
     """Yield the limits of loads for the contact pixels that are in memory at once.
 
-    Each pixel (edge in nm) has `images` periodic images in the window.
+    Each pixel (side in nm) has `images` periodic images in the window.
     """
-    count = get_key(config, use.count_key)
+    count = get_key(config, section.count_key)
     window = config["contact"]["window"]
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{use.count_key} = {count} and contact.window = {window:.6g} nm"
+        f"{section.count_key} = {count} and contact.window = {window:.6g} nm"
     )
-    yield from _load_limits(use, int(CONTACT_PIXELS / count**2 / images), pixel_size, reason)
+    yield from _load_limits(section, int(CONTACT_PIXELS / count**2 / images), pixel_size, reason)
 
 
-def _load_limits(use: Use, available: int, pixel_size: float, reason: str) -> Iterator[Limit]:
-    """Yield the limit of every load to the contact pixels (edge in nm) that are available."""
-    for key, contact in use.loads.items():
-        largest = available * (pixel_size * 1e-9) ** 2 * contact.hardness
+def _load_limits(
+    section: ContactSection, available_pixels: int, pixel_size: float, reason: str
+) -> Iterator[Limit]:
+    """Yield the limit of each contact: as many contact pixels (side in nm) as are available."""
+    for key, contact in section.largest_contacts.items():
+        max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
         accepted = (
-            f"at most {format_quantity(largest, 'N')} of load at a hardness of "
+            f"at most {format_quantity(max_load, 'N')} of load at a hardness of "
             f"{contact.hardness / 1e9:.4g} GPa, {reason}"
         )
-        holds = contact.pixels(pixel_size) <= available
+        holds = contact.pixels(pixel_size) <= available_pixels
         yield Limit(holds, key, accepted, format_quantity(contact.preload, "N"))

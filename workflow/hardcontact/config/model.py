@@ -25,7 +25,7 @@ NONE = "none"
 #: Value of the key `sphere.surface` of a sphere without roughness.
 SMOOTH_SPHERE = "smooth"
 #: End of the names of study and store at quick effort.
-QUICK_NAME = "-quick"
+QUICK_SUFFIX = "-quick"
 
 
 class Study(StudyKeys):
@@ -38,16 +38,16 @@ class Study(StudyKeys):
 
     def _name_limits(self) -> Iterator[Limit]:
         """Yield the limits of the effort and of the folders."""
-        remedy = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-        has_quick_keys = self.effort != "quick" or bool(self.quick)
-        yield Limit(has_quick_keys, "effort", "full, as no keys stand under quick", remedy)
+        found = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+        lacks_quick_keys = self.effort == "quick" and not self.quick
+        yield Limit(not lacks_quick_keys, "effort", "full, as no keys stand under quick", found)
         repeated_names = sorted({"study", "store"} & self.quick.keys())
-        accepted = f"neither study nor store, whose names at quick effort end in {QUICK_NAME}"
+        accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
         yield Limit(not repeated_names, "quick", accepted, " and ".join(repeated_names))
         if self.quick and self.effort != "quick":
-            accepted = f"a name without the end {QUICK_NAME}, which marks effort: quick"
+            accepted = f"a name without the end {QUICK_SUFFIX}, which marks effort: quick"
             for key, name in (("study", self.study), ("store", self.store)):
-                yield Limit(not name.endswith(QUICK_NAME), key, accepted, name)
+                yield Limit(not name.endswith(QUICK_SUFFIX), key, accepted, name)
         folder = f"results/{self.study}"
         results = Path(os.path.realpath(folder))
         store = Path(os.path.realpath(self.store))
@@ -86,7 +86,7 @@ def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:
 
     Lengths are in nm, forces in N, pressures in Pa, energies per area in J/m². Missing keys have
     their defaults. Raises ValueError with a line, after the prefix, for each key that is unknown or
-    has a wrong type, unit or size.
+    has a wrong type or unit, or is out of bounds.
     """
-    # `scans` may be a word in place of a list.
+    # `scans` may be a word in place of a list, of which pydantic would warn.
     return validate(Study, config, f"{prefix}config key ").model_dump(warnings=False)

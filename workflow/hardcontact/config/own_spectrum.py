@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.units import magnitude
+from hardcontact.base.units import parse_quantity
 from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
 from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.height_map import metrics
@@ -247,6 +247,6 @@ def _nanometres(row: Row, name: str) -> float:
     unit = row[f"{name}_unit"]
     match = re.fullmatch(pattern, unit)
     try:
-        return magnitude(f"1 {match[1]}" if match else None, "nm")
+        return parse_quantity(f"1 {match[1]}" if match else None, "nm")
     except ValueError:
         raise ValueError(f"{name}_unit: expected {words}, found {quote_cell(unit)}") from None

@@ -9,7 +9,7 @@ import pandas as pd
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.base.units import magnitude
+from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import Keys
@@ -121,7 +121,7 @@ class Selection:
     def tip_radii(self, surface: str) -> list[float | None]:
         """Return the tip radius (nm) of all scans of a surface; None if the table has no radius."""
         texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
-        return [magnitude(text, "nm") if text else None for text in texts]
+        return [parse_quantity(text, "nm") if text else None for text in texts]
 
     def contact_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""

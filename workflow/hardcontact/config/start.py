@@ -24,7 +24,7 @@ from hardcontact.base.code import LIBRARY, write_pins
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.faults import refuse_all
-from hardcontact.config.model import QUICK_NAME, numeric_configuration
+from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 
@@ -97,15 +97,15 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
 def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     """Return the configuration; with `effort: quick` the keys under `quick` replace others.
 
-    Names of the study and of its store then end with QUICK_NAME: a quick study of an overlay never
-    replaces that of another one.
+    Names of the study and of its store then end with QUICK_SUFFIX: a quick study of an overlay
+    never replaces that of another one.
     """
     merged = deepcopy(dict(config))
     quick = merged.get("quick")
     if merged.get("effort") == "quick" and isinstance(quick, dict):
         update_config(merged, deepcopy(quick))
         for name in ("study", "store"):
-            merged[name] = str(merged[name]).removesuffix(QUICK_NAME) + QUICK_NAME
+            merged[name] = str(merged[name]).removesuffix(QUICK_SUFFIX) + QUICK_SUFFIX
     return merged
 
 

@@ -124,14 +124,14 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     counts = [1, contact.pixels(pixel_size)]
     contacts, forces = _forces(bodies, counts, ranges)
     gaps = _gaps(contacts)
-    approaches = np.stack([gaps[..., 0], gaps[..., -1]])
+    apex_depths = np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
-    beyond_planes = {"units": "nm", "long_name": "depth of the apex below the mean plane"}
+    depth_attributes = {"units": "nm", "long_name": "depth of the apex below the mean plane"}
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
-            "apex_depth": (model_axes, approaches, beyond_planes),
+            "apex_depth": (model_axes, apex_depths, depth_attributes),
             "contact_pixels": ("contact_model", counts, {"units": "1"}),
             "touched_places": ((), touched_places(bodies, contacts), {"units": "1"}),
         },

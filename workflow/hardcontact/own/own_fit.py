@@ -37,8 +37,8 @@ FINE_RANGES = 401
 
 NM = {"units": "nm"}
 NEWTON = {"units": "N"}
-ENERGY = {"units": "J m-2"}
-ONE = {"units": "1"}
+JOULE_PER_M2 = {"units": "J m-2"}
+DIMENSIONLESS = {"units": "1"}
 
 
 class MeasuredTests(NamedTuple):
@@ -46,7 +46,7 @@ class MeasuredTests(NamedTuple):
 
     mean: float  #: Mean force in N.
     shape: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
-    number: int  #: Number of tests.
+    test_count: int  #: Number of tests.
 
 
 def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
@@ -63,30 +63,32 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
     """Draw mean forces (samples,) in N of a log-normal distribution from a few tests.
 
-    The generalized pivot of the logarithm of the mean, mu + s²/2, is m - z s*/sqrt(n) + s*²/2 with
-    s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and m and s are mean and deviation of the
-    logarithms of n tests. The deviation of the pivot from m + s²/2 is added to the logarithm of the
-    measured mean. NaN for a single test, whose scatter is unknown. Source: Krishnamoorthy and
-    Mathew, J. Stat. Plan. Inference 115 (2003) 103.
+    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is m - z s*/sqrt(n) + s*²/2
+    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and m and s are mean and standard deviation
+    of the logarithms of n tests, mu and sigma their true values. The deviation of the pivot from
+    m + s²/2 is added to the logarithm of the measured mean. NaN for a single test, whose scatter is
+    unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
     """
-    if tests.number < 2:
+    if tests.test_count < 2:
         return np.full(samples, np.nan)
-    freedom = tests.number - 1
+    freedom = tests.test_count - 1
     variance = tests.shape**2
     variance_drawn = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
-    deviation = (variance_drawn - variance) / 2 - normal * np.sqrt(variance_drawn / tests.number)
+    deviation = (variance_drawn - variance) / 2 - normal * np.sqrt(
+        variance_drawn / tests.test_count
+    )
     return np.asarray(
         tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
     )
 
 
 def fit_measured(
-    adhesion: xr.Dataset, forces: pd.DataFrame, sizes: Mapping[str, float], sampling: Sampling
+    adhesion: xr.Dataset, forces: pd.DataFrame, scan_sizes: Mapping[str, float], sampling: Sampling
 ) -> xr.Dataset:
     """Fit range and work of adhesion to measured forces, with the roughness of the scans.
 
-    Means of tests and of scans are sampled.
+    Intervals come from random samples of the mean of the tests and of the mean over scans.
 
     Parameters
     ----------
@@ -94,7 +96,7 @@ def fit_measured(
         Computed forces at 1 J/m², as in adhesion.nc.
     forces : pandas.DataFrame
         Measured forces in N, from `config.tables.measured_forces`.
-    sizes : mapping of str to float
+    scan_sizes : mapping of str to float
         Side of the scans of each surface in nm.
     sampling : Sampling
         Seed, number of samples and confidence.
@@ -126,7 +128,7 @@ def fit_measured(
     for model in adhesion.contact_model.values.tolist():
         model_forces = adhesion.pull_off_force.sel(contact_model=model)
         scans = [
-            forces_of_scans(model_forces.sel(surface=name), sizes[name], radius, places[name])
+            forces_of_scans(model_forces.sel(surface=name), scan_sizes[name], radius, places[name])
             for name in surfaces
         ]
         works = [
@@ -140,7 +142,7 @@ def fit_measured(
     # The last contact model gives the sources of intervals: tests and parts of scans are the same
     # for all models.
     sources = [
-        scan.scan_parts[0].source if test.number > 1 else "one_test"
+        scan.scan_parts[0].source if test.test_count > 1 else "one_test"
         for scan, test in zip(scans, tests, strict=True)
     ]
     variables = sampling.with_interval(
@@ -150,7 +152,7 @@ def fit_measured(
         np.stack(measured_samples, axis=1),
         NEWTON,
     ) | {
-        "test_count": ("surface", [test.number for test in tests], ONE),
+        "test_count": ("surface", [test.test_count for test in tests], DIMENSIONLESS),
         "interval_source": ("surface", sources),
         "label": adhesion.label.sel(surface=surfaces),
     }
@@ -166,9 +168,11 @@ def _sampled_forces(scans: ScanForces, surface: str, sampling: Sampling) -> np.n
     """Draw mean forces (sample, rho) of a surface, with the same random numbers at every range."""
     deviations = [
         sampled_deviations(
-            sampling.generator("scans", surface), delete_one, scan_parts, sampling.samples
+            sampling.generator("scans", surface), delete_one_log_means, scan_parts, sampling.samples
         )
-        for delete_one, scan_parts in zip(scans.delete_one.T, scans.scan_parts, strict=True)
+        for delete_one_log_means, scan_parts in zip(
+            scans.delete_one_log_means.T, scans.scan_parts, strict=True
+        )
     ]
     return np.asarray(scans.mean * np.exp(np.stack(deviations, axis=1)))
 
@@ -183,9 +187,9 @@ def _fit_model(
     """Return the fit of one contact model.
 
     Computed forces (surface, rho) at 1 J/m² and measured forces (surface,) are in N. Sampled works
-    (sample, surface, rho) in J/m² have resampled tests and scans. The region takes the intervals of
-    n independent surfaces at the confidence c^(1/n), so that all intervals together contain the
-    true pair with the confidence c.
+    (sample, surface, rho) in J/m² come from resampled tests and scans. The region takes the
+    intervals of n independent surfaces at the confidence c^(1/n), so that all intervals together
+    contain the true pair with the confidence c.
     """
     count = len(measured_forces)
     # A single computed range is not interpolated.
@@ -193,13 +197,15 @@ def _fit_model(
     fine_ranges = np.union1d(np.geomspace(rhos[0], rhos[-1], range_count), rhos)
     fine_forces = interpolate_to_ranges(computed_forces, rhos, fine_ranges)
 
-    def work_intervals(share: float) -> np.ndarray:
+    def work_intervals(confidence_level: float) -> np.ndarray:
         """Return the central intervals of the works (surface, fine rho, 2)."""
-        ends = np.moveaxis(percentile_interval(sampled_works, share), -1, 0)
+        ends = np.moveaxis(percentile_interval(sampled_works, confidence_level), -1, 0)
         return np.moveaxis(interpolate_to_ranges(ends, rhos, fine_ranges), 0, -1)
 
-    joint = work_intervals(confidence ** (1 / count))
-    region = np.stack([joint[..., 0].max(axis=0), joint[..., 1].min(axis=0)], axis=-1)
+    joint_intervals = work_intervals(confidence ** (1 / count))
+    region = np.stack(
+        [joint_intervals[..., 0].max(axis=0), joint_intervals[..., 1].min(axis=0)], axis=-1
+    )
     region[~(region[:, 0] < region[:, 1])] = np.nan
     work_of_adhesion = measured_forces[:, None] / fine_forces
     best_range = np.nan
@@ -212,19 +218,19 @@ def _fit_model(
         best_work = float(work)
         best_error = float(error)
     if count == 2:
-        exceeds = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
-        exact_pairs = int(np.count_nonzero(np.diff(exceeds)))
+        second_exceeds_first = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
+        exact_pairs = int(np.count_nonzero(np.diff(second_exceeds_first)))
     if exact_pairs:
         best_error = np.nan  # The remaining error comes from the grid of ranges alone.
     variables = with_interval(
         "work_of_adhesion", ("surface", "rho"), work_of_adhesion, work_intervals(confidence),
-        ENERGY, confidence,
+        JOULE_PER_M2, confidence,
     ) | {
-        "region": (("rho", "bound"), region, ENERGY),
+        "region": (("rho", "bound"), region, JOULE_PER_M2),
         "best_range": ((), best_range, NM),
-        "best_work": ((), best_work, ENERGY),
-        "best_error": ((), best_error, ONE),
-        "exact_pairs": ((), exact_pairs, ONE),
+        "best_work": ((), best_work, JOULE_PER_M2),
+        "best_error": ((), best_error, DIMENSIONLESS),
+        "exact_pairs": ((), exact_pairs, DIMENSIONLESS),
     }  # fmt: skip
     return xr.Dataset(variables, {"rho": ("rho", fine_ranges, NM)}).assign(
         _extent(region, fine_ranges)
@@ -249,7 +255,7 @@ def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
             region_work = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
     return {
         "region_range": ("bound", region_range, NM),
-        "region_work": ("bound", region_work, ENERGY),
+        "region_work": ("bound", region_work, JOULE_PER_M2),
         "region_status": ("bound", status),
     }
 
@@ -300,7 +306,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         work.dims,
         work.values,
         interval.transpose(*work.dims, "bound").values,
-        ENERGY | {"long_name": f"work with extrapolated roughness, {PLASTIC} contact"},
+        JOULE_PER_M2 | {"long_name": f"work with extrapolated roughness, {PLASTIC} contact"},
         fitted.attrs["confidence"],
     )
     return (

@@ -113,7 +113,7 @@ class ScanForces(NamedTuple):
     """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
     mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
-    delete_one: np.ndarray  #: (part, rho) logarithms of the mean of all parts but one.
+    delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
 
 
@@ -151,10 +151,12 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: fl
         parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), places)
         for rho in scan_forces.rho.values
     ]
-    delete_one = delete_one_logarithms(
+    delete_one_log_means = delete_one_logarithms(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
-    return ScanForces(scan_forces.mean(CONTACT_AXES).mean("scan").values, delete_one, scan_parts)
+    return ScanForces(
+        scan_forces.mean(CONTACT_AXES).mean("scan").values, delete_one_log_means, scan_parts
+    )
 
 
 def predicted_force(
@@ -225,8 +227,10 @@ def _surface_force(
     half = np.array(
         [
             [
-                half_width([jackknife_variance(delete_one, scan_parts)], confidence)
-                for delete_one, scan_parts in zip(scans.delete_one.T, scans.scan_parts, strict=True)
+                half_width([jackknife_variance(delete_one_log_means, scan_parts)], confidence)
+                for delete_one_log_means, scan_parts in zip(
+                    scans.delete_one_log_means.T, scans.scan_parts, strict=True
+                )
             ]
             for scans in models
         ]
@@ -263,9 +267,9 @@ def extrapolated_force(
 
     `scales` has the forces of the masters at 1 J/m², as in scales.nc; the work of adhesion is in
     J/m². Returns ``extrapolated_force`` (surface, side) in N with its interval, from the same parts
-    and realizations as the edges of the band; ``extrapolation_source``, the source of the interval;
-    ``extrapolation_end`` in nm, the shortest or the longest wavelength; and ``transition`` (side)
-    in nm, the wavelength beyond which the roughness follows the spectrum.
+    and realizations as the edges of the band; ``extrapolated_force_interval_source``, the source of
+    this interval; ``extrapolation_end`` in nm, the shortest or the longest wavelength; and
+    ``transition`` (side) in nm, the wavelength beyond which the roughness follows the spectrum.
     """
     attributes = NEWTON | {"long_name": "mean pull-off force with extrapolated roughness"}
 
@@ -282,7 +286,7 @@ def extrapolated_force(
         return xr.Dataset(
             with_interval("extrapolated_force", (), force, interval, attributes, confidence)
             | {
-                "extrapolation_source": master_forces.scan_parts.source,
+                "extrapolated_force_interval_source": master_forces.scan_parts.source,
                 "extrapolation_end": (
                     (),
                     end,

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
-from hardcontact.base.units import magnitude
+from hardcontact.base.units import parse_quantity
 from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
-from hardcontact.config.model import QUICK_NAME, quantity_type
+from hardcontact.config.model import QUICK_SUFFIX, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import LEVELLING
@@ -176,8 +176,8 @@ def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator
     """Yield a line for each quantity of the user that is not PLAUSIBLE."""
     for name, (low, high, kind) in PLAUSIBLE.items():
         option = quantities[name]
-        lowest = magnitude(low, option.unit)
-        highest = magnitude(high, option.unit)
+        lowest = parse_quantity(low, option.unit)
+        highest = parse_quantity(high, option.unit)
         if option.is_given and not lowest <= option.number <= highest:
             yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual for {kind}"
 
@@ -187,21 +187,21 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
     name = arguments.name
     try:
         # The quick study beside it must have a name, too.
-        STUDY_NAME.check(f"{name}{QUICK_NAME}")
+        STUDY_NAME.check(f"{name}{QUICK_SUFFIX}")
     except ValueError:
-        accepted = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_NAME)))
+        accepted = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_SUFFIX)))
         yield f"NAME: expected {accepted}, no blanks, found {name!r}"
         return
     if arguments.files:
         yield from _label_faults("NAME", name)
-    if name.endswith(QUICK_NAME):
-        accepted = f"a name without the end {QUICK_NAME}, which marks first answers"
+    if name.endswith(QUICK_SUFFIX):
+        accepted = f"a name without the end {QUICK_SUFFIX}, which marks first answers"
         yield f"NAME: expected {accepted}, found {name}"
     elif name in RESERVED_NAMES:
         yield f"NAME: expected a name that the project does not use, found {name}"
     elif not arguments.overwrite:
         # Results of this name may come from other inputs.
-        results = (f"results/{name}", f"results/{name}{QUICK_NAME}")
+        results = (f"results/{name}", f"results/{name}{QUICK_SUFFIX}")
         for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
             if os.path.lexists(ROOT / file):
                 yield f"{file}: expected none, found one: take another name, or add --overwrite"

@@ -21,13 +21,13 @@ from hardcontact.paper.numbers import (
     variable_as_number,
 )
 
-NM2 = 1e-18  # in m²
+M2_PER_NM2 = 1e-18
 #: Radius in nm of a sphere that is much larger than the decisive wavelengths, some 2 µm.
 LARGE_RADIUS = 50e3
 
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
-    """Return the decades between effective works of adhesion of the surfaces (force_source)."""
+    """Return the decades between the smallest and largest effective work (force_source)."""
     return decades(variable_as_number(classical, "effective_work_of_adhesion"), "surface")
 
 
@@ -39,9 +39,10 @@ def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter, with an interval up to another convention of its symbols ().
+    """Return the Tabor parameter (). Its interval reaches to its value by another convention.
 
-    This convention is (4 R W²/(K² z0³))^(1/3) with K = 4 E*/3 in place of (R W²/(E*² z0³))^(1/3).
+    The other convention is (4 R W²/(K² z0³))^(1/3) with K = 4 E*/3 in place of
+    (R W²/(E*² z0³))^(1/3).
     """
     tabor = classical["tabor_parameter"]
     return number_with_interval(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
@@ -61,11 +62,11 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
 def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
     """Return the height of the apex of the sphere in contact above the mean plane.
 
-    It is in rms heights of the scan (surface, contact_model). All contact pixels under a smooth
-    sphere are at least as high.
+    It is in rms heights of the scan (surface, contact_model). Contact pixels are at least as high,
+    because a smooth sphere is lowest at its apex.
     """
-    approach = mean_over_contacts(adhesion["apex_depth"])
-    return mean_over_scans(-approach / topography["rms_height"], adhesion.attrs["confidence"])
+    apex_depth = mean_over_contacts(adhesion["apex_depth"])
+    return mean_over_scans(-apex_depth / topography["rms_height"], adhesion.attrs["confidence"])
 
 
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
@@ -103,7 +104,7 @@ def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
 
     It is the median over the surfaces.
     """
-    plastic = elastic.attrs["preload"] / elastic.attrs["hardness"] / NM2
+    plastic = elastic.attrs["preload"] / elastic.attrs["hardness"] / M2_PER_NM2
     ratio = plastic / mean_over_contacts(elastic["contact_area"])
     return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)
 

@@ -80,7 +80,7 @@ def force_rows(data: Datasets) -> list[AnswerRow]:
     quantiles = forces["force_quantile"]
     lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
     smooth = 2 * np.pi * 1e-9 * force.attrs["sphere_radius"] * force.attrs["work_of_adhesion"]
-    sources = force["extrapolation_source"]
+    sources = force["extrapolated_force_interval_source"]
     extrapolated_rows = []
     for side in differing_sides(force):
         fact = with_reason(extrapolated_fact(force, side, data.spectra), sources.sel(side=side))

@@ -43,12 +43,12 @@ def small_scale_master(
     transition: float,
     density: SpectrumFunction,
 ) -> HeightMap:
-    """Return a mirror-stitched scan with artificial roughness below the transition wavelength (nm).
+    """Return a mirror-stitched scan whose wavelengths below the transition (nm) are artificial.
 
     The scan loses its wavelengths below the transition and is interpolated to pixels x pixels. A
-    random surface is added, whose C_iso follows the density below the transition and keeps its
-    value at the transition above it. Source: the paper, section Determining the Most Relevant
-    Length-scales of Roughness.
+    random surface is added. Below the transition its C_iso is `density`; above, C_iso is constant
+    at its value at the transition, so that some long waves are added, too. Source: the paper,
+    section Determining the Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(stitched, transition)
     transition_wavevector = 2 * np.pi / transition
@@ -66,10 +66,10 @@ def large_scale_master(
     transition: float,
     density: SpectrumFunction,
 ) -> HeightMap:
-    """Return a mirror-stitched scan with artificial roughness above the transition wavelength (nm).
+    """Return a mirror-stitched scan whose wavelengths above the transition (nm) are artificial.
 
-    The scan is repeated `tiles` times along each side. A random surface, whose C_iso follows the
-    density, replaces the wavelengths above the transition. Source: as for `small_scale_master`.
+    The scan is repeated `tiles` times along each side. A random surface with the C_iso `density`
+    replaces the wavelengths above the transition. Source: as for `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
@@ -85,7 +85,8 @@ def large_scale_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: By side: the function that makes the master, and the key of `scales` that holds its size.
+#: By side: the function that makes the master, and the key of `scales` that sets its
+#: number of pixels or of tiles.
 MASTER_MAKERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
 SIDES = tuple(MASTER_MAKERS)
 

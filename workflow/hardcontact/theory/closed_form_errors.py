@@ -110,14 +110,14 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     """Return computed and predicted forces of one surface and size of map."""
     pixel_size = size / trial.pixels
     forces = []
-    approaches = []
+    closest_approaches = []
     for realization in range(trial.realizations):
         rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
         surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
         pair = bodies(surface, None, trial.contact)
         plastic = pull_off_of_pair(pair, trial.contact, trial.ranges).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
-        approaches.append(-plastic["apex_depth"].values)
+        closest_approaches.append(-plastic["apex_depth"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
     area = trial.contact.pixels(pixel_size) * pixel_size**2
     contacts = [
@@ -125,7 +125,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     ]
     forms = [
         [closed_form(waves, contact, heights) for contact in contacts]
-        for heights in (None, np.array(approaches))
+        for heights in (None, np.array(closest_approaches))
     ]
     smooth = forms[0][0].force / forms[0][0].relative
     realizations = xr.DataArray(np.array(forces), dims=("realization", "rho"))

@@ -365,7 +365,7 @@ def with_comparison(
     xarray.Dataset
         `scatter` with ``published_log_force_std`` (surface) and ``computed_log_force_std``
         (surface) with its interval, NaN if there is none; ``designed_<column>`` (case) for the
-        columns that give the error of the law.
+        columns that give the error of the law, of which ``skewed`` is ``designed_skew_parameter``.
     """
     plastic = {"contact_model": "plastic", "pair": "published"}
     name = "lognormal_shape"
@@ -378,7 +378,13 @@ def with_comparison(
         "predicted_log_force_std",
         *table.columns[table.columns.str.startswith("distance_")],
     ]  # fmt: skip
-    designed = table[columns].add_prefix("designed_").rename_axis("case").to_xarray()
+    designed = (
+        table[columns]
+        .rename(columns={"skewed": "skew_parameter"})
+        .add_prefix("designed_")
+        .rename_axis("case")
+        .to_xarray()
+    )
     for column in designed.data_vars.values():
         if column.dtype.kind == "f":
             column.attrs["units"] = "1"
@@ -394,6 +400,6 @@ def held_out_surfaces(statistics: xr.Dataset) -> xr.Dataset:
 
     They are Gaussian, were not looked at while it was made, and are touched above LEAST_LEVEL.
     """
-    fair = (statistics["designed_held_out"] == 1) & (statistics["designed_skewed"] == 0)
+    fair = (statistics["designed_held_out"] == 1) & (statistics["designed_skew_parameter"] == 0)
     high = statistics["designed_level"] >= LEAST_LEVEL
     return statistics.isel(case=np.flatnonzero(fair & high))

@@ -74,7 +74,7 @@ def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
 
 def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     """Draw computed against predicted spreads of ln F, by kind of surface."""
-    is_skewed = statistics["designed_skewed"] != 0
+    is_skewed = statistics["designed_skew_parameter"] != 0
     is_low = (statistics["designed_level"] < LEAST_LEVEL) & ~is_skewed
     is_fair = ~is_skewed & ~is_low
     is_held_out = statistics["designed_held_out"] == 1
