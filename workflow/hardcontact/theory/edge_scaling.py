@@ -92,18 +92,18 @@ def edge_scaling(
         By (side, surface, radius, area, rho): ``edge`` in nm, NaN if it is open, with its interval
         over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface, exponent_of) by
         least squares of ln(edge) against the logarithms of SCALED_LENGTHS, without open edges, with
-        intervals by the jackknife over realizations. ``attraction_width`` (radius, rho), sqrt(2 R
+        intervals by the jackknife over realizations. ``interaction_radius`` (radius, rho), sqrt(2 R
         rho) in nm.
         The variables of `regime_coordinates`.
     """
     edges = _edges(scaling, tolerance, sampling)
     formula = _formula_edges(spectra, scaling, contact.work, tolerance)
-    attraction_width = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
+    interaction_radius = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
     return xr.merge(
         [
             edges.assign(
                 formula_edge=formula.assign_attrs(NM),
-                attraction_width=attraction_width.assign_attrs(NM),
+                interaction_radius=interaction_radius.assign_attrs(NM),
             ),
             _exponents(scaling, edges["edge"], tolerance, sampling),
             regime_coordinates(spectra, contact),

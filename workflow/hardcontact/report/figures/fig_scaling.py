@@ -51,7 +51,7 @@ FURTHER_COLUMNS = (
     "radius",
     "area",
     "rho",
-    "attraction_width",
+    "interaction_radius",
     "designed",
     "prediction",
 )  # columns
@@ -64,12 +64,12 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     """
     figure = drawing.create(5.6, scaling)
     (short, long), (errors, regimes) = figure.subplots(2, 2)
-    scaling = scaling.set_coords("attraction_width")
+    scaling = scaling.set_coords("interaction_radius")
     section = scaling.sel(area=scaling.attrs["area"], method="nearest")
     frames = []
     for axes, side, abscissa, letter in (
         (short, "small", "rho", "a"),
-        (long, "large", "attraction_width", "b"),
+        (long, "large", "interaction_radius", "b"),
     ):
         _draw_edges(axes, section.sel(side=side), abscissa)
         published = tables.published_edge(published_constants, side)
