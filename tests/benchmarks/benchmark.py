@@ -153,7 +153,7 @@ def library_at_load(gap, pixel):
     body = Topography(gap.mean() - gap, size, periodic=True)
     system = NonSmoothContactSystem(half_space, body)
     return system.minimize_proxy(
-        external_force=CONTACT.preload * 1e9, pentol=elastic_solvers.OVERLAP / 2
+        external_force=CONTACT.preload * 1e9, pentol=elastic_solvers.MAX_OVERLAP / 2
     )
 
 
@@ -166,7 +166,11 @@ def library_pull_off(gap, pixel):
     system = BoundedSmoothContactSystem(half_space, Exponential(WORK, RHO), body)
     system.disp = half_space.evaluate_disp(attraction)
     stretch = -system.disp.min()
-    options = {"ftol": 0, "gtol": elastic_solvers.RESIDUAL * attraction.max(), "maxiter": 5000}
+    options = {
+        "ftol": 0,
+        "gtol": elastic_solvers.RELATIVE_RESIDUAL * attraction.max(),
+        "maxiter": 5000,
+    }
 
     def force(offset):
         start = np.maximum(system.disp, heights + offset)
@@ -184,7 +188,7 @@ def elastic_contact(pixels=512):
     for calculation, ours, library in (
         (
             "elastic contact at the preload",
-            lambda: elastic_solvers.contact_at_load(gap, pixel, MODULUS, CONTACT.preload),
+            lambda: elastic_solvers.pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),
             lambda: library_at_load(gap, pixel),
         ),
         (

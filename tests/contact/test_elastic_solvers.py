@@ -18,7 +18,7 @@ def test_a_smooth_sphere_follows_hertz(load):
     pixels, pixel_size = 384, 4.0 * (load / 10e-6) ** (1 / 3)
     radius, peak, approach = hertz_contact(load, RADIUS, MODULUS)
     gap = sphere_gap(pixels, pixel_size)
-    pressure = elastic_solvers.contact_at_load(gap, pixel_size, MODULUS, load)
+    pressure = elastic_solvers.pressure_at_load(gap, pixel_size, MODULUS, load)
     area = np.count_nonzero(pressure) * pixel_size**2
     assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.01)
     assert pressure.max() == pytest.approx(peak, rel=0.01)
@@ -34,14 +34,14 @@ def test_lifting_the_gap_changes_no_pressure():
     # Heights that are all below zero make the solver report success after one iteration.
     gap = sphere_gap(128, 12.0)
     near, far = (
-        elastic_solvers.contact_at_load(gap + lift, 12.0, MODULUS, 10e-6) for lift in (0.0, 300.0)
+        elastic_solvers.pressure_at_load(gap + lift, 12.0, MODULUS, 10e-6) for lift in (0.0, 300.0)
     )
     np.testing.assert_allclose(near, far, rtol=1e-6, atol=1e-6 * near.max())
 
 
 def test_a_load_that_flattens_everything_is_refused():
     with pytest.raises(ValueError, match="expected an elastic contact in equilibrium, found"):
-        elastic_solvers.contact_at_load(sphere_gap(64, 1.0, 1e9), 1.0, MODULUS, 10e-6)
+        elastic_solvers.pressure_at_load(sphere_gap(64, 1.0, 1e9), 1.0, MODULUS, 10e-6)
 
 
 def test_stiff_bodies_have_the_rigid_pull_off_force():
@@ -71,4 +71,4 @@ def test_a_failing_solver_is_an_error(monkeypatch):
 
     monkeypatch.setattr(elastic_solvers.NonSmoothContactSystem, "minimize_proxy", gives_up)
     with pytest.raises(ValueError, match="gave up"):
-        elastic_solvers.contact_at_load(sphere_gap(32, 12.0), 12.0, MODULUS, 10e-6)
+        elastic_solvers.pressure_at_load(sphere_gap(32, 12.0), 12.0, MODULUS, 10e-6)

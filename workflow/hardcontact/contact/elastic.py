@@ -33,38 +33,41 @@ Floats = NDArray[np.float64]
 PASCAL_PER_GPA = 1e9
 NEWTON_PER_NN = 1e-9
 
-#: Edge in nm of the window about a contact in which elastic and rigid pull-off are compared, and
+#: Side in nm of the window about a contact in which elastic and rigid pull-off are compared, and
 #: the smallest number of pixels along it.
 PULL_OFF_WINDOW = 2500.0
 MIN_WINDOW_PIXELS = 16
 #: Overlap or open gap (nm) that pixels in contact may have.
-OVERLAP = 1e-4
-#: Largest residual force on a pixel in equilibrium, relative to the largest adhesive force on one.
-RESIDUAL = 1e-4
+MAX_OVERLAP = 1e-4
+#: Residual force on a pixel at which the solver stops, relative to the largest adhesive force on
+#: one. Twice this is accepted.
+RELATIVE_RESIDUAL = 1e-4
 
 
-def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
+def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
     """Return the pressure (n, n) in Pa of elastic contact without adhesion.
 
     Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206). The gap (n, n) at any
     approach and the pixel size are in nm, the effective modulus in Pa and the load in N. Raises
     ValueError if the solver returned no solution.
     """
-    # The solver reports no contact if all heights are below zero; centred heights are not.
+    # The solver finds no contact if all heights are below zero, so the heights are centred.
     body, half_space = _body_and_half_space(gap.mean() - gap, pixel_size, modulus)
     system = NonSmoothContactSystem(half_space, body)
-    solution = system.minimize_proxy(external_force=load / NEWTON_PER_NN, pentol=OVERLAP / 2)
+    solution = system.minimize_proxy(external_force=load / NEWTON_PER_NN, pentol=MAX_OVERLAP / 2)
     _refuse(not solution.success, solution.message)
     _refuse(solution.nit < 2, f"{solution.nit} iterations")
+    # `jac` is the force in nN on each pixel, positive in compression.
     pressure = solution.jac / pixel_size**2 * PASCAL_PER_GPA
     in_contact = pressure > 0
     gap_left = system.compute_gap(solution.x, solution.offset)
     carried = solution.jac.sum() * NEWTON_PER_NN
     _refuse(abs(carried / load - 1) > 1e-6, f"a load of {carried:.3g} N")
     _refuse(pressure.min() < 0, f"a tension of {-pressure.min():.3g} Pa")
-    _refuse(gap_left.min() < -OVERLAP, f"an overlap of {-gap_left.min():.2g} nm")
+    _refuse(gap_left.min() < -MAX_OVERLAP, f"an overlap of {-gap_left.min():.2g} nm")
     _refuse(
-        gap_left[in_contact].max() > OVERLAP, f"pressure across {gap_left[in_contact].max():.2g} nm"
+        gap_left[in_contact].max() > MAX_OVERLAP,
+        f"pressure across {gap_left[in_contact].max():.2g} nm",
     )
     _refuse(
         in_contact.all() or pressure.max() > modulus,
@@ -102,7 +105,7 @@ def adhesive_pull_off(
         solution = system.minimize_proxy(
             offset=offset,
             initial_displacements=np.maximum(displacement, heights + offset),
-            options={"ftol": 0, "gtol": RESIDUAL * attraction.max(), "maxiter": 5000},
+            options={"ftol": 0, "gtol": RELATIVE_RESIDUAL * attraction.max(), "maxiter": 5000},
         )
         displacement, iterations = system.disp, iterations + solution.nit
         _check_equilibrium(solution, system, attraction.max())
@@ -111,12 +114,12 @@ def adhesive_pull_off(
         return float(system.interaction_force.sum() - reaction)
 
     # Pull-off is near the offset at which the bodies just touch with the surface still displaced.
-    largest = minimize_scalar(
+    optimum = minimize_scalar(
         force, bounds=(-1.5 * elongation, 0), method="bounded", options={"xatol": elongation / 6}
     )
-    _refuse(not largest.success or iterations < 2, f"{largest.message}, {iterations} iterations")
+    _refuse(not optimum.success or iterations < 2, f"{optimum.message}, {iterations} iterations")
     rigid = attraction.sum() * NEWTON_PER_NN
-    return rigid, -largest.fun * NEWTON_PER_NN
+    return rigid, -optimum.fun * NEWTON_PER_NN
 
 
 def _body_and_half_space(heights: Floats, pixel_size: float, modulus: float) -> tuple[Any, Any]:
@@ -126,14 +129,14 @@ def _body_and_half_space(heights: Floats, pixel_size: float, modulus: float) -> 
     return body, PeriodicFFTElasticHalfSpace(heights.shape, modulus / PASCAL_PER_GPA, size)
 
 
-def _check_equilibrium(solution: Any, system: Any, largest: float) -> None:
+def _check_equilibrium(solution: Any, system: Any, largest_attraction: float) -> None:
     """Raise ValueError unless the bodies rest: no overlap, no force but on a contact pixel."""
     _refuse(not solution.success, solution.message)
-    _refuse(system.gap.min() < -OVERLAP, f"an overlap of {-system.gap.min():.2g} nm")
-    residual = np.where(system.gap > OVERLAP, np.abs(system.force), np.maximum(system.force, 0))
+    _refuse(system.gap.min() < -MAX_OVERLAP, f"an overlap of {-system.gap.min():.2g} nm")
+    residual = np.where(system.gap > MAX_OVERLAP, np.abs(system.force), np.maximum(system.force, 0))
     _refuse(
-        residual.max() > 2 * RESIDUAL * largest,
-        f"{residual.max() / largest:.2g} of the largest adhesive force left on a pixel",
+        residual.max() > 2 * RELATIVE_RESIDUAL * largest_attraction,
+        f"{residual.max() / largest_attraction:.2g} of the largest adhesive force left on a pixel",
     )
 
 
@@ -199,7 +202,7 @@ def elastic_contacts_of_pair(
             gap = gap_map(bodies, index)
             period_gap = part_around_lowest(gap, period)
             window_gap = part_around_lowest(gap, window)
-            pressure = contact_at_load(period_gap, pixel_size, modulus, contact.preload)
+            pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             rigid, elastic = adhesive_pull_off(
                 window_gap, pixel_size, modulus, contact.work, contact.range
             )

@@ -20,8 +20,8 @@ from hardcontact.contact.contact import CONTACT_DIMENSIONS
 
 def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
     """Return the mean force (surface, scan, rho) over the contacts of each scan."""
-    contacts = [name for name in CONTACT_DIMENSIONS if name in forces.dims]
-    return forces.mean(contacts).transpose("surface", "scan", "rho")
+    contact_dimensions = [name for name in CONTACT_DIMENSIONS if name in forces.dims]
+    return forces.mean(contact_dimensions).transpose("surface", "scan", "rho")
 
 
 def mean_forces(
@@ -29,14 +29,14 @@ def mean_forces(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Average forces over all scans of each surface, and sample this mean.
 
-    The random numbers of a surface depend on the purpose and its name alone: contact models share
-    them.
+    The random numbers of a surface depend on the purpose and the name of the surface alone: contact
+    models share them.
 
     Parameters
     ----------
     forces : xarray.DataArray
-        Forces (surface, scan, rho) in N, of scans or also of their contacts; NaN for a missing
-        scan.
+        Forces (surface, scan, rho) in N, possibly also over the dimensions of contacts; NaN for a
+        missing scan.
     sampling : Sampling
         Random numbers.
     purpose : str
@@ -103,13 +103,13 @@ def interpolate_to_ranges(forces: np.ndarray, rhos: np.ndarray, ranges: np.ndarr
 
     NaN beyond the computed ranges `rhos`.
     """
-    interpolated: np.ndarray = np.exp(np.log(forces) @ _weights(rhos, ranges))
+    interpolated: np.ndarray = np.exp(np.log(forces) @ _spline_weights(rhos, ranges))
     return interpolated
 
 
 def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
     """Return forces (..., rho, ...) at one rho (nm), by the spline of `interpolate_to_ranges`."""
-    weights = xr.DataArray(_weights(forces.rho.values, np.array([rho]))[:, 0], dims="rho")
+    weights = xr.DataArray(_spline_weights(forces.rho.values, np.array([rho]))[:, 0], dims="rho")
     logarithms = xr.apply_ufunc(np.log, forces).drop_vars("rho")
     interpolated: xr.DataArray = xr.apply_ufunc(
         np.exp, (logarithms * weights).sum("rho", skipna=False)
@@ -117,8 +117,11 @@ def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
     return interpolated
 
 
-def _weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Return weights (rho, range) of logarithms at `rhos` in their spline; NaN beyond the ends."""
+def _spline_weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
+    """Return the weights (rho, range) that turn ln F at `rhos` into its spline at `ranges`.
+
+    They are NaN beyond the ends.
+    """
     from scipy.interpolate import make_interp_spline
 
     degree = min(3, len(rhos) - 1)
@@ -137,26 +140,27 @@ FORCE_STATISTICS = {
 }
 
 #: Statistics of the forces on all scans together; their intervals come from the jackknife.
-POOLED_STATISTICS = ["median_force_at_pair", "lognormal_shape", "lognormal_median"]
+JACKKNIFE_STATISTICS = ["median_force_at_pair", "lognormal_shape", "lognormal_median"]
 
 
-def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr.Dataset:
+def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
     Parameters
     ----------
     forces : numpy.ndarray
         (scan, sphere_scan, contact) N, NaN for a missing scan or contact.
-    floor : float
+    force_floor : float
         Smallest measurable force in N. Smaller forces enter the fit as censored.
     sampling : Sampling
-        Confidence of the intervals; without samples there are none.
+        Confidence of the intervals; without samples they are NaN.
 
     Returns
     -------
     xarray.Dataset
         The scalars FORCE_STATISTICS with intervals over substrate scans: the mean and the censored
-        fraction by Student's t, POOLED_STATISTICS by the jackknife. All are NaN if all forces are.
+        fraction by Student's t, JACKKNIFE_STATISTICS by the jackknife. All are NaN if all forces
+        are.
     """
     is_finite = np.isfinite(forces)
     scan_exists = is_finite.any(axis=(1, 2))
@@ -166,23 +170,23 @@ def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr
     finite_forces = finite_forces.reshape(scan_exists.sum(), math.prod(finite_forces.shape[1:]))
     scan_forces = xr.DataArray(finite_forces, dims=("scan", "contact"))
     mean = scan_forces.mean("contact")
-    censored = (scan_forces < floor).mean("contact")
+    censored = (scan_forces < force_floor).mean("contact")
     confidence = sampling.confidence
-    pooled = _pooled_statistics(finite_forces, floor)
-    values = dict(zip(POOLED_STATISTICS, pooled, strict=True))
+    values_of_all_scans = _jackknife_statistics(finite_forces, force_floor)
+    values = dict(zip(JACKKNIFE_STATISTICS, values_of_all_scans, strict=True))
     values |= {
         "mean_force_at_pair": float(mean.mean()),
         "censored_fraction": float(censored.mean()),
     }
     intervals = dict.fromkeys(FORCE_STATISTICS, np.full(2, np.nan))
     if sampling.samples:
-        leave_one_out = [
-            _pooled_statistics(np.delete(finite_forces, scan, axis=0), floor)
+        without_one_scan = [
+            _jackknife_statistics(np.delete(finite_forces, scan, axis=0), force_floor)
             for scan in range(len(finite_forces))
         ]
-        pooled_intervals = jackknife_interval(pooled, leave_one_out, confidence)
+        pooled_intervals = jackknife_interval(values_of_all_scans, without_one_scan, confidence)
         censored_interval = student_interval(censored, confidence, "scan").clip(0, 1)
-        intervals = dict(zip(POOLED_STATISTICS, pooled_intervals, strict=True))
+        intervals = dict(zip(JACKKNIFE_STATISTICS, pooled_intervals, strict=True))
         intervals["mean_force_at_pair"] = student_log_interval(mean, confidence, "scan").values
         intervals["censored_fraction"] = censored_interval.values
     variables: dict[str, Any] = {}
@@ -193,9 +197,9 @@ def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr
     return xr.Dataset(variables)
 
 
-def _pooled_statistics(forces: np.ndarray, floor: float) -> np.ndarray:
-    """Return the POOLED_STATISTICS (3,) of all forces (N) together; NaN without forces."""
+def _jackknife_statistics(forces: np.ndarray, floor: float) -> np.ndarray:
+    """Return the JACKKNIFE_STATISTICS (3,) of all forces (N) together; NaN without forces."""
     if not forces.size:
-        return np.full(len(POOLED_STATISTICS), np.nan)
+        return np.full(len(JACKKNIFE_STATISTICS), np.nan)
     shape, median, _ = lognormal_fit(forces.ravel(), floor)
     return np.array([np.median(forces), shape, median])

@@ -35,7 +35,7 @@ QUANTITY_OPTIONS = {
 #: microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59 (2005) 1;
 #: diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al., Nature Mater. 4
 #: (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces (2011).
-PLAUSIBLE = {
+PLAUSIBLE_BOUNDS = {
     "radius": ("1 um", "50 mm", "spheres in pull-off tests, from colloidal probes to lenses"),
     "hardness": ("1 MPa", "150 GPa", "solids that yield, from soft plastics to diamond"),
     "preload": ("100 pN", "10 mN", "loads of microscopes and of microtesters"),
@@ -173,8 +173,8 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
 
 
 def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
-    """Yield a line for each quantity of the user that is not PLAUSIBLE."""
-    for name, (low, high, kind) in PLAUSIBLE.items():
+    """Yield a line for each quantity of the user outside of PLAUSIBLE_BOUNDS."""
+    for name, (low, high, kind) in PLAUSIBLE_BOUNDS.items():
         option = quantities[name]
         lowest = parse_quantity(low, option.unit)
         highest = parse_quantity(high, option.unit)

@@ -28,7 +28,7 @@ PAIRS = ["published", "fitted"]
 FINE_RANGES = 801
 
 #: Largest number of local minima of the error.
-MINIMA = 3
+MAX_MINIMA = 3
 
 NM = {"units": "nm"}
 ENERGY = {"units": "J m-2"}
@@ -43,7 +43,11 @@ INFERRED_UNITS = {
 }
 
 #: Fitted variables whose samples are returned, by a short name.
-SAMPLED = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
+SAMPLED_VARIABLES = {
+    "range": "range_of_adhesion",
+    "work": "work_of_adhesion",
+    "error": "best_error",
+}
 
 
 class Pair(NamedTuple):
@@ -189,7 +193,7 @@ def infer_model(
     samples = _fit_curves(curve_samples, targets, target_reference, fine_ranges)
     variables: dict[str, Any] = {
         f"sampled_{name}": ("sample", samples[variable], INFERRED_UNITS[variable])
-        for name, variable in SAMPLED.items()
+        for name, variable in SAMPLED_VARIABLES.items()
     }
     for name, attributes in INFERRED_UNITS.items():
         variables |= sampling.with_interval(name, (), fits[name], samples[name], attributes)
@@ -200,7 +204,7 @@ def infer_model(
     coordinates = {
         "rho_fine": ("rho_fine", fine_ranges, NM),
         "work": ("work", error_map.WORKS, ENERGY),
-        "minimum": np.arange(1, MINIMA + 1),
+        "minimum": np.arange(1, MAX_MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
 
@@ -227,8 +231,8 @@ def _error_variables(
     errors = error_map.mean_relative_error(curves, targets, error_map.WORKS)
     ranges, works = error_map.error_region(errors, fine_ranges, error_map.WORKS, threshold)
     work, smallest_errors = error_map.fit_work(curves, targets)
-    minima = error_map.local_minima(smallest_errors, MINIMA)
-    padding = (0, MINIMA - len(minima))
+    minima = error_map.local_minima(smallest_errors, MAX_MINIMA)
+    padding = (0, MAX_MINIMA - len(minima))
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, ONE),
         "best_error_by_range": ("rho_fine", smallest_errors, ONE),

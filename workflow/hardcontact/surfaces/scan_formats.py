@@ -53,9 +53,9 @@ ORIGINAL_KEYS = ("data_source", "height_scale")
 NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 METADATA_KEYS = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
-#: Mean spacing, in the unit of a text, up to which a line scan is read again without tolerance. The
-#: reader takes spacings that differ by less than 1e-6 of the unit for equal (1 µm in a file in
-#: metres), and would take such a line scan for uniform.
+#: The reader treats spacings as equal if they differ by less than 1e-6 units of a text: 1 µm in a
+#: text in metres. A line scan with at most this mean spacing, in units of the text, is therefore
+#: read again with zero tolerance.
 MAX_TOLERATED_SPACING = 1e-4
 #: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
@@ -219,21 +219,23 @@ def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
 
 
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return the channel of a name, of the container or of the reader, and notes.
+    """Return a channel of heights, and notes.
 
-    A channel that the user names is refused if it has no heights. If the channel of the container
+    It is the channel that the user names, else the container's, else the reader's default. A
+    channel that the user names is refused if it has no heights. If the channel of the container
     or of the reader has none, the first channel of heights is returned, with a note.
     """
     channels = reader.channels
     if not channels:
-        raise RefusedFile("expected a file with heights, found no channel of them")
-    number = entry.get("data_source")
-    if number is not None and number not in range(len(channels)):
+        raise RefusedFile("expected a file with heights, found no channel")
+    channel_index = entry.get("data_source")
+    if channel_index is not None and channel_index not in range(len(channels)):
         raise RefusedFile(
-            f"expected a data_source from 0 to {len(channels) - 1} in the container, found {number}"
+            f"expected a data_source from 0 to {len(channels) - 1} in the container, "
+            f"found {channel_index}"
         )
-    preferred = reader.default_channel if number is None else channels[number]
-    # Phases and voltages of Nanoscope files are channels of heights, with two units.
+    preferred = reader.default_channel if channel_index is None else channels[channel_index]
+    # The reader takes phases and voltages of Nanoscope files for heights; they have two units.
     height_channels = [
         channel
         for channel in channels
@@ -272,7 +274,7 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
         channel.name for channel in height_channels if channel.name != height_channel.name
     ]
     notes = [f"other channels of heights: {', '.join(other_names)}"]
-    return height_channel, notes if other_names and number is None else []
+    return height_channel, notes if other_names and channel_index is None else []
 
 
 def _unit_in_words(channel: Any) -> str:

@@ -63,12 +63,12 @@ def draw(
             for name in ("scale_ratio", "scale_change")
         }
         end_cutoff = last_cutoff(side_band["scale_ratio"], side)
-        critical = tables.number_rows(tables.value_and_interval(side_band, "edge"))
+        edges = tables.number_rows(tables.value_and_interval(side_band, "edge"))
         # A missing edge is drawn at the last cutoff, and empty in the table.
-        critical["value"] = critical["value"].fillna(end_cutoff)
+        edges["value"] = edges["value"].fillna(end_cutoff)
         _draw_ratios(column[0], curves["scale_ratio"], band.attrs["scale_tolerance"])
         _draw_changes(column[1], curves["scale_change"], band)
-        _draw_critical(column[2], critical, side_band, end_cutoff)
+        _draw_edges(column[2], edges, side_band, end_cutoff)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "small" else (transition, np.inf)
         for axes in column:
@@ -82,7 +82,7 @@ def draw(
         published = pd.DataFrame(
             [{"group": POOLED, "origin": "published", "value": published_edge}]
         )
-        rows = pd.concat([_edge_rows(critical, end_cutoff), published])
+        rows = pd.concat([_edge_rows(edges, end_cutoff), published])
         frames.append(rows.assign(quantity="edge", unit="nm", side=side))
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
@@ -94,12 +94,12 @@ def draw(
     return tables.label_rows(frames, band, COLUMNS, "group"), figure
 
 
-def _edge_rows(critical: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
+def _edge_rows(edges: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
     """Return the rows with empty numbers at the last cutoff, and their names in `beyond`."""
-    is_beyond = np.isclose(critical[NUMBER_COLUMNS], end_cutoff)
+    is_beyond = np.isclose(edges[NUMBER_COLUMNS], end_cutoff)
     names = [", ".join(np.array(NUMBER_COLUMNS)[row]) for row in is_beyond]
-    numbers = critical[NUMBER_COLUMNS].mask(is_beyond)
-    return critical.assign(**numbers, beyond=names, origin="computed")
+    numbers = edges[NUMBER_COLUMNS].mask(is_beyond)
+    return edges.assign(**numbers, beyond=names, origin="computed")
 
 
 def _looks(band: xr.Dataset) -> dict[str, style.Look]:
@@ -129,14 +129,12 @@ def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
     axes.set(yscale="log", ylabel="change (%)")
 
 
-def _draw_critical(
-    axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, end_cutoff: float
-) -> None:
+def _draw_edges(axes: Axes, edges: pd.DataFrame, side_band: xr.Dataset, end_cutoff: float) -> None:
     """Mark the edge (nm) of each group with its interval, arrows beyond the last."""
     looks = _looks(side_band)
     labels = side_band["label"].to_series().to_dict() | {POOLED: "mean of all"}
     arrow = ">" if side_band["side"].item() == "small" else "<"
-    numbers = critical.set_index("group")[NUMBER_COLUMNS]
+    numbers = edges.set_index("group")[NUMBER_COLUMNS]
     for row_number, (group, look) in enumerate(looks.items()):
         value, low, high = numbers.loc[[group]].to_numpy()[0]
         axes.plot([low, high], [row_number] * 2, color=look["color"], lw=1.4)
