@@ -11,9 +11,9 @@ from hardcontact.contact.sphere_sums import Contacts
 
 
 def touched_places(bodies: Bodies, contacts: Contacts) -> int:
-    """Return the number of places of a mirrored scan at which contacts are deepest.
+    """Return the number of places of a mirrored scan that hold the deepest pixel of some contact.
 
-    A contact is deepest at the pixel of its smallest gap. Two contacts touch the same place if
+    The deepest pixel is that of the smallest gap. Two contacts touch the same place if
     these two pixels are the same in the scan, or if contact pixels that share an edge or a corner
     connect them.
     """

@@ -171,7 +171,7 @@ def _choices_without_scans(
     yield Choice("study", name, f"results go to results/{name}/")
     yield Choice("store", f"results/store-{name}", "intermediates")
     yield Choice("published", NONE, "nothing of the paper is needed or judged")
-    yield Choice("surfaces", f"config/{name}.tsv", "one row a scan")
+    yield Choice("surfaces", f"config/{name}.tsv", "one row per scan")
     if arguments.unit != NONE:
         yield Choice("scan.unit", arguments.unit, "as given, for files that state none")
     if "size" in quantities:

@@ -62,7 +62,7 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
 def select_number(number: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
     """Return the single number that is judged, with its interval.
 
-    The number of an order of groups, ``a > b > c``, is the smallest ratio of a member of a group to
+    The number of a chain of groups, ``a > b > c``, is the smallest ratio of a member of a group to
     a member of the next group. A rule with one limit reduces dimensions without a selection to the
     worst value.
 

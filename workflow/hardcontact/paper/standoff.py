@@ -18,11 +18,11 @@ from hardcontact.paper import error_map
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.theory.closed_form import gaussian_share
 
-#: Number of tabulated heights of the apex. The highest one is HIGHEST_IN_RMS rms heights plus
-#: HIGHEST_IN_RANGES ranges of adhesion.
-TABULATED_HEIGHTS = 20001
-HIGHEST_IN_RMS = 10
-HIGHEST_IN_RANGES = 40
+#: Number of tabulated heights of the apex. The highest one is MAX_HEIGHT_IN_RMS_HEIGHTS rms
+#: heights plus MAX_HEIGHT_IN_RANGES ranges of adhesion.
+HEIGHT_COUNT = 20001
+MAX_HEIGHT_IN_RMS_HEIGHTS = 10
+MAX_HEIGHT_IN_RANGES = 40
 #: Statistics of the forces on a surface that give a height.
 CENTRAL_VALUES = ["mean", "median"]
 #: Work of adhesion: the published work, or the work that fits all forces best at each range.
@@ -33,8 +33,8 @@ NM = {"units": "nm"}
 def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats:
     """Return the height m of the apex that gives a force.
 
-    Heights below the height of the largest force do not count: there fewer points lie below the
-    sphere.
+    The force has a maximum at some height: lower down, fewer points lie below the sphere. Only
+    greater heights count.
 
     Parameters
     ----------
@@ -48,12 +48,12 @@ def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats
     numpy.ndarray
         Heights (...) in nm, NaN if every height gives a smaller force.
     """
-    highest = HIGHEST_IN_RMS * rms_height + HIGHEST_IN_RANGES * rho
-    heights = np.linspace(0, highest, TABULATED_HEIGHTS)
+    highest = MAX_HEIGHT_IN_RMS_HEIGHTS * rms_height + MAX_HEIGHT_IN_RANGES * rho
+    heights = np.linspace(0, highest, HEIGHT_COUNT)
     tabulated_forces = gaussian_share(rms_height, heights, rho)
     falling = slice(tabulated_forces.argmax(), None)
-    logarithm = -np.log(tabulated_forces[falling])
-    return np.interp(-np.log(relative_force), logarithm, heights[falling], np.nan, np.nan)
+    minus_log_force = -np.log(tabulated_forces[falling])
+    return np.interp(-np.log(relative_force), minus_log_force, heights[falling], np.nan, np.nan)
 
 
 def standoff(

@@ -225,7 +225,7 @@ AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
-#: Bases of bands from data; the other bases are inferred or assumed.
+#: Values of `basis` for bands that come from data; other bands are inferred or assumed.
 KNOWN_BASES = ("published", "measured")
 
 
@@ -255,9 +255,11 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
 
 
 def cell_shares(shortest: float) -> Floats:
-    """Return the share of each cell of WAVEVECTORS above a wavelength (nm)."""
-    cells = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
-    return np.asarray(np.clip(cells + 0.5, 0, 1))
+    """Return, by point of WAVEVECTORS, the share of its log interval beyond `shortest` (nm)."""
+    distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(
+        WAVEVECTORS[1] / WAVEVECTORS[0]
+    )
+    return np.asarray(np.clip(distance_in_steps + 0.5, 0, 1))
 
 
 def power_law_tail(density: Floats, hurst: float, shortest: float) -> Floats:

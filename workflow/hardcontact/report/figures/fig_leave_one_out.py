@@ -30,7 +30,7 @@ class Panel(NamedTuple):
 
     title: str
     printed_unit: str
-    scale: float  #: The printed unit in the unit of the table.
+    scale: float  #: Size of the printed unit in units of the table.
     table_unit: str
     constant: str  #: The published constant.
 
