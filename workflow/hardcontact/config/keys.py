@@ -67,8 +67,8 @@ class SphereKeys(Keys):
     """The sphere."""
 
     surface: SurfaceId = key("ruby", "Methods")
-    """Surface of the table that is the sphere's; `smooth` for a sphere without roughness, with
-    `published: none`."""
+    """Surface (its id in the table) that is the roughness of the sphere; `smooth` for a sphere
+    without roughness, with `published: none`."""
     radius: Radius = key("250 um", "Methods: diameter 0.5 mm")
     """Radius; it is subtracted from the scans of the sphere."""
 
@@ -107,7 +107,7 @@ class ContactKeys(Keys):
     preload: Force = key("10 uN", "Numerical Analysis (`5 uN` is also printed, in Methods)")
     """Load that the contact pixels carry."""
     window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
-    """Edge of the square around a contact over which the force is summed."""
+    """Side of the square around a contact over which the force is summed."""
     count: Count = key(20, "Intrinsic Work of Adhesion")
     """Contacts along a side of the array, over one period of the stitched scan."""
 
@@ -134,7 +134,7 @@ class InferenceKeys(Keys):
     """Inference."""
 
     samples: Annotated[int, Field(ge=20, le=10000)] = 1000
-    """Random samples of means over scans, or realizations, that intervals follow from."""
+    """Random samples of each mean over scans or realizations, from which intervals are computed."""
     confidence: Fraction = 0.95
     """Confidence of all intervals."""
 
@@ -241,9 +241,9 @@ class SetLargeScaleKeys(Keys):
 class SetsKeys(Keys):
     """Sets.
 
-    Sets are as good as the substitute scans of the study, and are drawn from a pool. Each claim
-    reports the share of sets in which it holds. Robustness is computed at the same size. A larger
-    `pool` and more realizations add scans and masters; existing ones stay.
+    Each set is as good as the substitute scans of the study. Sets are drawn from a pool. Each claim
+    reports the share of sets in which it holds. Robustness has the same contacts, pixels and
+    cutoffs. A larger `pool` and more realizations add scans and masters; existing ones stay.
     """
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
@@ -270,7 +270,7 @@ class HeightsKeys(Keys):
     surface: SurfaceId = "polished_uncd"
     """Substrate whose substitutes get other heights."""
     skewness: Skewnesses = [-1, -0.5, 0.5, 1]
-    """Other skewnesses of its heights; one that it has already is left out."""
+    """Other skewnesses of its heights; its own skewness is left out."""
 
 
 class RobustnessKeys(Keys):
@@ -278,7 +278,7 @@ class RobustnessKeys(Keys):
 
     The main numbers are computed again with one other choice at a time. Contacts, pixels and
     cutoffs are those of `sets`, and the sphere has its first scan alone. The row "as the study" has
-    the study's own choices at this size. The other reading of curvature in Table 1 and the other
+    the study's own choices on these grids. The other reading of curvature in Table 1 and the other
     value of `scales.sphere_roughness` have a row without a key. Measured surfaces keep their scans.
     """
 
@@ -288,7 +288,7 @@ class RobustnessKeys(Keys):
     """Other hardnesses, ascending."""
     heights: HeightsKeys = HeightsKeys()
     realizations: Realizations = 3
-    """Masters of each substrate on each side: the first of those of `sets`."""
+    """Masters of each substrate on each side, the first ones of `sets`."""
 
 
 class LawSmallScaleKeys(Keys):
@@ -353,8 +353,8 @@ class InsightKeys(Keys):
     """
 
     realizations: Realizations = 3
-    """Number of random surfaces of each size for the closed form, and of scans with masters for
-    other laws, for each substrate. Also the number of surfaces in repeated contact."""
+    """Number of realizations per substrate: random surfaces of each size (closed form, repeated
+    contact), and masters (other laws, scaling)."""
     count: Count = 8
     """Contacts along a side of the array."""
     ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
@@ -362,9 +362,9 @@ class InsightKeys(Keys):
     pixels: Pixels = 1024
     """Pixels along a side of the random surfaces that are compared with the closed form."""
     sizes: Lengths = key(["5000 nm", "20000 nm"])
-    """Edges of these surfaces, ascending; repeated contact is on the largest."""
+    """Sides of these surfaces, ascending; repeated contact is on the largest."""
     window: Length = key("80 um")
-    """Edge of the window within which other laws of attraction than Eq. 1 act, at least
+    """Side of the window within which other laws of attraction than Eq. 1 act, at least
     `contact.window`."""
     small: LawSmallScaleKeys = LawSmallScaleKeys()
     large: LawLargeScaleKeys = LawLargeScaleKeys()
@@ -394,7 +394,7 @@ class StudyKeys(Keys):
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
     """With `published: paper`: substrate in the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
-    """Every random number follows from it and from the names of what it is for."""
+    """Seed of all random numbers. Each also depends on its purpose, such as surface and scan."""
     effort: Literal["full", "quick"] = "full"
     """`quick`: the keys under `quick` replace those above, for a first answer."""
     quick: dict[Any, Any] = {}
