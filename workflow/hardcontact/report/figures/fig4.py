@@ -22,7 +22,7 @@ range.
 
 Contact is plastic. The map in (a) shows the largest pressure in each pixel. Curves in (b, c) are
 means over the study's scans. Bars: {{ inference.confidence | percent }} intervals of these means
-over scans, drawn to at most one decade beyond all values. Bands: 90 % of many sets of substitute
+over scans; the axis ends a decade beyond the curves. Bands: 90 % of many sets of substitute
 scans; a set is as good as the study's scans. Cross in (b): the ρ that fits all published ratios
 best, with its interval over scans. Open symbols in (c): forces at the ρ and W that fit the
 published means best. Drawn from contact.nc, inference.nc and sets.nc; published values from

@@ -16,13 +16,13 @@ from hardcontact.report.figures import drawing, style, tables
 TITLE = "Fig. 6: the length scales that matter"
 CHAPTER = "6. Scales"
 CAPTION = """\
-Mean pull-off force without all roughness (a) below a short, (b) above a long cutoff, relative to
-that with all roughness. Middle: change of the force; black: mean over all substrates. Lower: the
+Mean pull-off force after all roughness (a) below a short or (b) above a long cutoff is removed,
+relative to that with all roughness. Middle: its change; black: mean over all substrates. Lower: the
 cutoff at which the change exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
 1.8 µm. Hatched: artificial roughness.
 
 Lines and symbols: mean over realizations, each a scan with artificial roughness added.
-Bars: its {{ inference.confidence | percent }} interval, at most to a decade beyond all values.
+Bars: its {{ inference.confidence | percent }} interval; the axis ends a decade beyond the symbols.
 Intervals show how realizations on one set of scans differ. The figure of the sets has intervals
 over many sets. Grey: changes up to the tolerance. An edge lies between two computed cutoffs, or
 between the first of them and the end of the unfiltered spectrum. An arrow shows that it lies

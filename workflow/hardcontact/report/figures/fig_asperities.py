@@ -19,7 +19,7 @@ largest patch, (b) on the two largest. (c) Number of patches, (d) diameter of th
 as much of the force. Symbols: median over contacts; bands: between quartiles. Dashed in (d):
 published, 1.8 µm.
 
-Contact is plastic; contacts are a sample on all scans. Pixels that touch at an edge or a corner
+Contact is plastic; contacts are a sample on all scans. Pixels that touch at a side or a corner
 belong to one patch. Dotted: half of the force; the paper says that on MCD and NCD most of it comes
 from one or two asperities. The circle of (d) is about the centre of force. Black lines in (d): the
 same diameter for a smooth sphere on a plane (solid), and √(2Rρ) (dash-dotted). The paper compares

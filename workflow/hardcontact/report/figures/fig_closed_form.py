@@ -15,9 +15,9 @@ The mean pull-off force of a random surface from its power spectrum alone. (a) C
 Closed form relative to computed force. (c) Freezing 1/k = σ²/(ρm): above one single peaks attract,
 below one many points do.
 
-σ is the rms height, ρ the range of adhesion, m the height of closest approach. Heights are
-normally distributed. All points that do not touch give exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force
-on a smooth surface. The closed form corrects this for rough summits, and adds the summits that
+σ is the rms height, ρ the range of adhesion, m the closest approach. Heights are normally
+distributed. All points that do not touch give exp(σ²/(2ρ²) − m/ρ) Φ(m/σ − σ/ρ) of the force on a
+smooth surface. The closed form corrects this for rough summits, and adds the summits that
 touch and the plastic contact area. Bars in (a): {{ inference.confidence | percent }} intervals
 over the surfaces. In (b) the closest approach is expected from the spectrum (solid) or computed
 (dashed); grey: within a factor of two. Drawn from closed_form.nc.

@@ -22,8 +22,8 @@ published.
 
 The coating is {{ robustness.heights.surface | replace("_", " ") }}; other coatings have no
 protrusions. Forces of (a) are at the published ρ and W, those of (b, c) at the best fit.
-Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm². They are 3 to 8 rms
-heights of the coating high (colour) and 30 to 100 nm wide. A quarter of the draws has none
+Protrusions have Gaussian shape and stand at random positions, 0.1 to 3 per µm². They are 3 to 8 rms
+heights of the coating high (colour) and 30 to 100 nm wide. A quarter of the draws have none
 (dark). (b) The coating is scaled to its rms height of Table 1, and its rms slope stays within its
 uncertainty there. (c) All coatings feel the protrusions of the sphere, whose rms height stays
 below the published 1 nm. The factor of two is the only condition; ρ and W are free. Sets that

@@ -19,7 +19,7 @@ CHAPTER = "7. Robustness"
 CAPTION = """\
 (a) Range of adhesion, (b) work of adhesion, (c) short and (d) long edge of the band of all
 substrates, each with one choice changed. Variants have fewer contacts and pixels than the study.
-Compare them with the top row and its dotted line, the study's own choices at this smaller size.
+Compare them with the top row and its dotted line, the study's own choices on these grids.
 Diamond: the study itself. Dashed: published.
 
 Contact is plastic; variants have the first scan of the sphere alone. The choices: the definition

@@ -24,7 +24,7 @@ Surfaces where many points or single peaks attract.
 random surfaces of one spectrum. Where no cutoff changes the force by more than the tolerance of
 Fig. 6, no edge is shown. A, preload over hardness, is the contact area. (c) Surfaces held out:
 not used to make the formulas. Open: a bound, the last cutoff; grey: within a factor of two. (d) σ
-is the rms height, m the height of closest approach over the mean plane. Line: σ/ρ = m/σ, where
+is the rms height, m the closest approach. Line: σ/ρ = m/σ, where
 many points (left) give way to single peaks; grey: the transition. Coloured marks: the study's
 surfaces at the paper's sphere, range and load. Pale: the designed surfaces. Crosses: two chromium
 nitride coatings, from published spectra. The area of a mark is √A relative to the roll-off λ_r. λ_r

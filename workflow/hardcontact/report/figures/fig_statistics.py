@@ -14,11 +14,11 @@ TITLE = "How pull-off forces scatter"
 CHAPTER = "8. What decides the band"
 CAPTION = """\
 How the logarithm of the pull-off force F scatters. (a) Its standard deviation over 400 independent
-places of designed surfaces, computed and predicted. (b) Largest difference between the
-probabilities of computed forces and of three distributions, by the modulus k = ρm/σ². (c) The four
-coatings; black: published.
+positions of the sphere on designed surfaces, computed and predicted. (b) Largest difference between
+the probabilities of computed forces and of three distributions, by the Weibull modulus k = ρm/σ².
+(c) The four coatings; black: published.
 
-ρ is the range of adhesion, m the height of closest approach, σ the rms height. The prediction
+ρ is the range of adhesion, m the closest approach, σ the rms height. The prediction
 follows from them; only the mean force of each surface is fitted. The log-normal is fitted to each
 surface. Contact in (a, b) is rigid and plastic, the sphere smooth. Held out: surfaces not looked
 at while the prediction was made; only these are in (b). Crosses in (a): skewed heights (skewness
@@ -39,8 +39,8 @@ DISTANCES: dict[str, tuple[style.Look, str]] = {
 }
 #: Look and label of each spread of a coating.
 SPREADS: dict[str, tuple[style.Look, str]] = {
-    "log_force_std": ({"mfc": "none"}, "predicted: places"),
-    "total_log_force_std": ({}, "predicted: places and scans"),
+    "log_force_std": ({"mfc": "none"}, "predicted: positions"),
+    "total_log_force_std": ({}, "predicted: positions and scans"),
     "total_lognormal_shape": ({"marker": "x"}, "predicted: √(2 ln(mean/median))"),
     "computed_log_force_std": ({"alpha": 0.5, "ms": 2.5}, "computed"),
 }
@@ -98,7 +98,7 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     )
     axes.legend(loc="upper left")
     style.label_logarithmic(axes.xaxis, axes.yaxis)
-    style.label_panel(axes, "a", "scatter over places")
+    style.label_panel(axes, "a", "scatter over positions")
 
 
 def _draw_distances(axes: Axes, held_out: xr.Dataset) -> None:
