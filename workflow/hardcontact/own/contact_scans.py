@@ -78,7 +78,7 @@ def contact_scans(
         if len(surface_groups) > 1:
             is_small = group[0].size < large_enough
             reason = "they come nearest to" if is_small else "the smallest of at least"
-            reason += f" {format_length(large_enough)}, four times sqrt(2 R sigma/t)"
+            reason += f" {format_length(large_enough)}, twice the draw size 2 sqrt(2 R sigma/t)"
         selected += group
         reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
     if sphere is not None:
