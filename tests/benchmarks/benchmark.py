@@ -83,6 +83,11 @@ def timed_in_turn(*functions, repeats=3):
     ]
 
 
+def times_as_long(ratio):
+    """Return a ratio of times in words, relative to a row above."""
+    return f"{ratio:.3g} times as long"
+
+
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixels = pair_under_sphere(substrate)
@@ -107,10 +112,10 @@ def smooth_sphere(threads):
         abs(totals[contact] / value - 1)
         for contact, value in zip(contacts, direct_sums, strict=True)
     )
-    yield "8192², 400 plastic contacts, smooth sphere", f"{fast:.2f} s"
-    yield "forward and inverse real FFT of that surface / that", f"{transform / fast:.1f}"
-    yield "direct sum, 3 contacts scaled to 400 / that", f"{slow / fast:.0f}"
-    yield "largest relative difference to the direct sum", f"{error:.1e}"
+    yield "400 plastic contacts on 8192² pixels, smooth sphere", f"{fast:.2f} s"
+    yield "a forward and an inverse FFT of this surface", times_as_long(transform / fast)
+    yield "the direct sum, from 3 of the contacts", times_as_long(slow / fast)
+    yield "largest relative difference from the direct sum", f"{error:.1e}"
 
 
 def stitched(seed, scale):
@@ -141,9 +146,9 @@ def rough_sphere():
         for k, row in enumerate(direct_sums)
         for contact, value in zip(contacts, row, strict=True)
     )
-    yield "1024² stitched pair, 400 contacts, 12 ranges, rough sphere", f"{quick:.2f} s"
-    yield f"direct sum, {len(contacts)} contacts scaled to 400 / that", f"{slow / quick:.0f}"
-    yield "largest relative difference to the direct sum", f"{error:.1e}"
+    yield "400 contacts at 12 ranges on 1024² pixels, rough sphere", f"{quick:.2f} s"
+    yield f"the direct sum, from {len(contacts)} of the contacts", times_as_long(slow / quick)
+    yield "largest relative difference from the direct sum", f"{error:.1e}"
 
 
 def library_at_load(gap, pixel):
@@ -198,11 +203,8 @@ def elastic_contact(pixels=512):
         ),
     ):
         (checked_seconds, _), (library_seconds, _) = timed_in_turn(ours, library)
-        yield f"{pixels}² window: {calculation}", f"{checked_seconds:.2f} s"
-        yield (
-            "that / calling the library alone, unchecked",
-            f"{checked_seconds / library_seconds:.2f}",
-        )
+        yield f"{calculation}, window of {pixels}² pixels", f"{checked_seconds:.2f} s"
+        yield "the library alone, unchecked", times_as_long(library_seconds / checked_seconds)
 
 
 def filtered_job(pixels, threads, answer):
@@ -226,11 +228,11 @@ def growth(threads, largest):
         process.start()
         seconds, peak = answer.get()
         process.join()
-        factor = f", {seconds / previous:.1f} x the time before" if previous else ""
+        factor = f", {times_as_long(seconds / previous)}" if previous else ""
         previous = seconds
         yield (
-            f"{pixels}²: filter, interpolate, 400 contacts",
-            (f"{seconds:.2f} s, peak {peak:.2f} GiB{factor}"),
+            f"a cutoff of Fig. 6 (filter, interpolation, 400 contacts) on {pixels}² pixels",
+            f"{seconds:.2f} s{factor}, peak {peak:.2f} GiB",
         )
 
 
