@@ -209,5 +209,5 @@ def fixed_verdict(
 
 def _has_larger_pixels(topography: xr.Dataset, published: "pd.Series[float]") -> bool:
     """Return whether the pixels of the scans are larger than those of the paper."""
-    pixel_size = topography["scan_size"].max().item() / topography.sizes["row"]
-    return bool(pixel_size > 1.01 * published["scan_size"] / published["scan_pixels"])
+    pixel_size = published["scan_size"] / published["scan_pixels"]
+    return bool(topography["pixel_size"].max() > 1.01 * pixel_size)
