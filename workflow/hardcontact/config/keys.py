@@ -157,10 +157,10 @@ class LargeScaleKeys(Keys):
     """Masters of large scales."""
 
     pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
-    """Pixels along a side that forces are computed on at large scales."""
+    """Pixels along a side of the grid on which forces on large-scale masters are computed."""
     tiles: TileCount = key(4, "Determining the Most Relevant Length-scales: 20 µm")
-    """Stitched scans along a side of the large-scale master; 8 would give the printed 8192 pixels
-    of 4.883 nm."""
+    """Stitched scans along a side of the large-scale master; 4 have the printed 20 µm. (8 would
+    have 8192 pixels of the printed 4.883 nm, but 40 µm.)"""
     transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
@@ -233,7 +233,7 @@ class SetLargeScaleKeys(Keys):
     """Large-scale masters of the sets."""
 
     pixels: Pixels = 4096
-    """Pixels along a side that forces are computed on at large scales."""
+    """Pixels along a side of the grid on which forces on large-scale masters are computed."""
     cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
     """Long-wavelength cutoffs, ascending."""
 
@@ -304,7 +304,7 @@ class LawLargeScaleKeys(Keys):
     """Large-scale masters for other laws."""
 
     pixels: Pixels = 2048
-    """Pixels along a side that forces are computed on at large scales."""
+    """Pixels along a side of the grid on which forces on large-scale masters are computed."""
     tiles: TileCount = 2
     """Stitched scans along a side of the large-scale master."""
     cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"])
@@ -322,7 +322,7 @@ class ScalingLargeScaleKeys(Keys):
     """Large-scale masters whose edges are scaled."""
 
     pixels: Pixels = 4096
-    """Pixels along a side that forces are computed on at large scales."""
+    """Pixels along a side of the grid on which forces on large-scale masters are computed."""
     tiles: TileCount = 4
     """Stitched scans along a side of the large-scale master."""
     cutoffs: Lengths = key(nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000))
