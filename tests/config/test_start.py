@@ -100,7 +100,7 @@ def test_nested_numbers_of_the_command_line_are_numbers(repository):
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     with subprocess.Popen(
-        [sys.executable, "-m", "snakemake", "topography", "--configfile", QUICK],
+        [sys.executable, "-m", "snakemake", "--configfile", QUICK],
         cwd=study, env=environment(study), text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
     ) as run:  # fmt: skip
