@@ -85,7 +85,7 @@ def timed_in_turn(*functions, repeats=3):
 
 def times_as_long(ratio):
     """Return a ratio of times in words, relative to a row above."""
-    return f"{ratio:.3g} times as long"
+    return f"{float(f'{ratio:.3g}'):g} times as long"
 
 
 def pull_off(substrate):
