@@ -12,7 +12,7 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, self_affine, spectrum_dataset
 from hardcontact.surfaces.spectrum_datasets import convert_described_spectrum, stack_spectra
 
-BANDS = pd.DataFrame(
+SEGMENTS = pd.DataFrame(
     {
         "longest_nm": [np.inf, 1e4, 1e3, 100.0, 10.0],
         "shortest_nm": [1e4, 1e3, 100.0, 10.0, 0.1],
@@ -22,10 +22,10 @@ BANDS = pd.DataFrame(
 )
 
 
-def substitute(bands=BANDS):
+def substitute(segments=SEGMENTS):
     """Return the spectrum of a substitute."""
     return spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
-        basis="substitute", table1_rows_met="", bands=bands.to_csv(index=False)
+        basis="substitute", table1_rows_met="", segments=segments.to_csv(index=False)
     )
 
 

@@ -195,7 +195,7 @@ def test_default_uncd_is_near_the_public_measurements():
 )
 def test_a_band_that_cannot_be_made_is_named(write_description, band, message_part):
     path = write_description(band)
-    with pytest.raises(ValueError, match=f"surface.csv: band from inf nm: .*{message_part}"):
+    with pytest.raises(ValueError, match=f"surface.csv: segment from inf nm: .*{message_part}"):
         substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
 
 

@@ -1,4 +1,4 @@
-"""C_iso of a measured surface: all its measurements joined, extrapolated beyond their band."""
+"""C_iso of a measured surface: joined from all its measurements, and extrapolated beyond them."""
 
 from hardcontact.base.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
@@ -12,5 +12,5 @@ with job(snakemake) as job:
     ]
     job.write(
         joined_spectrum(measurements, params["tip_radii"]),
-        title="power spectral density of a measured surface, joined of its measurements",
+        title="power spectral density of a measured surface, joined from its measurements",
     )

@@ -17,7 +17,7 @@ from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
 from hardcontact.surfaces.scans import read_measurement, read_scan
-from hardcontact.surfaces.spectrum import needs_calibration, read_bands
+from hardcontact.surfaces.spectrum import needs_calibration, read_segments
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
@@ -134,7 +134,7 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
         pixels = config["scan"]["pixels"]
         size = config["scan"]["size"]
         relief = SUBSTITUTE_RELIEF
-        if not needs_calibration(read_bands(path)):
+        if not needs_calibration(read_segments(path)):
             largest = 2 * size * config["scales"]["large"]["tiles"]
             relief = RELIEF_OVER_RMS * described_rms_height(path, largest)
         grid = Grid(pixels, size / pixels, size, relief)

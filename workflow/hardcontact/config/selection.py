@@ -15,7 +15,7 @@ from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.tables import user_table
-from hardcontact.surfaces.spectrum import needs_calibration, read_bands
+from hardcontact.surfaces.spectrum import needs_calibration, read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
@@ -176,7 +176,7 @@ class Selection:
     def tables(self, surface: str) -> list[str]:
         """Return the tables of measured points that the description of a substitute names."""
         description = self.description(surface)
-        names = read_bands(description).table.dropna().unique()
+        names = read_segments(description).table.dropna().unique()
         return [(Path(description).parent / name).as_posix() for name in names]
 
     def skewness(self, surface: str) -> float:
@@ -185,7 +185,7 @@ class Selection:
 
     def reads_curvature(self, surface: str) -> bool:
         """Return True if a substitute depends on the reading of the curvature of Table 1."""
-        return needs_calibration(read_bands(self.description(surface)))
+        return needs_calibration(read_segments(self.description(surface)))
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:

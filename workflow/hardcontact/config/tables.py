@@ -20,10 +20,10 @@ from hardcontact.config.faults import quote_key, refuse_lines
 from hardcontact.config.key_types import Quantity
 from hardcontact.surfaces.spectrum import (
     CALIBRATION_ROWS,
-    KNOWN_BASES,
+    DATA_BASES,
     NUMBER_COLUMNS,
     needs_calibration,
-    read_bands,
+    read_segments,
 )
 
 #: A number with a decimal comma.
@@ -38,7 +38,7 @@ TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
 #: A pull-off force: of an atom at least, and of a hundred kilograms at most.
 FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
-#: Models of a band; a power law continues the band above, so that it cannot come first.
+#: Models of a segment; a power law extrapolates the segment above, so that it cannot come first.
 BAND_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
 SIGNED = ("hurst", "hurst_change")
@@ -240,16 +240,16 @@ def refuse_paper_surface(path: str | Path, surface: str, published: Collection[s
     `refuse_description` must accept the description. `published` are the surfaces in the paper's
     Table 1, to which substitutes with these names are conditioned. Raises ValueError with one line.
     """
-    bands = read_bands(path)
-    if surface in published or needs_calibration(bands):
+    segments = read_segments(path)
+    if surface in published or needs_calibration(segments):
         raise ValueError(
             "config key published: expected paper in a study with substitutes for its surfaces "
             f"({surface}), found none"
         )
-    if not bands.basis.isin(KNOWN_BASES).any():
+    if not segments.basis.isin(DATA_BASES).any():
         raise ValueError(
-            f"{path}: expected, in a study of own surfaces, a band whose basis is "
-            f"{' or '.join(KNOWN_BASES)}, found {', '.join(map(quote_key, bands.basis.unique()))}"
+            f"{path}: expected, in a study of own surfaces, a segment whose basis is "
+            f"{' or '.join(DATA_BASES)}, found {', '.join(map(quote_key, segments.basis.unique()))}"
         )
 
 

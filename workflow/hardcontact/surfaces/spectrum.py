@@ -79,7 +79,8 @@ class Spectrum:
     def __call__(self, wavevector: ArrayLike) -> Floats:
         """Return C_iso in nm⁴ at wavevectors in rad/nm by interpolation in log q and log C.
 
-        It is constant below the table, zero above it and where the table is zero.
+        C_iso is constant at wavelengths longer than those of the table. It is zero at shorter
+        wavelengths and where the table is zero.
         """
         log_density = np.log(np.maximum(self.density, 1e-290))
         with np.errstate(divide="ignore"):
@@ -225,20 +226,20 @@ AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 #: Rows of Table 1 to which a model is calibrated if its Hurst exponent is blank.
 CALIBRATION_ROWS = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
-#: Values of `basis` for bands that come from data; other bands are inferred or assumed.
-KNOWN_BASES = ("published", "measured")
+#: Values of `basis` for segments that come from data; other segments are inferred or assumed.
+DATA_BASES = ("published", "measured")
 
 
-def read_bands(path: str | Path) -> pd.DataFrame:
-    """Read the bands of a description of a spectrum, without blanks around its cells."""
+def read_segments(path: str | Path) -> pd.DataFrame:
+    """Read the segments of a description of a spectrum, without blanks around its cells."""
     cells = pd.read_csv(path, dtype=str).apply(lambda column: column.str.strip())
-    bands: pd.DataFrame = cells.replace("", np.nan).astype(dict.fromkeys(NUMBER_COLUMNS, float))
-    return bands
+    segments: pd.DataFrame = cells.replace("", np.nan).astype(dict.fromkeys(NUMBER_COLUMNS, float))
+    return segments
 
 
-def needs_calibration(bands: pd.DataFrame) -> bool:
+def needs_calibration(segments: pd.DataFrame) -> bool:
     """Return whether a description leaves parameters to a calibration on Table 1."""
-    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATION_ROWS)).any())
+    return bool((segments.hurst.isna() & segments.model.isin(CALIBRATION_ROWS)).any())
 
 
 def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
@@ -254,8 +255,12 @@ def power_law_extrapolation(density: Floats, hurst: float) -> Floats:
     return np.where(relative > 1, density[last_index] * relative ** (-2 - 2 * hurst), 0.0)
 
 
-def cell_shares(shortest: float) -> Floats:
-    """Return, by point of WAVEVECTORS, the share of its log interval beyond `shortest` (nm)."""
+def kept_shares(shortest: float) -> Floats:
+    """Return the shares (points,) of WAVEVECTORS that a shortest wavelength (nm) keeps.
+
+    A point stands for an interval in ln q. Its share is the part of the interval at wavelengths
+    longer than `shortest`.
+    """
     distance_in_steps = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(
         WAVEVECTORS[1] / WAVEVECTORS[0]
     )
@@ -264,7 +269,7 @@ def cell_shares(shortest: float) -> Floats:
 
 def power_law_tail(density: Floats, hurst: float, shortest: float) -> Floats:
     """Return the `power_law_extrapolation` down to a shortest wavelength (nm)."""
-    return power_law_extrapolation(density, hurst) * cell_shares(shortest)
+    return power_law_extrapolation(density, hurst) * kept_shares(shortest)
 
 
 def profile_over_isotropic(wavevector: Floats, hurst: float) -> Floats:

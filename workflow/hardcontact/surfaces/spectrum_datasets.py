@@ -16,7 +16,7 @@ from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
-    KNOWN_BASES,
+    DATA_BASES,
     WAVEVECTORS,
     Floats,
     spectrum_of_dataset,
@@ -116,8 +116,8 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its bands with KNOWN_BASES replace measurements; adjacent bands from the same source count as
-    one. Variables that only measurements have are NaN or empty.
+    Its segments with DATA_BASES replace measurements; adjacent segments from the same source
+    count as one. Variables that only measurements have are NaN or empty.
 
     Parameters
     ----------
@@ -131,12 +131,12 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     xarray.Dataset
         The variables and attributes of a joined spectrum.
     """
-    bands = pd.read_csv(io.StringIO(substitute.attrs["bands"]))
-    known_bands = bands[bands.basis.isin(KNOWN_BASES)]
-    previous = known_bands.shift()
-    has_gap = known_bands.longest_nm != previous.shortest_nm
-    begins = has_gap | (known_bands.source != previous.source)
-    runs = known_bands.groupby(begins.cumsum()).agg(
+    segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
+    data_segments = segments[segments.basis.isin(DATA_BASES)]
+    previous = data_segments.shift()
+    has_gap = data_segments.longest_nm != previous.shortest_nm
+    begins = has_gap | (data_segments.source != previous.source)
+    runs = data_segments.groupby(begins.cumsum()).agg(
         shortest_reliable=("shortest_nm", "last"),
         longest_reliable=("longest_nm", "first"),
         notes=("source", "first"),

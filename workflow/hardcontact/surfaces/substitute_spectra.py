@@ -1,4 +1,4 @@
-"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model.
+"""Spectra of substitutes from descriptions: segments of wavelengths, each with its model.
 
 Parameters that a description leaves blank are calibrated, so that scans of the spectrum have the
 rms height, slope and curvature of the paper's Table 1.
@@ -20,11 +20,11 @@ from hardcontact.surfaces.spectrum import (
     Spectrum,
     SpectrumFunction,
     all_scales_rms,
-    cell_shares,
     isotropic_through_points,
+    kept_shares,
     power_law_extrapolation,
     power_law_tail,
-    read_bands,
+    read_segments,
     spectrum_dataset,
 )
 
@@ -132,16 +132,16 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
     return rows.assign(value=rows["value"] * factors, uncertainty=rows["uncertainty"] * factors)
 
 
-def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
-    """Return the parameters of a band with which its scans meet AFM_ROWS of Table 1.
+def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
+    """Return the parameters of a segment with which its scans meet AFM_ROWS of Table 1.
 
-    The model of the band is a key of SEARCHED_PARAMETERS. Raises ValueError if no parameters meet
-    the rows.
+    The model of the segment is a key of SEARCHED_PARAMETERS. Raises ValueError if no parameters
+    meet the rows.
     """
     from scipy.optimize import least_squares
 
-    model, names = SPECTRAL_MODELS[band.model]
-    searched = SEARCHED_PARAMETERS[band.model]
+    model, names = SPECTRAL_MODELS[segment.model]
+    searched = SEARCHED_PARAMETERS[segment.model]
     values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
     def parameters(solution: Floats) -> dict[str, float]:
@@ -151,7 +151,7 @@ def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> 
         }
 
     def mismatch(solution: Floats) -> Floats:
-        band_parameters = dict(band) | parameters(solution)
+        band_parameters = dict(segment) | parameters(solution)
         table = Spectrum(
             WAVEVECTORS, model(WAVEVECTORS, *(band_parameters[name] for name in names))
         )
@@ -247,12 +247,14 @@ def spectrum_from_description(
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return the spectrum that a description defines.
 
-    A band is calibrated to Table 1 if it has no Hurst exponent and CALIBRATION_ROWS has its model.
+    A segment is calibrated to Table 1 if it has no Hurst exponent and its model is in
+    CALIBRATION_ROWS.
 
     Parameters
     ----------
     path : str or pathlib.Path
-        CSV file of bands from long to short wavelengths, each with its model, parameters and basis.
+        CSV file of segments from long to short wavelengths, each with its model, parameters and
+        basis.
     table1 : pandas.DataFrame
         Rows of Table 1 for the surface, from `rows_of_surface`.
     weights : tuple of numpy.ndarray
@@ -261,53 +263,55 @@ def spectrum_from_description(
     Returns
     -------
     tuple
-        C_iso in nm⁴ on WAVEVECTORS, the bands with all parameters, and the rows of Table 1 to which
-        the bands were calibrated.
+        C_iso in nm⁴ on WAVEVECTORS, the segments with all parameters, and the rows of Table 1 to
+        which the segments were calibrated.
 
     Raises
     ------
     ValueError
-        If a band cannot be made; names the file and the band.
+        If a segment cannot be made; names the file and the segment.
     """
-    bands = read_bands(path)
+    segments = read_segments(path)
     density = np.zeros_like(WAVEVECTORS)
     calibrated = list[str]()
-    for i, band in bands.iterrows():
+    for i, segment in segments.iterrows():
         try:
-            if pd.isna(band.hurst) and band.model in CALIBRATION_ROWS:
-                if band.model in SPECTRAL_MODELS:
-                    parameters = calibrate_model(band, table1, weights)
+            if pd.isna(segment.hurst) and segment.model in CALIBRATION_ROWS:
+                if segment.model in SPECTRAL_MODELS:
+                    parameters = calibrate_model(segment, table1, weights)
                 else:
                     hurst, shortest = calibrate_tail(density, *table1.loc[list(TAIL_ROWS), "value"])
                     parameters = {"hurst": hurst, "shortest_nm": shortest}
-                band = pd.Series(dict(band) | parameters)
-                calibrated += CALIBRATION_ROWS[band.model]
-            density += _band_density(band, density, Path(path).parent)
+                segment = pd.Series(dict(segment) | parameters)
+                calibrated += CALIBRATION_ROWS[segment.model]
+            density += _segment_density(segment, density, Path(path).parent)
         except (KeyError, ValueError, OSError) as error:
-            raise ValueError(f"{path}: band from {band.longest_nm:g} nm: {error}") from None
-        bands.loc[i] = band
-    last_band = bands.iloc[-1]
-    if last_band.model == "power law":
-        density *= cell_shares(last_band.shortest_nm)
-    return density, bands, calibrated
+            raise ValueError(f"{path}: segment from {segment.longest_nm:g} nm: {error}") from None
+        segments.loc[i] = segment
+    last_segment = segments.iloc[-1]
+    if last_segment.model == "power law":
+        density *= kept_shares(last_segment.shortest_nm)
+    return density, segments, calibrated
 
 
-def _band_density(band: pd.Series, longer_waves: Floats, folder: Path) -> Floats:
-    """Return C_iso of one band on WAVEVECTORS, zero outside it."""
-    if band.model == "power law":
-        return power_law_extrapolation(longer_waves, band.hurst) * (
-            cell_shares(band.shortest_nm) > 0
+def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> Floats:
+    """Return C_iso of one segment on WAVEVECTORS, zero outside it."""
+    if segment.model == "power law":
+        return power_law_extrapolation(longer_waves, segment.hurst) * (
+            kept_shares(segment.shortest_nm) > 0
         )
-    if band.model == "profile":
+    if segment.model == "profile":
         columns = ["wavelength_nm", "c1d_nm3"]
-        points = pd.read_csv(folder / band.table, usecols=columns, dtype=float)[columns]
+        points = pd.read_csv(folder / segment.table, usecols=columns, dtype=float)[columns]
         wavelengths, profile = points.to_numpy().T
         model = isotropic_through_points(WAVEVECTORS, wavelengths, profile)
     else:
-        density, parameters = SPECTRAL_MODELS[band.model]
-        model = density(WAVEVECTORS, *(band[name] for name in parameters))
+        density, parameters = SPECTRAL_MODELS[segment.model]
+        model = density(WAVEVECTORS, *(segment[name] for name in parameters))
     wavelength = 2 * np.pi / WAVEVECTORS
-    return np.where((wavelength <= band.longest_nm) & (wavelength > band.shortest_nm), model, 0.0)
+    return np.where(
+        (wavelength <= segment.longest_nm) & (wavelength > segment.shortest_nm), model, 0.0
+    )
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
@@ -329,7 +333,7 @@ def substitute_spectrum(
     Parameters
     ----------
     description : str or pathlib.Path
-        CSV file of bands, as in `spectrum_from_description`.
+        CSV file of segments, as in `spectrum_from_description`.
     table1 : pandas.DataFrame
         Rows of Table 1 for the surface, from `rows_of_surface`, or empty.
     constants : pandas.DataFrame
@@ -338,15 +342,15 @@ def substitute_spectrum(
     Returns
     -------
     xarray.Dataset
-        `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the bands, the rows of Table 1 to which
+        `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the segments, the rows of Table 1 to which
         they were calibrated, and the expected moments of a scan with the paper's pixels and size.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
-    density, bands, calibrated = spectrum_from_description(description, table1, weights)
+    density, segments, calibrated = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
         basis="substitute",
         table1_rows_met=",".join(calibrated),
-        bands=bands.to_csv(index=False),
+        segments=segments.to_csv(index=False),
         expected_scan_moments=expected_moments(Spectrum(WAVEVECTORS, density), weights),
     )
