@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hardcontact.contact.bearing_area import LowestGaps
-from hardcontact.contact.indents import flattening, indent_sizes
+from hardcontact.contact.indents import indent_sizes, penetration_map
 
 
 def test_indents_drawn_by_hand_have_known_sizes():
@@ -15,7 +15,7 @@ def test_indents_drawn_by_hand_have_known_sizes():
     assert (depth, count) == (2.0, 2)
     assert equal_area_side == pytest.approx(2 * 5.0)  # four pixels
     assert longer_side == 4 * 5.0
-    depth = flattening(contact, 3)
+    depth = penetration_map(contact, 3)
     assert depth.shape == (7, 7)
     assert depth[3, 3:6].tolist() == [2.0, 1.5, 0.5]
     assert depth.sum() == 4.0  # the lone pixel lies outside, the last one is not flattened

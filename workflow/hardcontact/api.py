@@ -265,9 +265,11 @@ def pull_off_forces(
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
     check_contact(surface, contact, ranges)
-    pair = bodies(surface, rough, contact)
+    contact_bodies = bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
-    forces = pull_off_of_pair(pair, contact, ranges).merge(wider_window_change([pair], longest))
+    forces = pull_off_of_pair(contact_bodies, contact, ranges).merge(
+        wider_window_change([contact_bodies], longest)
+    )
     force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
     return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(

@@ -50,7 +50,7 @@ rule draw_spectra:
             {
                 "surface": w.surface,
                 "seed": STUDY["seed"],
-                "contact_indices": SELECTION.contact_indices(w.surface),
+                "contact_scan_indices": SELECTION.contact_scan_indices(w.surface),
                 **FILES.measuring(w.surface),
             }
         ),

@@ -5,7 +5,7 @@ TRACED = {
     "surface": STUDY["reference_surface"],
     "scan": SELECTION.scans(STUDY["reference_surface"])[0],
     "sphere_scan": SELECTION.scans(SPHERE)[0],
-    "contact": [STUDY["contact"]["count"] // 2] * 2,
+    "contact_index": [STUDY["contact"]["count"] // 2] * 2,
 }
 
 
@@ -26,7 +26,7 @@ rule trace_contact:
         canonical=canonical(
             {
                 **TRACED,
-                "contacts": STUDY["contact"],
+                "contact_section": STUDY["contact"],
                 "radius": STUDY["sphere"]["radius"],
                 "label": SELECTION.labels[TRACED["surface"]],
                 "basis": SELECTION.basis[TRACED["surface"]],

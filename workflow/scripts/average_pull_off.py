@@ -14,9 +14,9 @@ with job(snakemake) as job:
     paths = zip(params["scans"], job.input.substrates, strict=True)
     forces = {}
     for scan, path in progress(paths, len(params["scans"]), "scans"):
-        pair = read_bodies(path, job.input.sphere or None, contacts[0])
+        contact_bodies = read_bodies(path, job.input.sphere or None, contacts[0])
         forces[scan, params["sphere_scan"]] = mean_pull_off_of_pair(
-            pair, contacts, params["ranges"]
+            contact_bodies, contacts, params["ranges"]
         )
     job.write(
         stack(forces, ["scan", "sphere_scan"]),

@@ -9,7 +9,7 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 with job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
-    contact_indices = params["contact_indices"]
+    contact_scan_indices = params["contact_scan_indices"]
     spectra = draw_spectra(
         (
             generator(params["seed"], surface, realization, "drawn spectrum")
@@ -21,11 +21,11 @@ with job(snakemake) as job:
         ],
         params["tip_radii"],
     )
-    for output, (spectrum, factors) in enumerate(spectra):
+    for index, (spectrum, height_factors) in enumerate(spectra):
         # Realizations use the scans in turn, like the masters with which they are compared.
-        factor = factors[contact_indices[output % len(contact_indices)]]
+        factor = height_factors[contact_scan_indices[index % len(contact_scan_indices)]]
         job.write(
             spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor),
             title=f"a spectrum that the measurements of {surface} allow",
-            output=output,
+            output=index,
         )

@@ -1,4 +1,4 @@
-"""How far indents overlap where one place of the sphere meets many places of a surface."""
+"""How far indents overlap if one part of the sphere meets many positions on a surface."""
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
@@ -24,9 +24,9 @@ with job(snakemake) as job:
         surface = large_surface(rng, spectrum, params["size"], pixel_size)
         # The window holds the whole surface, each point once.
         contact = Contact(radius=params["radius"], window=surface.size, count=1, **params["load"])
-        pair = bodies(surface, sphere, contact)
-        contact_pixels = contact.pixels(pair.geometry.pixel_size)
-        ratios.append(indented_area_ratio(pair, contact_pixels, rng, params["contacts"]))
+        contact_bodies = bodies(surface, sphere, contact)
+        contact_pixels = contact.pixels(contact_bodies.geometry.pixel_size)
+        ratios.append(indented_area_ratio(contact_bodies, contact_pixels, rng, params["contacts"]))
     names = ("surface", "label", "basis", "contacts")
     job.write(
         mean_over_surfaces(ratios, params["confidence"]).assign_attrs(

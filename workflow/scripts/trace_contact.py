@@ -6,7 +6,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.contact.traced_contact import traced_contact
 
-ATTRIBUTES = "surface", "scan", "sphere_scan", "contact", "label", "basis"
+ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
 
 with job(snakemake) as job:
     params = job.parameters
@@ -15,12 +15,14 @@ with job(snakemake) as job:
         radius=params["radius"],
         range=constants["range_of_adhesion"],
         work=constants["work_of_adhesion"],
-        **params["contacts"],
+        **params["contact_section"],
     )
-    pair = read_bodies(job.input.substrate, job.input.sphere, contact)
-    traced = traced_contact(pair, params["contact"], contact)
-    names = {name: params[name] for name in ATTRIBUTES}
+    contact_index = params["contact_index"]
+    bodies = read_bodies(job.input.substrate, job.input.sphere, contact)
+    attributes = {name: params[name] for name in ATTRIBUTES}
     job.write(
-        traced.assign_attrs(names),
-        title=f"contact {params['contact']} on {params['label']}",
+        traced_contact(bodies, contact_index, contact).assign_attrs(
+            attributes, contact=contact_index
+        ),
+        title=f"contact {contact_index} on {params['label']}",
     )

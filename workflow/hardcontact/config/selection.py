@@ -123,7 +123,7 @@ class Selection:
         texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
         return [parse_quantity(text, "nm") if text else None for text in texts]
 
-    def contact_indices(self, surface: str) -> list[int]:
+    def contact_scan_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""
         uses = self._all_rows.use[self._all_rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT]

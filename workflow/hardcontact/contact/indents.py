@@ -30,7 +30,8 @@ def indent_sizes(contact_pixels: LowestGaps, pixel_size: float) -> tuple[float, 
     The depth is the penetration of the deepest pixel. The sizes are the side of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
-    gaps, offsets = contact_pixels  # the last gap closes just at this load
+    # The gaps ascend; the sphere comes down until the last of them is zero.
+    gaps, offsets = contact_pixels
     are_neighbours = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
     count, labels = connected_components(are_neighbours, directed=False)
     pixel_counts = np.bincount(labels)
@@ -40,14 +41,17 @@ def indent_sizes(contact_pixels: LowestGaps, pixel_size: float) -> tuple[float, 
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count
 
 
-def flattening(contact_pixels: LowestGaps, half_width: int) -> NDArray[np.float64]:
-    """Return the penetration (nm) of pixels up to `half_width` pixels from the deepest."""
+def penetration_map(contact_pixels: LowestGaps, half_width: int) -> NDArray[np.float64]:
+    """Return the penetration (nm) of pixels up to `half_width` pixels from the deepest.
+
+    It is (2 half_width + 1, 2 half_width + 1), and zero out of contact.
+    """
     gaps, offsets = contact_pixels
-    depth = np.zeros((2 * half_width + 1,) * 2)
+    penetration = np.zeros((2 * half_width + 1,) * 2)
     y, x = (offsets - offsets[0] + half_width).T
     inside = (abs(y - half_width) <= half_width) & (abs(x - half_width) <= half_width)
-    depth[y[inside], x[inside]] = (gaps[-1] - gaps)[inside]
-    return depth
+    penetration[y[inside], x[inside]] = (gaps[-1] - gaps)[inside]
+    return penetration
 
 
 def indents_of_scans(
@@ -75,49 +79,49 @@ def indents_of_scans(
         ``sphere_height`` (y, x) in nm.
     """
 
-    def make_pair(scan: int, sphere_scan: int) -> Bodies:
+    def make_bodies(scan: int, sphere_scan: int) -> Bodies:
         return bodies(substrates[scan], spheres[sphere_scan], contact)
 
     loaded_contacts = [replace(contact, preload=preload) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
     pair_sizes = {
-        key: _sizes_of_pair(make_pair(*key), loaded_contacts)
+        key: _sizes_of_bodies(make_bodies(*key), loaded_contacts)
         for key in progress(keys, len(keys), "pairs of scans")
     }
     sizes = stack(pair_sizes, ["scan", "sphere_scan"])
     sizes = sizes.assign_coords(preload=("preload", list(preloads), {"units": "N"}))
     key, index = _median_contact(sizes)
-    return _add_height_maps(sizes, make_pair(*key), loaded_contacts, index).assign_attrs(
+    return _add_height_maps(sizes, make_bodies(*key), loaded_contacts, index).assign_attrs(
         hardness=contact.hardness, sphere_radius=contact.radius
     )
 
 
 def _pixels_by_load(
-    pair: Bodies, loaded_contacts: Sequence[Contact]
+    contact_bodies: Bodies, loaded_contacts: Sequence[Contact]
 ) -> list[dict[tuple[int, int], LowestGaps]]:
     """Return the contact pixels at each load, by the indices of the contact."""
-    counts = [contact.pixels(pair.geometry.pixel_size) for contact in loaded_contacts]
-    at_largest_load = all_lowest_gaps(pair, max(counts))
+    counts = [contact.pixels(contact_bodies.geometry.pixel_size) for contact in loaded_contacts]
+    lowest_gaps_by_index = all_lowest_gaps(contact_bodies, max(counts))
     return [
         {
             index: LowestGaps(gaps[:count], offsets[:count])
-            for index, (gaps, offsets) in at_largest_load.items()
+            for index, (gaps, offsets) in lowest_gaps_by_index.items()
         }
         for count in counts
     ]
 
 
-def _sizes_of_pair(pair: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
+def _sizes_of_bodies(contact_bodies: Bodies, loaded_contacts: Sequence[Contact]) -> xr.Dataset:
     """Return the sizes of indents (preload, contact_y, contact_x) of one pair of scans."""
     sizes = np.array(
         [
             [
-                indent_sizes(contact_pixels, pair.geometry.pixel_size)
+                indent_sizes(contact_pixels, contact_bodies.geometry.pixel_size)
                 for contact_pixels in pixels_by_index.values()
             ]
-            for pixels_by_index in _pixels_by_load(pair, loaded_contacts)
+            for pixels_by_index in _pixels_by_load(contact_bodies, loaded_contacts)
         ]
-    ).reshape(len(loaded_contacts), *[len(pair.geometry.positions)] * 2, -1)
+    ).reshape(len(loaded_contacts), *[len(contact_bodies.geometry.positions)] * 2, -1)
     dimensions = ("preload", "contact_y", "contact_x")
     return xr.Dataset(
         {
@@ -131,29 +135,32 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
     """Return scans and indices of the contact of median depth at the largest preload."""
     dimensions = ["scan", "sphere_scan", "contact_y", "contact_x"]
     depth = sizes.depth.sel(preload=sizes.preload.max()).transpose(*dimensions).to_numpy()
-    number = np.argsort(depth, axis=None)[depth.size // 2]
-    scan, sphere_scan, i, j = (int(index) for index in np.unravel_index(number, depth.shape))
+    flat_index = np.argsort(depth, axis=None)[depth.size // 2]
+    scan, sphere_scan, i, j = (int(index) for index in np.unravel_index(flat_index, depth.shape))
     return (int(sizes.scan[scan]), int(sizes.sphere_scan[sphere_scan])), (i, j)
 
 
 def _add_height_maps(
-    sizes: xr.Dataset, pair: Bodies, loaded_contacts: Sequence[Contact], index: tuple[int, int]
+    sizes: xr.Dataset,
+    contact_bodies: Bodies,
+    loaded_contacts: Sequence[Contact],
+    index: tuple[int, int],
 ) -> xr.Dataset:
     """Add maps of the indents of one contact at every preload, and of the sphere there."""
-    pixels_by_load = [pixels[index] for pixels in _pixels_by_load(pair, loaded_contacts)]
+    pixels_by_load = [pixels[index] for pixels in _pixels_by_load(contact_bodies, loaded_contacts)]
     offsets = np.arange(-MAP_HALF_WIDTH, MAP_HALF_WIDTH + 1)
     row, column = pixels_by_load[0].offsets[0]
-    position = offsets * pair.geometry.pixel_size
+    position = offsets * contact_bodies.geometry.pixel_size
     axis = {"units": "nm", "long_name": "position from the deepest point"}
     return sizes.assign(
         indentation=(
             ("preload", "y", "x"),
-            np.array([flattening(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
+            np.array([penetration_map(pixels, MAP_HALF_WIDTH) for pixels in pixels_by_load]),
             {"units": "nm", "long_name": "flattening of the sphere"},
         ),
         sphere_height=(
             ("y", "x"),
-            pair.sphere(row + offsets, column + offsets),
+            contact_bodies.sphere(row + offsets, column + offsets),
             {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

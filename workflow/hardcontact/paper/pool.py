@@ -204,8 +204,8 @@ def forces_at_heights(
     forces = []
     for rms_height in rms_heights:
         scaled = replace(scan, heights=rms_height / roughness["rms_height"] * scan.heights)
-        pair = bodies(mirror_stitch(scaled), None, contact)
-        forces.append(pull_off_of_pair(pair, contact, ranges)["pull_off_force"])
+        contact_bodies = bodies(mirror_stitch(scaled), None, contact)
+        forces.append(pull_off_of_pair(contact_bodies, contact, ranges)["pull_off_force"])
     axis = xr.DataArray(rms_heights, dims="rms_height_of_force", name="rms_height_of_force")
     height_forces = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")

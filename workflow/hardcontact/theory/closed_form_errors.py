@@ -114,8 +114,10 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     for realization in range(trial.realizations):
         rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
         surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
-        pair = bodies(surface, None, trial.contact)
-        plastic = pull_off_of_pair(pair, trial.contact, trial.ranges).sel(contact_model="plastic")
+        contact_bodies = bodies(surface, None, trial.contact)
+        plastic = pull_off_of_pair(contact_bodies, trial.contact, trial.ranges).sel(
+            contact_model="plastic"
+        )
         forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
         closest_approaches.append(-plastic["apex_depth"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)

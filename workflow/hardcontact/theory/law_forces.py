@@ -100,13 +100,13 @@ def filtered_range_forces(
 
 
 def range_forces(
-    pair: Bodies, contact: Contact, law_window: float, ranges: Sequence[float]
+    contact_bodies: Bodies, contact: Contact, law_window: float, ranges: Sequence[float]
 ) -> Floats:
     """Return the plastic pull-off force of every contact by range of adhesion.
 
     Parameters
     ----------
-    pair : Bodies
+    contact_bodies : Bodies
         Substrate and sphere.
     contact : Contact
         Its load gives the number of contact pixels.
@@ -121,12 +121,12 @@ def range_forces(
     numpy.ndarray
         Forces (rho, contact, contact) in N at 1 J/m².
     """
-    pixel_size = pair.geometry.pixel_size
+    pixel_size = contact_bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)
     contact_pixels = contact.pixels(pixel_size)
-    contacts = all_lowest_gaps(pair, contact_pixels)
-    window = max(window_pixels(law_window, pixel_size), pair.geometry.window)
-    totals = contact_pixels + _sums_outside_contact(pair, window, contacts, rhos)
+    contacts = all_lowest_gaps(contact_bodies, contact_pixels)
+    window = max(window_pixels(law_window, pixel_size), contact_bodies.geometry.window)
+    totals = contact_pixels + _sums_outside_contact(contact_bodies, window, contacts, rhos)
     return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
@@ -138,37 +138,39 @@ def _sums_outside_contact(
     The fast sum is relative to the highest point of the surface. If a contact is deeper than
     LARGEST_EXPONENT ranges, the pixels near each contact are summed one by one.
     """
-    pair = replace(narrow, geometry=replace(narrow.geometry, window=window))
-    highest = float(pair.substrate.heights.max())
-    if pair.roughness is not None:
-        highest += float(pair.roughness.heights.max())
+    contact_bodies = replace(narrow, geometry=replace(narrow.geometry, window=window))
+    highest = float(contact_bodies.substrate.heights.max())
+    if contact_bodies.roughness is not None:
+        highest += float(contact_bodies.roughness.heights.max())
     deepest = max(gaps[-1] for gaps, _ in contacts.values()) + highest
-    sums = np.empty((len(ranges), *[len(pair.geometry.positions)] * 2))
+    sums = np.empty((len(ranges), *[len(contact_bodies.geometry.positions)] * 2))
     is_fast = ranges * LARGEST_EXPONENT >= deepest
     if is_fast.any():
-        sums[is_fast] = outside_sums(pair, contacts, ranges[is_fast])
+        sums[is_fast] = outside_sums(contact_bodies, contacts, ranges[is_fast])
     if not is_fast.all():
         near = _near_sums(narrow, contacts, ranges[~is_fast])
         sums[~is_fast] = np.moveaxis(near.reshape(*sums.shape[1:], -1), -1, 0)
     return sums
 
 
-def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
+def _near_sums(contact_bodies: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
     """Return the sums (contacts, rho) outside contact over the pixels that count at small ranges.
 
     The number of pixels grows until the farthest one is negligible.
     """
-    substrate = as_tiles(pair.substrate)
-    roughness = None if pair.roughness is None else as_tiles(pair.roughness)
-    pixels = pair.geometry.window**2
+    substrate = as_tiles(contact_bodies.substrate)
+    roughness = None if contact_bodies.roughness is None else as_tiles(contact_bodies.roughness)
+    pixels = contact_bodies.geometry.window**2
     sums = []
     for indices, (touching, _) in contacts.items():
-        position = pair.geometry.positions[[indices]]
+        position = contact_bodies.geometry.positions[[indices]]
         count = 2 * len(touching)
         enough = False
         while not enough:
             count = min(4 * count, pixels)
-            ((gaps, _),) = lowest_gaps(substrate, roughness, pair.geometry, position, count)
+            ((gaps, _),) = lowest_gaps(
+                substrate, roughness, contact_bodies.geometry, position, count
+            )
             gaps_beyond_contact = gaps[len(touching) :] - gaps[len(touching) - 1]
             enough = gaps_beyond_contact[-1] > NEGLIGIBLE_RANGES * ranges.max() or count == pixels
         sums.append(np.exp(-gaps_beyond_contact / ranges[:, None]).sum(axis=1))
