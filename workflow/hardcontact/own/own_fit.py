@@ -1,4 +1,4 @@
-"""Range and work of adhesion that the user's own measured forces allow: fit.nc.
+"""Range and work of adhesion that the user's measured forces permit: fit.nc.
 
 Forces F are measured, and forces f are computed at 1 J/m². At every range, the work W = F/f(rho)
 makes them agree. One surface gives a curve W(rho). For several surfaces, the region contains the
@@ -23,9 +23,9 @@ from hardcontact.base.statistics import (
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.own.predicted_force import (
-    ScanForces,
+    SurfaceForces,
     fewest_places,
-    forces_of_scans,
+    forces_of_surface,
 )
 from hardcontact.own.scan_parts import sampled_deviations
 from hardcontact.paper.error_map import fit_range_and_work
@@ -33,7 +33,7 @@ from hardcontact.paper.error_map import fit_range_and_work
 #: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
 MAX_LOG_DEVIATION = 50.0
 #: Number of ranges of adhesion on the curves, from the shortest to the longest computed range.
-FINE_RANGES = 401
+CURVE_RANGE_COUNT = 401
 
 NM = {"units": "nm"}
 NEWTON = {"units": "N"}
@@ -45,7 +45,7 @@ class MeasuredTests(NamedTuple):
     """Tests on one surface."""
 
     mean: float  #: Mean force in N.
-    shape: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
+    log_std: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
     test_count: int  #: Number of tests.
 
 
@@ -72,11 +72,11 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     if tests.test_count < 2:
         return np.full(samples, np.nan)
     freedom = tests.test_count - 1
-    variance = tests.shape**2
-    variance_drawn = variance * freedom / rng.chisquare(freedom, samples)
+    variance = tests.log_std**2
+    drawn_variance = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
-    deviation = (variance_drawn - variance) / 2 - normal * np.sqrt(
-        variance_drawn / tests.test_count
+    deviation = (drawn_variance - variance) / 2 - normal * np.sqrt(
+        drawn_variance / tests.test_count
     )
     return np.asarray(
         tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
@@ -124,27 +124,31 @@ def fit_measured(
         for name, test in zip(surfaces, tests, strict=True)
     ]
     models = {}
-    places = fewest_places(adhesion)
+    sources = []
+    touched_places = fewest_places(adhesion)
     for model in adhesion.contact_model.values.tolist():
         model_forces = adhesion.pull_off_force.sel(contact_model=model)
-        scans = [
-            forces_of_scans(model_forces.sel(surface=name), scan_sizes[name], radius, places[name])
+        forces_by_surface = [
+            forces_of_surface(
+                model_forces.sel(surface=name), scan_sizes[name], radius, touched_places[name]
+            )
             for name in surfaces
         ]
         works = [
-            mean[:, None] / _sampled_forces(scan, name, sampling)
-            for mean, scan, name in zip(measured_samples, scans, surfaces, strict=True)
+            mean[:, None] / _sampled_forces(surface_forces, name, sampling)
+            for mean, surface_forces, name in zip(
+                measured_samples, forces_by_surface, surfaces, strict=True
+            )
         ]
-        computed_forces = np.array([scan.mean for scan in scans])
+        computed_forces = np.array([surface_forces.mean for surface_forces in forces_by_surface])
         models[(model,)] = _fit_model(
             computed_forces, measured_forces, np.stack(works, axis=1), rhos, sampling.confidence
         )
-    # The last contact model gives the sources of intervals: tests and parts of scans are the same
-    # for all models.
-    sources = [
-        scan.scan_parts[0].source if test.test_count > 1 else "one_test"
-        for scan, test in zip(scans, tests, strict=True)
-    ]
+        # Tests and parts of scans, and so the sources of intervals, are the same for all models.
+        sources = [
+            surface_forces.scan_parts[0].source if test.test_count > 1 else "one_test"
+            for surface_forces, test in zip(forces_by_surface, tests, strict=True)
+        ]
     variables = sampling.with_interval(
         "measured_force",
         "surface",
@@ -164,17 +168,17 @@ def fit_measured(
     )
 
 
-def _sampled_forces(scans: ScanForces, surface: str, sampling: Sampling) -> np.ndarray:
+def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
     """Draw mean forces (sample, rho) of a surface, with the same random numbers at every range."""
     deviations = [
         sampled_deviations(
             sampling.generator("scans", surface), delete_one_log_means, scan_parts, sampling.samples
         )
         for delete_one_log_means, scan_parts in zip(
-            scans.delete_one_log_means.T, scans.scan_parts, strict=True
+            surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
         )
     ]
-    return np.asarray(scans.mean * np.exp(np.stack(deviations, axis=1)))
+    return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
 
 
 def _fit_model(
@@ -193,7 +197,7 @@ def _fit_model(
     """
     count = len(measured_forces)
     # A single computed range is not interpolated.
-    range_count = FINE_RANGES if len(rhos) > 1 else 1
+    range_count = CURVE_RANGE_COUNT if len(rhos) > 1 else 1
     fine_ranges = np.union1d(np.geomspace(rhos[0], rhos[-1], range_count), rhos)
     fine_forces = interpolate_to_ranges(computed_forces, rhos, fine_ranges)
 
@@ -264,8 +268,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
     The work is the measured force divided by the force computed at 1 J/m². Extrapolated roughness
-    changes the computed force by a factor and the work by its inverse: W F_scan/F_extrapolated.
-    Masters are computed at one range and in plastic contact only, so the result is one value, not a
+    changes the computed force by a factor and the work by the inverse of this factor. Forces on
+    masters are computed at one range and in plastic contact only, so the result is one value, not a
     curve over ranges.
 
     Parameters
@@ -279,8 +283,8 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     -------
     xarray.Dataset
         The fit with ``extrapolated_work`` (surface, side) in J/m² and its interval, in which the
-        independent relative errors of measured and computed force are added as squares of their
-        logarithms; ``extrapolation_matters`` and ``transition`` of the forces; the attribute
+        independent errors of the logarithms of measured and computed force are added in squares;
+        ``extrapolation_matters`` and ``transition`` of the forces; the attribute
         ``range_of_adhesion``, at which ``work_of_adhesion`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)

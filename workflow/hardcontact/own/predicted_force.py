@@ -109,7 +109,7 @@ def own_force(
     )
 
 
-class ScanForces(NamedTuple):
+class SurfaceForces(NamedTuple):
     """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
     mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
@@ -136,7 +136,9 @@ def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
     return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
 
 
-def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: float) -> ScanForces:
+def forces_of_surface(
+    forces: xr.DataArray, size: float, radius: float, places: float
+) -> SurfaceForces:
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
@@ -154,7 +156,7 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float, places: fl
     delete_one_log_means = delete_one_logarithms(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
-    return ScanForces(
+    return SurfaceForces(
         scan_forces.mean(CONTACT_AXES).mean("scan").values, delete_one_log_means, scan_parts
     )
 
@@ -219,27 +221,27 @@ def _surface_force(
     """Return the variables of one surface."""
     radius = float(adhesion.attrs["sphere_radius"])
     forces = adhesion.pull_off_force * work
-    models = [
-        forces_of_scans(forces.sel(contact_model=model), size, radius, places)
+    forces_by_model = [
+        forces_of_surface(forces.sel(contact_model=model), size, radius, places)
         for model in forces.contact_model.values
     ]
-    mean = np.array([scans.mean for scans in models])
+    mean = np.array([model_forces.mean for model_forces in forces_by_model])
     half = np.array(
         [
             [
                 half_width([jackknife_variance(delete_one_log_means, scan_parts)], confidence)
                 for delete_one_log_means, scan_parts in zip(
-                    scans.delete_one_log_means.T, scans.scan_parts, strict=True
+                    model_forces.delete_one_log_means.T, model_forces.scan_parts, strict=True
                 )
             ]
-            for scans in models
+            for model_forces in forces_by_model
         ]
     )
     interval = logarithmic_interval(mean, half)
     quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]).transpose(
         "contact_model", "rho", "quantile"
     )
-    scan_parts = models[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
+    scan_parts = forces_by_model[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
     dimensions = ("contact_model", "rho")
     return xr.Dataset(
         with_interval("force", dimensions, mean, interval, NEWTON, confidence)
