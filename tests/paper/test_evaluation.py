@@ -194,7 +194,7 @@ def test_a_claim_without_a_number_is_undecided():
     [
         ({"rule": "close"}, "unknown rule 'close'"),
         ({"quantity": "colour"}, ".*colour"),
-        ({"quantity": "force_slope"}, ".*pull_off_force"),
+        ({"quantity": "range_exponent_of_force"}, ".*pull_off_force"),
         ({"quantity": "interaction_radius_at_fit"}, "expected sphere_radius, found none"),
         ({"dataset": "colours"}, "no dataset named 'colours'"),
         ({"select": "phase=solid"}, ".*phase"),

@@ -52,17 +52,17 @@ def test_roughness_ratios_compare_all_scales_with_afm_scans():
     values = {"afm_height": 2.0, "afm_slope": 0.1, "afm_curvature": 0.01}
     values |= {"all_height": 3.0, "all_slope": 0.6, "all_curvature": 0.6}
     topography = xr.Dataset(values, attrs={"table1_variables": json.dumps(names)})
-    near(force.slope_by_scales(topography), 6)
-    near(force.slope_over_height(topography), 6 / 1.5)
-    near(force.curvature_over_height(topography), 60 / 1.5)
+    near(force.slope_growth(topography), 6)
+    near(force.slope_growth_over_height_growth(topography), 6 / 1.5)
+    near(force.curvature_growth_over_height_growth(topography), 60 / 1.5)
 
 
-def test_contact_height_is_a_ratio_of_each_scan():
+def test_approach_level_is_a_ratio_of_each_scan():
     """If apex and roughness scatter together, their ratio does not scatter."""
     rms = np.array([16.0, 17.0, 19.0])
     adhesion = xr.Dataset({"apex_depth": (("scan", "contact"), -3.4 * rms[:, None])})
     topography = xr.Dataset({"rms_height": ("scan", rms)})
-    height = contact.contact_height(adhesion.assign_attrs(confidence=0.95), topography)
+    height = contact.approach_level(adhesion.assign_attrs(confidence=0.95), topography)
     near(height, 3.4)
     np.testing.assert_allclose(*bounds(height, "value"))
 
@@ -105,10 +105,10 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
     scale = xr.DataArray([0.1, 1.0, 1.3], dims="surface")
     areas, shares = elastic["contact_area"] * scale, elastic["share_above_hardness"] * scale
     three = elastic.assign(contact_area=areas, share_above_hardness=shares)
-    near(contact.typical_share_above_hardness(three), 0.45)
-    near(contact.typical_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
+    near(contact.median_share_above_hardness(three), 0.45)
+    near(contact.median_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
-    near(contact.typical_force_exponent(exponents), 0.1)
+    near(contact.median_force_exponent(exponents), 0.1)
     radii = xr.DataArray([5e3, 62.5e3, 1e6], dims="radius", coords={"radius": [5e3, 62.5e3, 1e6]})
     edge = radii ** (0.5 * xr.DataArray([0.1, 0.6, 2.0], dims="surface"))
     edge = edge.where(radii > 5e3, 1.0).expand_dims(side=["large"], rho=[5.6], area=[400.0])
@@ -116,7 +116,7 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
         [edge / 1.1, edge * 1.1], xr.DataArray(["low", "high"], dims="bound", name="bound")
     )
     scaling = xr.Dataset({"edge": edge, "edge_interval": ends}, attrs={"rho": 5.6, "area": 400.0})
-    exponent = contact.typical_long_edge_exponent(scaling)
+    exponent = contact.median_long_edge_exponent(scaling)
     near(exponent, 0.6)
     half_width = 2 * np.log(1.1) / np.log(4)
     np.testing.assert_allclose(exponent.value_interval, [0.6 - half_width, 0.6 + half_width])
@@ -147,8 +147,8 @@ def test_one_wave_has_the_deformation_energy_in_closed_form():
 
 def test_a_power_law_of_the_range_gives_the_slopes_of_force_and_area():
     """The attracting area grows by one power more than the force."""
-    near(force.force_slope(make_adhesion(powers(0.6))), [0.6, 0.6])
-    near(force.area_slope(make_adhesion(powers(0.6))), [1.6, 1.6])
+    near(force.range_exponent_of_force(make_adhesion(powers(0.6))), [0.6, 0.6])
+    near(force.range_exponent_of_area(make_adhesion(powers(0.6))), [1.6, 1.6])
 
 
 def test_ratios_of_forces_are_taken_on_each_scan():
@@ -156,7 +156,7 @@ def test_ratios_of_forces_are_taken_on_each_scan():
     forces[1, :, 1] *= 3
     near(force.plastic_over_rigid(make_adhesion(forces)), (2 + 6) / 2)
     forces[1, 0] = forces[1, 1] * np.array([2.0, 4.0])[:, None]
-    near(force.short_range_rise(make_adhesion(forces)), [1.0, 3.0])
+    near(force.force_at_shortest_range_over_smallest(make_adhesion(forces)), [1.0, 3.0])
 
 
 def test_the_force_on_a_smooth_sphere_changes_where_pixels_are_coarse():

@@ -1,4 +1,4 @@
-"""Numbers about contact (height, area, deformation), classical models and effective works.
+"""Numbers about contact, classical models and effective works of adhesion.
 
 Lengths in nm, forces in N, pressures in Pa. Each function returns a number, a dataset of `value`
 and `value_interval` (`paper.numbers`); its dimensions are in brackets.
@@ -39,10 +39,10 @@ def printed_effective_work(classical: xr.Dataset) -> xr.Dataset:
 
 
 def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
-    """Return the Tabor parameter (). Its interval reaches to its value by another convention.
+    """Return the Tabor parameter (no dimensions).
 
-    The other convention is (4 R W²/(K² z0³))^(1/3) with K = 4 E*/3 in place of
-    (R W²/(E*² z0³))^(1/3).
+    Its interval reaches to its value by another convention: (4 R W²/(K² z0³))^(1/3) with
+    K = 4 E*/3 in place of (R W²/(E*² z0³))^(1/3).
     """
     tabor = classical["tabor_parameter"]
     return number_with_interval(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
@@ -59,7 +59,7 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
     )
 
 
-def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
+def approach_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
     """Return the height of the apex of the sphere in contact above the mean plane.
 
     It is in rms heights of the scan (surface, contact_model). Contact pixels are at least as high,
@@ -78,7 +78,7 @@ def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the plastic force on finer pixels relative to the pixels of the study (surface).
 
-    The range of adhesion is the smallest, the finer pixels are half as large.
+    The force is taken at the smallest computed range. The finer pixels have half the side.
     """
     return mean_over_scans(adhesion["finer_pixel_ratio"], adhesion.attrs["confidence"])
 
@@ -91,21 +91,21 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
     return absolute_value(signed_mean_over_scans(change, elastic.attrs["confidence"]))
 
 
-def typical_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the share of the contact area whose pressure exceeds the hardness ().
+def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the share of the contact area whose pressure exceeds the hardness (no dimensions).
 
     It is the median over the surfaces.
     """
     return variable_as_number(elastic, "share_above_hardness").median("surface", skipna=False)
 
 
-def typical_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the area of plastic contact (preload/hardness) relative to elastic contact ().
+def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the area of plastic contact relative to elastic contact (no dimensions).
 
-    It is the median over the surfaces.
+    It is the median over the surfaces; the area of plastic contact is preload/hardness.
     """
-    plastic = elastic.attrs["preload"] / elastic.attrs["hardness"] / M2_PER_NM2
-    ratio = plastic / mean_over_contacts(elastic["contact_area"])
+    plastic_area = elastic.attrs["preload"] / elastic.attrs["hardness"] / M2_PER_NM2
+    ratio = plastic_area / mean_over_contacts(elastic["contact_area"])
     return mean_over_scans(ratio, elastic.attrs["confidence"]).median("surface", skipna=False)
 
 
@@ -117,18 +117,18 @@ def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr
     """
     spectrum = topography["psd_isotropic"].sel(surface=elastic["surface"]).fillna(0)
     moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
-    energy = elastic.attrs["effective_modulus"] / 4 * 1e-9 * moment.where(moment > 0)
-    ratio = energy / elastic.attrs["work_of_adhesion"]
+    energy_per_area = elastic.attrs["effective_modulus"] / 4 * 1e-9 * moment.where(moment > 0)
+    ratio = energy_per_area / elastic.attrs["work_of_adhesion"]
     return mean_over_scans(ratio, elastic.attrs["confidence"])
 
 
-def typical_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return d ln(force)/d ln(radius), the median over the surfaces ()."""
+def median_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return d ln(force)/d ln(radius), the median over the surfaces (no dimensions)."""
     return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
 
 
-def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return d ln(long edge)/d ln(root of the radius) ().
+def median_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return d ln(long edge)/d ln(root of the radius) (no dimensions).
 
     It is the median over the surfaces, for spheres of at least LARGE_RADIUS. The interval follows
     from the ends of the intervals at the smallest and the largest of these spheres.
@@ -139,17 +139,17 @@ def typical_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
     smallest = large.isel(radius=0)
     largest = large.isel(radius=-1)
     ratio = quotient(variable_as_number(largest, "edge"), variable_as_number(smallest, "edge"))
-    root = (largest["radius"] / smallest["radius"]) ** 0.5
-    return (ratio.map(np.log) / np.log(root)).median("surface", skipna=False)
+    root_of_radius_ratio = (largest["radius"] / smallest["radius"]) ** 0.5
+    return (ratio.map(np.log) / np.log(root_of_radius_ratio)).median("surface", skipna=False)
 
 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the repulsion in contacts relative to the attraction around them (surface).
 
-    Two large rough surfaces stick if it is below one: h' ρ/(k l) (h' d/(4 ρ))^(2/3) / (pi
-    (3/16)^(2/3)) with the rms slope h' and the rms curvature h'' of all scales, d = 4 h'/h'', l =
-    W/E*, k = 2. The range of adhesion ρ is the shortest range of atomic interactions. Pastewka and
-    Robbins, Proceedings of the National Academy of Sciences 111 (2014) 3298.
+    Two large rough surfaces stick if it is below one. It is h' ρ E*/(2 W) divided by
+    π (3/16)^(2/3) (ρ h''/h'²)^(2/3), with the rms slope h' and the rms curvature h'' of all scales.
+    The range of adhesion ρ is the shortest range of atomic interactions. Pastewka and Robbins,
+    Proceedings of the National Academy of Sciences 111 (2014) 3298.
     """
     names = json.loads(topography.attrs["table1_variables"])
     slope = topography[names["all_rms_slope"]]

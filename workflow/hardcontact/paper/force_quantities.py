@@ -1,7 +1,8 @@
 """Numbers about pull-off forces, and about roughness of all scales relative to the AFM scans.
 
-Forces in N, lengths in nm. Each function returns a number, a dataset of `value` and
-`value_interval` (`paper.numbers`); its dimensions are in brackets.
+Forces in N, lengths in nm. The reference range is the computed range nearest to the attribute
+`reference_rho`. Each function returns a number, a dataset of `value` and `value_interval`
+(`paper.numbers`); its dimensions are in brackets.
 """
 
 import json
@@ -21,17 +22,17 @@ from hardcontact.paper.numbers import (
 )
 
 
-def slope_by_scales(topography: xr.Dataset) -> xr.Dataset:
+def slope_growth(topography: xr.Dataset) -> xr.Dataset:
     """Return the rms slope of all scales relative to the AFM scans (surface)."""
     return _all_over_afm(topography, "slope")
 
 
-def slope_over_height(topography: xr.Dataset) -> xr.Dataset:
-    """Return `slope_by_scales` divided by the same ratio of the rms heights (surface)."""
+def slope_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
+    """Return `slope_growth` divided by the same ratio of the rms heights (surface)."""
     return quotient(_all_over_afm(topography, "slope"), _all_over_afm(topography, "height"))
 
 
-def curvature_over_height(topography: xr.Dataset) -> xr.Dataset:
+def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
     """Return the rms curvature of all scales relative to the AFM scans (surface).
 
     It is divided by the same ratio of the rms heights.
@@ -66,39 +67,41 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
     return mean_over_scans(plastic / rigid, adhesion.attrs["confidence"])
 
 
-def force_slope(adhesion: xr.Dataset) -> xr.Dataset:
+def range_exponent_of_force(adhesion: xr.Dataset) -> xr.Dataset:
     """Return d ln F / d ln rho of the mean force at the reference range (surface, contact_model).
 
-    The number is the mean of the slopes of all scans, with an interval over scans.
+    The number is the mean of the exponents of all scans, with an interval over scans.
     """
     mean = mean_over_contacts(adhesion["pull_off_force"])
     logarithm = xr.DataArray(np.log(mean)).assign_coords(rho=np.log(mean["rho"]))
-    slope = logarithm.differentiate("rho")
-    reference = np.log(adhesion.attrs["reference_rho"])
-    reference_slope = slope.sel(rho=reference, method="nearest", drop=True)
-    return signed_mean_over_scans(reference_slope, adhesion.attrs["confidence"])
+    exponent = logarithm.differentiate("rho")
+    log_reference_rho = np.log(adhesion.attrs["reference_rho"])
+    reference_exponent = exponent.sel(rho=log_reference_rho, method="nearest", drop=True)
+    return signed_mean_over_scans(reference_exponent, adhesion.attrs["confidence"])
 
 
-def area_slope(adhesion: xr.Dataset) -> xr.Dataset:
+def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return d ln A / d ln rho of the area A that attracts (surface, contact_model).
 
     Each pixel counts by its attraction relative to a pixel in contact: A = F rho / W (Eq. 3).
     """
-    return 1 + force_slope(adhesion)
+    return 1 + range_exponent_of_force(adhesion)
 
 
-def short_range_rise(adhesion: xr.Dataset) -> xr.Dataset:
+def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the force at the smallest range, relative to the smallest force.
 
     Its dimensions are surface and contact_model.
     """
     mean = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho")
-    rise = mean.isel(rho=0, drop=True) / mean.min("rho")
-    return mean_over_scans(rise, adhesion.attrs["confidence"])
+    ratio = mean.isel(rho=0, drop=True) / mean.min("rho")
+    return mean_over_scans(ratio, adhesion.attrs["confidence"])
 
 
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the largest relative change with range of the force on a smooth sphere and plane ().
+    """Return by how much the force on a smooth sphere and plane varies (no dimensions).
+
+    It is the largest force relative to the smallest over the computed ranges, minus one.
 
     Eq. 3 on the pixels of the study: the sum over a paraboloid is a product of sums over both axes.
     """
@@ -150,9 +153,14 @@ def _forces_at_reference(forces: xr.DataArray, adhesion: xr.Dataset) -> xr.DataA
     return forces.sel(rho=adhesion.attrs["reference_rho"], method="nearest", drop=True)
 
 
-def _kolmogorov_distance(values: np.ndarray, cumulative: Callable[..., np.ndarray]) -> float:
-    """Return the largest difference of the distribution of values (n,) to a cumulative one."""
-    expected = cumulative(np.sort(values))
+def _kolmogorov_distance(
+    values: np.ndarray, cumulative_distribution: Callable[..., np.ndarray]
+) -> float:
+    """Return the largest difference between the empirical distribution of values (n,) and another.
+
+    `cumulative_distribution` is that of the other distribution.
+    """
+    expected = cumulative_distribution(np.sort(values))
     steps = np.arange(len(values) + 1) / len(values)
     return float(max((steps[1:] - expected).max(), (expected - steps[:-1]).max()))
 

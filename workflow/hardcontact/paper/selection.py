@@ -163,7 +163,7 @@ def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
 
 
 #: Quantities of Table 1 that depend on the size of a pixel.
-PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_by_scales")
+PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
 
 
 def fixed_verdict(
