@@ -26,6 +26,11 @@ POWERS_OF_TEN = {
     }
     | {"erg/cm2": -3, "dyn/cm": -3},
 }
+#: Attributes of variables of datasets, by their unit.
+NM = {"units": "nm"}
+NEWTON = {"units": "N"}
+JOULE_PER_M2 = {"units": "J m-2"}
+DIMENSIONLESS = {"units": "1"}
 _QUANTITY = re.compile(
     r"\s*([+-]?[0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-zµμÅ/]+)(\^?2|²)?\s*"
 )

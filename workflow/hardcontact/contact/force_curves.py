@@ -83,7 +83,7 @@ def force_curves(
 
     Returns
     -------
-    dict of str to variable
+    dict of str to tuple
         ``mean_force`` in N and ``force_ratio``, both (surface, rho), with their intervals.
     """
     dimensions = ("surface", "rho")
@@ -98,12 +98,14 @@ def force_curves(
     }
 
 
-def interpolate_to_ranges(forces: np.ndarray, rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Return forces (..., rho) at other ranges (nm), by a cubic spline in log F and log rho.
+def interpolate_to_ranges(
+    forces: np.ndarray, computed_ranges: np.ndarray, new_ranges: np.ndarray
+) -> np.ndarray:
+    """Return forces (..., rho) at new ranges (nm), by a cubic spline in log F and log rho.
 
-    NaN beyond the computed ranges `rhos`.
+    NaN beyond the computed ranges (nm).
     """
-    interpolated: np.ndarray = np.exp(np.log(forces) @ _spline_weights(rhos, ranges))
+    interpolated: np.ndarray = np.exp(np.log(forces) @ _spline_weights(computed_ranges, new_ranges))
     return interpolated
 
 
@@ -117,16 +119,16 @@ def interpolate_to_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
     return interpolated
 
 
-def _spline_weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Return the weights (rho, range) that turn ln F at `rhos` into its spline at `ranges`.
+def _spline_weights(computed_ranges: np.ndarray, new_ranges: np.ndarray) -> np.ndarray:
+    """Return the weights (computed range, new range) that turn ln F into its spline.
 
     They are NaN beyond the ends.
     """
     from scipy.interpolate import make_interp_spline
 
-    degree = min(3, len(rhos) - 1)
-    spline = make_interp_spline(np.log(rhos), np.eye(len(rhos)), k=degree)
-    weights: np.ndarray = spline(np.log(ranges), extrapolate=False).T
+    count = len(computed_ranges)
+    spline = make_interp_spline(np.log(computed_ranges), np.eye(count), k=min(3, count - 1))
+    weights: np.ndarray = spline(np.log(new_ranges), extrapolate=False).T
     return weights
 
 
@@ -153,7 +155,7 @@ def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling)
     force_floor : float
         Smallest measurable force in N. Smaller forces enter the fit as censored.
     sampling : Sampling
-        Confidence of the intervals; without samples they are NaN.
+        Confidence of the intervals. The intervals are NaN if `sampling.samples` is 0.
 
     Returns
     -------

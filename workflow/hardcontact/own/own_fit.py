@@ -20,6 +20,7 @@ from hardcontact.base.statistics import (
     percentile_interval,
     with_interval,
 )
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.own.predicted_force import (
@@ -34,11 +35,6 @@ from hardcontact.paper.error_map import fit_range_and_work
 MAX_LOG_DEVIATION = 50.0
 #: Number of ranges of adhesion on the curves, from the shortest to the longest computed range.
 CURVE_RANGE_COUNT = 401
-
-NM = {"units": "nm"}
-NEWTON = {"units": "N"}
-JOULE_PER_M2 = {"units": "J m-2"}
-DIMENSIONLESS = {"units": "1"}
 
 
 class MeasuredTests(NamedTuple):

@@ -11,6 +11,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
@@ -37,7 +38,6 @@ from hardcontact.theory.summits import draw_size
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
-NEWTON = {"units": "N"}
 
 
 def own_force(
@@ -253,10 +253,10 @@ def _surface_force(
             "contacts": (
                 (),
                 np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES]),
-                {"units": "1"},
+                DIMENSIONLESS,
             ),
-            "touched_places": ((), places, {"units": "1"}),
-            "correlation_of_parts": ((), scan_parts.mean_correlation, {"units": "1"}),
+            "touched_places": ((), places, DIMENSIONLESS),
+            "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
     )

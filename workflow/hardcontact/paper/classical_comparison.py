@@ -13,14 +13,11 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling, with_interval
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON
 from hardcontact.contact import smooth_sphere
 from hardcontact.contact.smooth_sphere import Material
 from hardcontact.paper.classical_fits import compare_models, power_laws, sample_roughness
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Roughness
-
-NEWTON = {"units": "N"}
-ONE = {"units": "1"}
-ENERGY = {"units": "J m-2"}
 
 #: Prefixes of the rows of Table 1: roughness of the AFM scans, and roughness of all scales.
 METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
@@ -95,7 +92,7 @@ def apply_classical_models(
         )
         name = "effective_work_of_adhesion"
         variables = with_interval(
-            name, "surface", works[force_source], work_interval, ENERGY, confidence
+            name, "surface", works[force_source], work_interval, JOULE_PER_M2, confidence
         )
         effective[(force_source,)] = xr.Dataset(variables)
     targets = {force_source: force for force_source, (force, _) in forces.items()}
@@ -123,7 +120,7 @@ def apply_classical_models(
         .reindex(surface=inference["surface"].values)
         .assign(descriptions)
         .assign(
-            tabor_parameter=((), tabor, ONE),
+            tabor_parameter=((), tabor, DIMENSIONLESS),
             hertz_peak_pressure=((), hertz.peak_pressure, {"units": "Pa"}),
             label=inference["label"],
             basis=inference["basis"],

@@ -11,6 +11,7 @@ from scipy.stats import truncnorm
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.paper import error_map
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
 
@@ -20,8 +21,6 @@ WORKS = np.geomspace(1e-3, 10, 401)
 EXPONENTS = np.linspace(-8, 8, 321)
 REFINEMENTS = 3
 
-NEWTON = {"units": "N"}
-ONE = {"units": "1"}
 
 #: Smallest force of a model, relative to the target, for which a work of adhesion is fitted.
 MIN_FORCE_RATIO = 1e-3
@@ -170,7 +169,9 @@ def compare_models(
         for force_source, target in targets.items():
             _, error = fit_classical_work(model, mean, sphere, target)
             _, error_samples = fit_classical_work(model, samples, sphere, target)
-            variables = sampling.with_interval("mean_relative_error", (), error, error_samples, ONE)
+            variables = sampling.with_interval(
+                "mean_relative_error", (), error, error_samples, DIMENSIONLESS
+            )
             fits[name, force_source] = xr.Dataset(variables)
     return stack(forces, ["model"]).merge(stack(fits, ["model", "force_source"]))
 
@@ -199,6 +200,8 @@ def power_laws(
         for force_source, work in works.items():
             error = power_law_error(getattr(mean, parameter), work)
             error_samples = power_law_error(getattr(samples, parameter), work)
-            variables = sampling.with_interval("power_law_error", (), error, error_samples, ONE)
+            variables = sampling.with_interval(
+                "power_law_error", (), error, error_samples, DIMENSIONLESS
+            )
             fits[parameter, force_source] = xr.Dataset(variables)
     return stack(fits, ["rms_parameter", "force_source"])

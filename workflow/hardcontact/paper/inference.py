@@ -12,6 +12,7 @@ import xarray as xr
 
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import Sampling
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.force_curves import (
     force_curves,
     force_statistics,
@@ -21,24 +22,21 @@ from hardcontact.contact.force_curves import (
 )
 from hardcontact.paper import error_map
 
-#: Pairs of range and work of adhesion.
+#: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 
 #: Number of ranges of adhesion of the error map, from the smallest to the largest computed range.
-FINE_RANGES = 801
+FINE_RANGE_COUNT = 801
 
 #: Largest number of local minima of the error.
 MAX_MINIMA = 3
 
-NM = {"units": "nm"}
-ENERGY = {"units": "J m-2"}
-ONE = {"units": "1"}
 
 #: Variables fitted to mean forces, with their units.
 INFERRED_UNITS = {
     "range_of_adhesion": NM,
-    "work_of_adhesion": ENERGY,
-    "best_error": ONE,
+    "work_of_adhesion": JOULE_PER_M2,
+    "best_error": DIMENSIONLESS,
     "range_from_ratios": NM,
 }
 
@@ -92,23 +90,23 @@ def infer(
     Returns
     -------
     xarray.Dataset
-        By contact_model: the variables of `infer_model`. By contact_model, pair and surface: the
-        variables of `force_statistics` and ``ratio_at_pair``. ``model_error_ratio``, the smallest
-        error of rigid contact relative to plastic contact.
+        The variables of `infer_model` have the dimension contact_model. The variables of
+        `force_statistics` and ``ratio_at_pair`` also have pair and surface. ``model_error_ratio``
+        is the smallest error of rigid contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
     published_forces = published.forces.mean_force.reindex(surfaces).to_numpy()
-    reference = surfaces.index(reference_surface)
+    reference_index = surfaces.index(reference_surface)
     model_datasets = []
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        fits = infer_model(forces, published_forces, reference, error_threshold, sampling)
+        fits = infer_model(forces, published_forces, reference_index, error_threshold, sampling)
         fitted = Pair(float(fits.range_of_adhesion), float(fits.work_of_adhesion))
-        pairs = [
-            _forces_at_pair(forces, pair, reference, force_floor, sampling)
+        pair_statistics = [
+            _forces_at_pair(forces, pair, reference_index, force_floor, sampling)
             for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
-        model_datasets.append(fits.merge(xr.concat(pairs, pd.Index(PAIRS, name="pair"))))
+        model_datasets.append(fits.merge(xr.concat(pair_statistics, pd.Index(PAIRS, name="pair"))))
     models = xr.concat(
         model_datasets, pd.Index(adhesion.contact_model.values, name="contact_model")
     )
@@ -130,31 +128,31 @@ def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]
     plastic = models.sel(contact_model="plastic")
     value = rigid["best_error"].item() / plastic["best_error"].item()
     samples = rigid["sampled_error"].values / plastic["sampled_error"].values
-    return sampling.with_interval("model_error_ratio", (), value, samples, ONE)
+    return sampling.with_interval("model_error_ratio", (), value, samples, DIMENSIONLESS)
 
 
 def _forces_at_pair(
-    forces: xr.DataArray, pair: Pair, reference: int, floor: float, sampling: Sampling
+    forces: xr.DataArray, pair: Pair, reference_index: int, force_floor: float, sampling: Sampling
 ) -> xr.Dataset:
     """Return force statistics and ratios of mean forces of one contact model by surface."""
     pair_forces = interpolate_to_range(forces, pair.range_of_adhesion) * pair.work_of_adhesion
     means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
-    ratio = means[:, 0] / means[reference, 0]
-    ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference], 0]
+    ratio = means[:, 0] / means[reference_index, 0]
+    ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference_index], 0]
     contacts = pair_forces.stack(contact=["contact_y", "contact_x"])
     statistics = [
-        force_statistics(contacts.sel(surface=surface).values, floor, sampling)
+        force_statistics(contacts.sel(surface=surface).values, force_floor, sampling)
         for surface in forces.surface.values
     ]
     return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
-        sampling.with_interval("ratio_at_pair", "surface", ratio, ratio_samples, ONE)
+        sampling.with_interval("ratio_at_pair", "surface", ratio, ratio_samples, DIMENSIONLESS)
     )
 
 
 def infer_model(
     forces: xr.DataArray,
     published_forces: np.ndarray,
-    reference: int,
+    reference_index: int,
     threshold: float,
     sampling: Sampling,
 ) -> xr.Dataset:
@@ -167,7 +165,7 @@ def infer_model(
         missing scan.
     published_forces : numpy.ndarray
         Published mean forces (surface,) in N. Surfaces with NaN do not enter the fit.
-    reference : int
+    reference_index : int
         Index of the surface to which force ratios are taken.
     threshold : float
         Mean relative error below which a pair counts as fitting.
@@ -182,39 +180,39 @@ def infer_model(
         ``minimum`` numbers them in the order of their errors; missing minima are NaN.
     """
     rhos = forces.rho.values
-    fine_ranges = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
+    fine_ranges = np.geomspace(rhos[0], rhos[-1], FINE_RANGE_COUNT)
     means, mean_samples = mean_forces(forces, sampling)
     is_published = np.isfinite(published_forces)
     targets = published_forces[is_published]
-    target_reference = int(is_published[:reference].sum())
+    fitted_reference_index = int(is_published[:reference_index].sum())
     curves = interpolate_to_ranges(means[is_published], rhos, fine_ranges)
     curve_samples = interpolate_to_ranges(mean_samples[:, is_published], rhos, fine_ranges)
-    fits = _fit_curves(curves, targets, target_reference, fine_ranges)
-    samples = _fit_curves(curve_samples, targets, target_reference, fine_ranges)
+    fits = _fit_curves(curves, targets, fitted_reference_index, fine_ranges)
+    sampled_fits = _fit_curves(curve_samples, targets, fitted_reference_index, fine_ranges)
     variables: dict[str, Any] = {
-        f"sampled_{name}": ("sample", samples[variable], INFERRED_UNITS[variable])
+        f"sampled_{name}": ("sample", sampled_fits[variable], INFERRED_UNITS[variable])
         for name, variable in SAMPLED_VARIABLES.items()
     }
     for name, attributes in INFERRED_UNITS.items():
-        variables |= sampling.with_interval(name, (), fits[name], samples[name], attributes)
+        variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
     variables |= _error_variables(curves, targets, fine_ranges, threshold)
-    _, ratio_errors = error_map.fit_ratios(curves, targets, target_reference)
-    variables["ratio_error"] = ("rho_fine", ratio_errors, ONE)
-    variables |= force_curves(forces, means, mean_samples, reference, sampling)
+    _, ratio_errors = error_map.fit_ratios(curves, targets, fitted_reference_index)
+    variables["ratio_error"] = ("rho_fine", ratio_errors, DIMENSIONLESS)
+    variables |= force_curves(forces, means, mean_samples, reference_index, sampling)
     coordinates = {
         "rho_fine": ("rho_fine", fine_ranges, NM),
-        "work": ("work", error_map.WORKS, ENERGY),
+        "work": ("work", error_map.WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
 
 
 def _fit_curves(
-    curves: np.ndarray, targets: np.ndarray, reference: int, fine_ranges: np.ndarray
+    curves: np.ndarray, targets: np.ndarray, reference_index: int, fine_ranges: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Return the variables (...) fitted to curves (..., surface, rho), NaN if a curve has NaN."""
     best_index, work, error = error_map.fit_range_and_work(curves, targets)
-    best_index_of_ratios, _ = error_map.fit_ratios(curves, targets, reference)
+    best_index_of_ratios, _ = error_map.fit_ratios(curves, targets, reference_index)
     is_fitted = np.isfinite(error)
     return {
         "range_of_adhesion": np.where(is_fitted, fine_ranges[best_index], np.nan),
@@ -234,10 +232,10 @@ def _error_variables(
     minima = error_map.local_minima(smallest_errors, MAX_MINIMA)
     padding = (0, MAX_MINIMA - len(minima))
     return {
-        "mean_relative_error": (("rho_fine", "work"), errors, ONE),
-        "best_error_by_range": ("rho_fine", smallest_errors, ONE),
+        "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),
+        "best_error_by_range": ("rho_fine", smallest_errors, DIMENSIONLESS),
         "low_error_range": ("bound", ranges, NM),
-        "low_error_work": ("bound", works, ENERGY),
+        "low_error_work": ("bound", works, JOULE_PER_M2),
     } | {
         f"minimum_{name}": (
             "minimum",
@@ -246,7 +244,7 @@ def _error_variables(
         )
         for name, values, attributes in (
             ("range", fine_ranges, NM),
-            ("work", work, ENERGY),
-            ("error", smallest_errors, ONE),
+            ("work", work, JOULE_PER_M2),
+            ("error", smallest_errors, DIMENSIONLESS),
         )
     }

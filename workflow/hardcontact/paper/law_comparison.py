@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.force_curves import mean_forces
 from hardcontact.paper.error_map import fit_range_and_work, fit_work
 from hardcontact.paper.inference import Pair
@@ -36,10 +37,6 @@ LENGTH_STEP = 0.03
 
 #: Means over all scans, and samples of these means.
 MeanAndSamples = Sequence[np.ndarray]
-
-NM = {"units": "nm"}
-ENERGY = {"units": "J m-2"}
-ONE = {"units": "1"}
 
 
 class _Targets(NamedTuple):
@@ -126,7 +123,7 @@ def compare_laws(
         label=forces.label,
         basis=forces.basis,
         law_label=("law", [law.label for law in LAWS]),
-        published_ratio=("surface", ratio.to_numpy(), ONE),
+        published_ratio=("surface", ratio.to_numpy(), DIMENSIONLESS),
     ).assign_attrs(
         atomic_spacing=spacing,
         scale_tolerance=tolerance,
@@ -194,10 +191,12 @@ def _fit_law(
     ]
     implied = strength_over_known(law, fits.range_of_law.values, fits.work_of_adhesion.values)
     return fits.assign(
-        sampling.with_interval("error_over_exponential", (), error_ratios[0], error_ratios[1], ONE)
+        sampling.with_interval(
+            "error_over_exponential", (), error_ratios[0], error_ratios[1], DIMENSIONLESS
+        )
         | {
-            "best_error_by_range": (("target", "rho"), errors, ONE),
-            "strength_over_known": ("range_choice", implied, ONE),
+            "best_error_by_range": (("target", "rho"), errors, DIMENSIONLESS),
+            "strength_over_known": ("range_choice", implied, DIMENSIONLESS),
         }
     ).assign_coords(rho=("rho", lengths, NM), target=list(forces_by_target))
 
@@ -223,9 +222,9 @@ def _fit_case(
     ]
     return xr.Dataset(
         sampling.with_interval("range_of_law", (), value.length, samples.length, NM)
-        | sampling.with_interval("work_of_adhesion", (), value.work, samples.work, ENERGY)
-        | sampling.with_interval("fit_error", (), value.error, samples.error, ONE)
-        | sampling.with_interval("force_ratio", "surface", ratios[0], ratios[1], ONE)
+        | sampling.with_interval("work_of_adhesion", (), value.work, samples.work, JOULE_PER_M2)
+        | sampling.with_interval("fit_error", (), value.error, samples.error, DIMENSIONLESS)
+        | sampling.with_interval("force_ratio", "surface", ratios[0], ratios[1], DIMENSIONLESS)
     )
 
 

@@ -6,7 +6,7 @@ import xarray as xr
 
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.paper import error_map
-from hardcontact.paper.inference import FINE_RANGES, INFERRED_UNITS
+from hardcontact.paper.inference import FINE_RANGE_COUNT, INFERRED_UNITS
 
 #: Label of the fit to all surfaces.
 NONE_LEFT_OUT = "none"
@@ -32,7 +32,7 @@ def fitted_pairs(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
     forces = mean_forces.sel(surface=targets.index).transpose(*dimensions, "surface", "rho")
     ranges = forces["rho"].values
-    fine_ranges = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
+    fine_ranges = np.geomspace(ranges[0], ranges[-1], FINE_RANGE_COUNT)
     curves = interpolate_to_ranges(forces.values, ranges, fine_ranges)
     best_index, work, error = error_map.fit_range_and_work(curves, targets.to_numpy())
     values = {

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
+from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import plastic_forces, range_axis
@@ -30,7 +31,6 @@ from hardcontact.surfaces.substitute_spectra import rows_of_surface
 #: and the median force of the protruded surface, at the best range and work of adhesion of the set.
 MAX_FORCE_FACTOR = 2.0
 Floats = NDArray[np.float64]
-NEWTON = {"units": "N"}
 #: Units of the fields of `Protrusions`, as variables of a dataset.
 PROTRUSION_UNITS = {
     "protrusion_density": "um-2",
@@ -155,7 +155,7 @@ def _protruded_forces(
     return xr.Dataset(
         {
             "pull_off_force": (("rho", "contact"), np.concatenate(forces, axis=1), NEWTON),
-            "mean_force_ratio": ("rho", force_ratio, {"units": "1"}),
+            "mean_force_ratio": ("rho", force_ratio, DIMENSIONLESS),
             **values,
         },
         range_axis(settings["ranges"]),
@@ -245,7 +245,7 @@ def fit_protruded_sets(
         log_force_std_at_published=(
             "draw",
             np.log(published_pair_forces).std(axis=1),
-            {"units": "1"},
+            DIMENSIONLESS,
         ),
     ).assign(protruded[surface][list(PROTRUSION_UNITS)])
 
@@ -269,7 +269,7 @@ def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:
     return xr.Dataset(
         {
             "pull_off_force": (("draw", "rho", "contact"), forces, NEWTON),
-            "mean_force_ratio": (("draw", "rho"), forces[..., 0], {"units": "1"}),
+            "mean_force_ratio": (("draw", "rho"), forces[..., 0], DIMENSIONLESS),
             **{name: ("draw", [], {"units": unit}) for name, unit in PROTRUSION_UNITS.items()},
         },
         {"draw": np.arange(0), "rho": ranges},

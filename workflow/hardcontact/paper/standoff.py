@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.units import NM
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.paper import error_map
 from hardcontact.surfaces.spectrum import Floats
@@ -27,7 +28,6 @@ MAX_HEIGHT_IN_RANGES = 40
 CENTRAL_VALUES = ["mean", "median"]
 #: Work of adhesion: the published work, or the work that fits all forces best at each range.
 WORK_CHOICES = ["published", "fitted"]
-NM = {"units": "nm"}
 
 
 def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats:

@@ -20,6 +20,7 @@ from hardcontact.base.statistics import (
     student_interval,
     with_interval,
 )
+from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.all_surfaces import (
     Described,
     Parts,
@@ -38,8 +39,6 @@ SCALED_LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
 FORMULA, CLOSED_FORM = "formula", "closed form"
 
 COMBINATION = ["radius", "area", "rho"]
-ONE = {"units": "1"}
-NM = {"units": "nm"}
 
 
 def stack_scaling(masters: Parts, described: Described) -> xr.Dataset:
@@ -137,7 +136,8 @@ def force_exponent(scaling: xr.Dataset, contact: Contact, confidence: float) -> 
     variables = with_interval(
         "force_exponent", "surface", slopes.mean("realization").values,
         student_interval(slopes, confidence, "realization").transpose("surface", "bound").values,
-        ONE | {"long_name": "exponent of the pull-off force against the radius"}, confidence,
+        DIMENSIONLESS | {"long_name": "exponent of the pull-off force against the radius"},
+        confidence,
     )  # fmt: skip
     return xr.Dataset(variables, {"surface": slopes["surface"]})
 
@@ -176,7 +176,7 @@ def _exponents(
     interval = np.log(
         jackknife_interval(np.exp(exponent), np.exp(jackknife_exponents), sampling.confidence)
     )
-    attributes = ONE | {"long_name": "exponent of the edge of the band"}
+    attributes = DIMENSIONLESS | {"long_name": "exponent of the edge of the band"}
     dims = ("side", "surface", "exponent_of")
     variables = with_interval("exponent", dims, exponent, interval, attributes, sampling.confidence)
     coordinates = {name: edge[name] for name in ("side", "surface")}
@@ -258,9 +258,13 @@ def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.
     roll_offs = np.array([roll_off(spectrum) for spectrum in spectra.values()])
     return xr.Dataset(
         {
-            "rms_height_over_range": ("surface", height / contact.range, ONE),
-            "approach_level": ("surface", approach / np.where(height > 0, height, np.nan), ONE),
-            "contact_over_rolloff": ("surface", contact.area**0.5 / roll_offs, ONE),
+            "rms_height_over_range": ("surface", height / contact.range, DIMENSIONLESS),
+            "approach_level": (
+                "surface",
+                approach / np.where(height > 0, height, np.nan),
+                DIMENSIONLESS,
+            ),
+            "contact_over_rolloff": ("surface", contact.area**0.5 / roll_offs, DIMENSIONLESS),
         },
         {"surface": list(spectra)},
     )
@@ -295,10 +299,14 @@ def designed_edge_errors(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.D
     bounds = [computed_rows[f"{name}_status"].map(signs).fillna(0) for name in names]
     coordinates = table.drop(columns=names).add_prefix("designed_").to_xarray()
     for name in coordinates.data_vars:
-        coordinates[name].attrs = ONE
+        coordinates[name].attrs = DIMENSIONLESS
     return coordinates.assign(
         held_out=("designed", computed_rows["held_out"].fillna(0).astype("int8")),
-        designed_computed_over_predicted=(("prediction", "side", "designed"), errors, ONE),
+        designed_computed_over_predicted=(
+            ("prediction", "side", "designed"),
+            errors,
+            DIMENSIONLESS,
+        ),
         designed_bound=(("side", "designed"), np.array(bounds, "int8")),
         prediction=[FORMULA, CLOSED_FORM],
         side=list(SIDES),
