@@ -107,7 +107,10 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined == 30
     defined = np.delete(np.arange(len(POINTS)), GAPS)
     np.testing.assert_allclose(measurement.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
-    assert measurement.notes == ("30 undefined pixels of 576 filled", "unit nm as given")[::-1]
+    assert (
+        measurement.notes
+        == ("30 undefined pixels of 576 filled", "unit nm (given by the user)")[::-1]
+    )
 
 
 @pytest.mark.parametrize("gaps", [[], GAPS])

@@ -131,7 +131,7 @@ def test_a_given_unit_serves_files_without_a_unit(tmp_path):
     assert_says(refusal(read_measurement, tmp_path / "a.txt"), "unit", "found none", "--unit")
     measurement = read_measurement(tmp_path / "a.txt", unit="um")
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == (
-        "unit um as given",
+        "unit um (given by the user)",
     )
     np.testing.assert_allclose(measurement.heights, 1e3 * values)
     measurement_in_nm = read_measurement(scan(tmp_path / "a.nc"), unit="um")

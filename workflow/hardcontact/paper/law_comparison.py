@@ -102,7 +102,7 @@ def compare_laws(
     target = published.mean_force.reindex(forces.surface.values.tolist())
     ratio = target / target[reference_surface]
     means = mean_forces(forces.pull_off_force, sampling, purpose="laws")
-    reference = target.index.to_list().index(reference_surface)
+    reference_index = target.index.to_list().index(reference_surface)
     targets = _law_targets(forces.rho.values, means, target.to_numpy(), pair)
     law_datasets = []
     for law in LAWS:
@@ -112,7 +112,7 @@ def compare_laws(
             means,
             targets,
             spacing=spacing,
-            reference=reference,
+            reference_index=reference_index,
             sampling=sampling,
         ).assign_coords(surface=target.index.to_list())
         lengths = fits.range_of_law.to_series()
@@ -159,13 +159,13 @@ def _fit_law(
     targets: _Targets,
     *,
     spacing: float,
-    reference: int,
+    reference_index: int,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the fits of all cases of one law, and its error at every length.
 
-    The means (..., surface, k) over scans at ranges (k,) in nm are in N. `reference` is the index
-    of the reference surface.
+    The means (..., surface, k) over scans at ranges (k,) in nm are in N. `reference_index` is the
+    index of the reference surface.
     """
     lengths = targets.lengths
     measured = targets.measured
@@ -178,9 +178,9 @@ def _fit_law(
     ]
     fits = xr.concat(
         [
-            _fit_case(lengths, curves, targets.exponential, reference, sampling),
-            _fit_case(lengths, curves, measured, reference, sampling),
-            _fit_case(atomic, atomic_forces, measured, reference, sampling),
+            _fit_case(lengths, curves, targets.exponential, reference_index, sampling),
+            _fit_case(lengths, curves, measured, reference_index, sampling),
+            _fit_case(atomic, atomic_forces, measured, reference_index, sampling),
         ],
         pd.Index(CASES, name="range_choice"),
     )
@@ -205,20 +205,21 @@ def _fit_case(
     lengths: np.ndarray,
     forces: MeanAndSamples,
     targets: MeanAndSamples,
-    reference: int,
+    reference_index: int,
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return length, work and error of the best fit of one case, and ratios at this length.
 
     Forces (..., surface, n) in N at the lengths (n,) in nm are fitted to targets (..., surface, 1).
-    `reference` is the index of the reference surface.
+    `reference_index` is the index of the reference surface.
     """
     fits = [
         _best_fit(force / target, lengths) for force, target in zip(forces, targets, strict=True)
     ]
     value, samples = fits
     ratios = [
-        force[..., value.position] / force[..., [reference], value.position] for force in forces
+        force[..., value.position] / force[..., [reference_index], value.position]
+        for force in forces
     ]
     return xr.Dataset(
         sampling.with_interval("range_of_law", (), value.length, samples.length, NM)

@@ -46,16 +46,16 @@ INDEX_FILES = ("index.json", "meta.yml")
 MAX_SCANS = 1000
 #: Keys of the data file of a scan: the measured file, or else the processed file, whose channel is
 #: already selected and whose heights are already scaled.
-DATA_FILES = ("original", "squeezed-netcdf")
+DATA_FILE_KEYS = ("original", "squeezed-netcdf")
 #: Metadata that hold for the measured file only: they are ignored for the processed file.
-ORIGINAL_KEYS = ("data_source", "height_scale")
+ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
 #: Stands for a unit or a size that is not given, for files that state none.
 NOT_GIVEN = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
-METADATA_KEYS = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
-#: The reader treats spacings as equal if they differ by less than 1e-6 units of a text: 1 µm in a
-#: text in metres. A line scan with at most this mean spacing, in units of the text, is therefore
-#: read again with zero tolerance.
+KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
+#: The reader takes spacings as equal if they differ by less than 1e-6 of the unit of a text: 1 µm
+#: if the unit is m. This is too coarse for line scans whose mean spacing is at most
+#: MAX_TOLERATED_SPACING of that unit. They are read again with zero tolerance.
 MAX_TOLERATED_SPACING = 1e-4
 #: SurfaceTopography's message on an unreadable file: a reader and its reason, in turn.
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
@@ -69,7 +69,7 @@ UNKNOWN_KINDS = {
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
-    """Return under `datasets` the data files in a container; for other files, one empty name."""
+    """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
     entries = _container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -99,9 +99,9 @@ def read_measurement_fields(
     )
     if topography.unit is None:
         raise RefusedFile(
-            "expected a unit of length, found none in the file: --unit, or the key scan.unit, "
-            "gives one to all files without, as nm, or one of positions and one of heights, as "
-            "mm,nm"
+            "expected a unit of length, found none in the file: state it for all files without a "
+            "unit by --unit or the key scan.unit, for example nm, or mm,nm for positions and "
+            "heights"
         )
     if topography.physical_sizes is None or not isinstance(topography.unit, str):
         raise RefusedFile(
@@ -109,8 +109,8 @@ def read_measurement_fields(
             f"found size {topography.physical_sizes}, unit {topography.unit}"
         )
     if metadata_in_words:
-        origin = "the container states" if entry else "given"
-        notes.append(f"{', '.join(metadata_in_words)} as {origin}".replace("_", " "))
+        origin = "stated by the container" if entry else "given by the user"
+        notes.append(f"{', '.join(metadata_in_words)} ({origin})".replace("_", " "))
     is_map = topography.dim == 2
     if is_map and isinstance(reader, AscReader):
         # A text has no count of lines: it may have been cut short.
@@ -121,9 +121,8 @@ def read_measurement_fields(
                 f"found {pixel_width:.6g} {topography.unit} x {pixel_height:.6g} {topography.unit}"
             )
     try:
-        values = (map_values if is_map else profile_values)(
-            topography, unit_in_nm(topography.unit), undefined_pixels
-        )
+        read_values = map_values if is_map else profile_values
+        values = read_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
         remedy = "; --unit mm,nm gives positions and heights a unit each"
         raise RefusedFile(f"{error}{remedy if unit == topography.unit else ''}") from None
@@ -197,11 +196,11 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
 
 def _entry(scan: dict[str, Any]) -> dict[str, Any]:
     """Return the metadata of a scan in a container with its data file, and a name."""
-    key = next(key for key in DATA_FILES if scan["datafile"].get(key))
+    key = next(key for key in DATA_FILE_KEYS if scan["datafile"].get(key))
     file = scan["datafile"][key]
     if not isinstance(file, str):
         raise TypeError("the name of a data file is no text")
-    ignored = () if key == "original" else ORIGINAL_KEYS
+    ignored = () if key == "original" else ORIGINAL_ONLY_KEYS
     kept_metadata = {key: value for key, value in scan.items() if key not in ignored}
     return kept_metadata | {"name": scan.get("name") or file, "file": file}
 
@@ -329,14 +328,15 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
         )
     # Metadata that the file has already are left out: a second height scale would scale twice.
     arguments: dict[str, Any] = {}
-    for argument, key in METADATA_KEYS.items():
+    for argument, key in KEY_BY_ARGUMENT.items():
         value = size if argument == "physical_sizes" else metadata.get(key)
         if value is not None:
+            # The call only tests whether the file accepts this argument.
             with suppress(MetadataAlreadyFixedByFile):
                 channel.topography(**arguments | {argument: value})
                 arguments[argument] = value
     metadata_in_words = [
-        f"{METADATA_KEYS[argument]} "
+        f"{KEY_BY_ARGUMENT[argument]} "
         + (
             " x ".join(f"{length:.6g}" for length in value)
             if argument == "physical_sizes"
