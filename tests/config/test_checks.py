@@ -20,7 +20,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 CONTRADICTIONS = [
     # Names
-    ("effort", "quick", "no keys stand under quick", "config/quick.yaml"),
+    ("effort", "quick", "the section quick has no keys", "config/quick.yaml"),
     ("store", "results/paper/store", "results/paper", "found results/paper/store"),
     ("store", "workflow/store", "in results or outside", "found workflow/store"),
     ("sphere.surface", "glass", "ruby", "found glass"),

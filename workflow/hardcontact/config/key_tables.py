@@ -28,7 +28,7 @@ YAML_HEADER = """\
 """
 KEY_COLUMNS = ("key", "meaning", "values", "default", "paper")
 #: Lists of more entries are given in tables by their number, first and last entry.
-LIST_LIMIT = 4
+MAX_LISTED_VALUES = 4
 #: Accepted values, in words, of keys whose types have no bounds.
 VALUES_IN_WORDS = {
     "scans": "`all` or a list: 1 to 9999",
@@ -63,14 +63,14 @@ def update_tables(text: str) -> str:
     return _replace_between_markers(text, "columns", table)
 
 
-def _replace_between_markers(text: str, name: str, lines: str) -> str:
+def _replace_between_markers(text: str, name: str, content: str) -> str:
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
     head, _, tail = text.partition(begin)
-    return f"{head}{begin}\n{lines}\n\n{end}{tail.partition(end)[2]}"
+    return f"{head}{begin}\n{content}\n\n{end}{tail.partition(end)[2]}"
 
 
 def _meaning(field: FieldInfo) -> str:
-    """Return the string below a field, in one line."""
+    """Return the docstring of a field on one line."""
     return " ".join(str(field.description).split())
 
 
@@ -114,7 +114,8 @@ def _sections() -> Iterator[str]:
     for key, field in _fields(StudyKeys):
         values = VALUES_IN_WORDS.get(key) or _values(field)
         row = (f"`{key}`", _meaning(field), values, _default(field.default), _paper_section(field))
-        rows.setdefault(key.rpartition(".")[0].partition(".")[0], []).append(row)
+        top_section = key.split(".")[0] if "." in key else ""
+        rows.setdefault(top_section, []).append(row)
     for name, section_rows in rows.items():
         section = type(StudyKeys.model_fields[name].default) if name else StudyKeys
         heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
@@ -158,7 +159,7 @@ def _inline_yaml(value: Any) -> str:
 
 def _default(value: Any) -> str:
     """Return a default for a table; a long list is shortened."""
-    if isinstance(value, list) and len(value) > LIST_LIMIT:
+    if isinstance(value, list) and len(value) > MAX_LISTED_VALUES:
         return f"{len(value)} values, `{value[0]}` to `{value[-1]}`"
     return f"`{_inline_yaml(value)}`"
 

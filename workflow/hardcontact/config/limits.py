@@ -1,7 +1,7 @@
 """Limits of keys that follow from the pixels of scans.
 
-Each surface, pair of surfaces and master has a list of limits. Of each list only the first limit
-that does not hold is reported.
+Each surface, each substrate with the sphere, and each master has a list of limits. Of each list
+only the first limit that does not hold is reported: later limits may assume the earlier ones.
 """
 
 import math
@@ -35,8 +35,8 @@ from hardcontact.surfaces.synthesis import SIDES
 MAX_INDENT_PIXELS = 2**12
 
 
-class ShortestRange(NamedTuple):
-    """The shortest range of adhesion and the smallest sphere radius that a section computes."""
+class SmallestCase(NamedTuple):
+    """The shortest range of adhesion and the smallest sphere that a section computes."""
 
     key: str  #: The key that gives the range.
     rho: float  #: Shortest range of adhesion in nm.
@@ -49,23 +49,27 @@ class ContactSection:
 
     name: str
     count_key: str  #: The key of the contacts along a side of the array.
-    #: By key: the contact with the largest area that the key gives.
+    #: The contact with the largest area, for each key that varies contacts.
     largest_contacts: dict[str, Contact]
-    shortest_range: ShortestRange
+    smallest_case: SmallestCase
 
 
 def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
-    """Return the sections that compute contacts: the first on scans, the others on masters."""
+    """Return the sections that compute contacts.
+
+    The first one, `contact`, computes on scans alone, `sets` on scans and masters, and all others
+    on masters.
+    """
     contact = study_contact(config)
     largest_contacts = {"contact.preload": contact}
-    shortest_range = ShortestRange("scales.range", contact.range, contact.radius)
+    smallest_case = SmallestCase("scales.range", contact.range, contact.radius)
     sections = [
-        ContactSection(section, "contact.count", largest_contacts, shortest_range)
+        ContactSection(section, "contact.count", largest_contacts, smallest_case)
         for section in ("contact", "scales")
     ]
     if config["published"] != PAPER:
         return sections
-    indented = replace(contact, preload=config["indent"]["preloads"][-1])
+    indent_contact = replace(contact, preload=config["indent"]["preloads"][-1])
     robustness = config["robustness"]
     varied_contacts = dict(largest_contacts)
     for preload in robustness["preloads"][-1:]:
@@ -74,19 +78,28 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
         varied_contacts["robustness.hardnesses"] = replace(contact, hardness=hardness)
     section = "insight.scaling"
     scaling = config["insight"]["scaling"]
-    scaled = replace(contact, preload=scaling["preloads"][-1])
-    scaling_range = ShortestRange(f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0])
+    scaling_contact = replace(contact, preload=scaling["preloads"][-1])
+    smallest_scaling_case = SmallestCase(
+        f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0]
+    )
     return [
-        replace(sections[0], largest_contacts=largest_contacts | {"indent.preloads": indented}),
+        replace(
+            sections[0], largest_contacts=largest_contacts | {"indent.preloads": indent_contact}
+        ),
         sections[1],
-        ContactSection("sets", "sets.count", varied_contacts, shortest_range),
-        ContactSection("insight", "insight.count", largest_contacts, shortest_range),
-        ContactSection(section, "insight.count", {f"{section}.preloads": scaled}, scaling_range),
+        ContactSection("sets", "sets.count", varied_contacts, smallest_case),
+        ContactSection("insight", "insight.count", largest_contacts, smallest_case),
+        ContactSection(
+            section,
+            "insight.count",
+            {f"{section}.preloads": scaling_contact},
+            smallest_scaling_case,
+        ),
     ]
 
 
 def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse values that the pixels of scans do not permit; `grids` are by surface.
+    """Refuse values that the pixels of scans do not permit; `grids` maps each surface to its grid.
 
     Quantities in `config` are numbers in the units of the study. Raises ValueError with a line for
     each fault, which names the key.
@@ -97,19 +110,25 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     for surface, grid in grids.items():
         if surface != sphere_surface:
             sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
-            limit_lists.append(_pair_limits(config, surface, grid, sphere_grid))
+            limit_lists.append(_substrate_and_sphere_limits(config, surface, grid, sphere_grid))
             limit_lists += [
                 _master_limits(config, section, side, surface, grid, sphere_grid)
                 for section, side in product(master_sections, SIDES)
             ]
-    # Of each list only the first limit that does not hold is reported.
-    first_messages = (islice(violation_messages(limits), 1) for limits in limit_lists)
-    refuse_all(partial(refuse_lines, messages) for messages in first_messages)
+    refuse_all(partial(_refuse_first_violation, limits) for limits in limit_lists)
 
 
-def window_images(window: float, size: float) -> float:
-    """Return the number of images of a stitched scan that a window holds (sides in nm)."""
-    return max(1.0, window / (2 * size)) ** 2
+def _refuse_first_violation(limits: Iterator[Limit]) -> None:
+    """Raise ValueError with the first limit of a list that does not hold."""
+    refuse_lines(islice(violation_messages(limits), 1))
+
+
+def periods_in_window(window: float, scan_size: float) -> float:
+    """Return the number of periods of a stitched scan within a window.
+
+    The sides of the window and of the scan before stitching are in nm.
+    """
+    return max(1.0, window / (2 * scan_size)) ** 2
 
 
 def max_contact_pixels(window: float, grid: Grid) -> int:
@@ -121,9 +140,10 @@ def max_contact_pixels(window: float, grid: Grid) -> int:
 
 
 def penetration_depth(contact: Contact, relief: float) -> float:
-    """Return the penetration (nm) of the bodies under a load, at most their relief (nm).
+    """Return an estimate of the penetration (nm) of the bodies under a load.
 
-    A contact on slopes near one is about as deep as it is wide.
+    It is the side of the contact area: on slopes near one, a contact is about as deep as it is
+    wide. It is at most the relief, the highest minus the lowest height (nm).
     """
     return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)
 
@@ -150,31 +170,31 @@ def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Li
     if config["published"] == PAPER:
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
     for key, rho in ranges.items():
-        yield _range_limit(window, ShortestRange(key, rho, radius), surface, grid)
+        yield _range_limit(window, SmallestCase(key, rho, radius), surface, grid)
 
 
-def _pair_limits(
+def _substrate_and_sphere_limits(
     config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid
 ) -> Iterator[Limit]:
     """Yield the limits of a scan of a substrate and a scan of the sphere, on common pixels."""
     window = config["contact"]["window"]
     pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
-    pixels = window_pixels(window, pixel_size)
+    pixels_along_window = window_pixels(window, pixel_size)
     surfaces_in_words = f"{surface} and the sphere"
     accepted = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {surfaces_in_words}"
-    yield Limit(pixels <= MAP_PIXELS, "contact.window", accepted, pixels)
+    yield Limit(pixels_along_window <= MAP_PIXELS, "contact.window", accepted, pixels_along_window)
     yield _map_limit(surfaces_in_words, pixel_size, grid, sphere_grid)
-    images = window_images(window, grid.size)
+    periods = periods_in_window(window, grid.size)
     for section in contact_sections(config):
         if section.name in ("contact", "sets"):
-            yield from _contact_pixel_limits(config, section, surface, pixel_size, images)
+            yield from _contact_pixel_limits(config, section, surface, pixel_size, periods)
         if "indent.preloads" in section.largest_contacts and surface == config["indent"]["surface"]:
-            pixels = section.largest_contacts["indent.preloads"].pixels(pixel_size)
-            fits = 2 <= pixels <= MAX_INDENT_PIXELS
+            contact_pixels = section.largest_contacts["indent.preloads"].pixels(pixel_size)
+            fits = 2 <= contact_pixels <= MAX_INDENT_PIXELS
             accepted = (
                 f"2 to {MAX_INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
             )
-            yield Limit(fits, "indent.preloads", accepted, pixels)
+            yield Limit(fits, "indent.preloads", accepted, contact_pixels)
 
 
 def _master_limits(
@@ -193,12 +213,12 @@ def _master_limits(
     size = 2 * grid.size * tiles
     min_pixels = 2 * grid.pixels * tiles
     master_pixel_size = size / pixels
-    # A grid has the size of a scan, half that of its periodic map. Its `pixels` are not used below.
+    # The size of a Grid is half that of its periodic map. Its `pixels` are not used below.
     master_grid = grid._replace(size=size / 2)
     accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
     yield Limit(pixels >= min_pixels, keys["pixels"], accepted, pixels)
     yield memory_limit(keys["pixels"], pixels, machine_megabytes())
-    yield _range_limit(config["contact"]["window"], section.shortest_range, surface, master_grid)
+    yield _range_limit(config["contact"]["window"], section.smallest_case, surface, master_grid)
     if section.name in ("scales", "sets"):  # These sections compute at `scales.range` alone.
         for key, contact in section.largest_contacts.items():
             depth = penetration_depth(contact, grid.relief)
@@ -207,7 +227,7 @@ def _master_limits(
             accepted = f"at least {min_rho:.3g} nm, {depth_reason}"
             is_long_enough = contact.range >= min_rho
             yield Limit(
-                is_long_enough, section.shortest_range.key, accepted, f"{contact.range:.4g} nm"
+                is_long_enough, section.smallest_case.key, accepted, f"{contact.range:.4g} nm"
             )
     cutoff_pixel_size = master_pixel_size if side == "small" else grid.pixel_size
     for name, pixel_size in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
@@ -228,9 +248,9 @@ def _master_limits(
     yield from _contact_pixel_limits(config, section, surface, pixel_size, 1)
 
 
-def _range_limit(window: float, shortest_range: ShortestRange, surface: str, grid: Grid) -> Limit:
+def _range_limit(window: float, smallest_case: SmallestCase, surface: str, grid: Grid) -> Limit:
     """Return the limit of a range of adhesion for the pixels and the relief of a surface."""
-    key, rho, radius = shortest_range
+    key, rho, radius = smallest_case
     min_rho, reason = minimum_range(radius, window, grid)
     accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
     return Limit(rho >= min_rho, key, accepted, f"{rho:.4g} nm")
@@ -247,11 +267,11 @@ def _map_limit(surfaces_in_words: str, pixel_size: float, *grids: Grid) -> Limit
 
 
 def _contact_pixel_limits(
-    config: dict[str, Any], section: ContactSection, surface: str, pixel_size: float, images: float
+    config: dict[str, Any], section: ContactSection, surface: str, pixel_size: float, periods: float
 ) -> Iterator[Limit]:
     """Yield the limits of loads for the contact pixels that are in memory at once.
 
-    Each pixel (side in nm) has `images` periodic images in the window.
+    Each pixel (side in nm) lies `periods` times in the window.
     """
     count = get_key(config, section.count_key)
     window = config["contact"]["window"]
@@ -259,7 +279,7 @@ def _contact_pixel_limits(
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{section.count_key} = {count} and contact.window = {window:.6g} nm"
     )
-    yield from _load_limits(section, int(CONTACT_PIXELS / count**2 / images), pixel_size, reason)
+    yield from _load_limits(section, int(CONTACT_PIXELS / count**2 / periods), pixel_size, reason)
 
 
 def _load_limits(

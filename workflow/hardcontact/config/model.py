@@ -38,9 +38,10 @@ class Study(StudyKeys):
 
     def _name_limits(self) -> Iterator[Limit]:
         """Yield the limits of the effort and of the folders."""
-        found = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-        lacks_quick_keys = self.effort == "quick" and not self.quick
-        yield Limit(not lacks_quick_keys, "effort", "full, as no keys stand under quick", found)
+        effort_in_words = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+        has_quick_keys = self.effort != "quick" or bool(self.quick)
+        accepted = "full, because the section quick has no keys"
+        yield Limit(has_quick_keys, "effort", accepted, effort_in_words)
         repeated_names = sorted({"study", "store"} & self.quick.keys())
         accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
         yield Limit(not repeated_names, "quick", accepted, " and ".join(repeated_names))
@@ -70,8 +71,8 @@ class Study(StudyKeys):
                 yield Limit(number <= contacts, f"{name}.contacts", accepted, number)
         elif self.sphere.surface == SMOOTH_SPHERE:
             accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
-            rough = self.scales.sphere_roughness
-            yield Limit(not rough, "scales.sphere_roughness", accepted, "true")
+            has_roughness = self.scales.sphere_roughness
+            yield Limit(not has_roughness, "scales.sphere_roughness", accepted, "true")
 
 
 def quantity_type(key: str) -> Quantity:

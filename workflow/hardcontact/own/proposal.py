@@ -12,7 +12,7 @@ from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
 )
-from hardcontact.config.limits import window_images
+from hardcontact.config.limits import periods_in_window
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
@@ -283,10 +283,10 @@ def _small_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
 
 
 def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
-    """Return about the time (s) for one contact and all its images on pixels of a size (nm)."""
-    images = window_images(contact.window, scan.size)
+    """Return about the time (s) for one contact and all its periods on pixels of a size (nm)."""
+    periods = periods_in_window(contact.window, scan.size)
     tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
-    return contact.pixels(pixel_size) * images * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
+    return contact.pixels(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 
 def _count(
@@ -294,16 +294,17 @@ def _count(
 ) -> tuple[int, bool]:
     """Return the contacts along a side that time and memory permit, and whether they take long.
 
-    The pixels of all contacts stay in memory: on scans with their images, and on masters.
+    The pixels of all contacts stay in memory: on masters, and on scans with all periods in the
+    window.
     """
     seconds = 0.0
     kept_pixels = 0.0
     for scan in substrates:
-        images = window_images(contact.window, scan.size)
+        periods = periods_in_window(contact.window, scan.size)
         finest = 2 * scan.size / small_pixels
-        for pixel_size, image_count in ((scan.pixel_size, images), (finest, 1.0)):
+        for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
-            kept_pixels = max(kept_pixels, contact.pixels(pixel_size) * image_count)
+            kept_pixels = max(kept_pixels, contact.pixels(pixel_size) * period_count)
     for count in CONTACT_COUNTS:
         slow = count**2 * seconds > CONTACT_SECONDS
         if count <= max_count and count**2 * kept_pixels <= CONTACT_PIXELS and not slow:
