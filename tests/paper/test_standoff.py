@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from hardcontact.paper.standoff import apex_height, standoff
+from hardcontact.paper.standoff import apex_height, infer_apex_heights
 
 RADIUS = 250e3
 
@@ -39,7 +39,7 @@ def test_equal_forces_have_equal_heights():
     )
     published = pd.DataFrame({"mean_force": 0.05 * forces[:, 1]}, index=["a", "b"])
     published["median_force"] = published["mean_force"] / 2
-    heights = standoff(adhesion, published, 0.05, pd.Series({"a": 3.0, "b": 20.0}))
+    heights = infer_apex_heights(adhesion, published, 0.05, pd.Series({"a": 3.0, "b": 20.0}))
     pair_heights = heights.sel(rho=5.6)
     for work in ("published", "fitted"):
         required = pair_heights["height_from_published"].sel(work_source=work)

@@ -47,7 +47,9 @@ def assert_met(targets, scan_metrics):
     for name, mean in targets.means.items():
         assert scan_metrics[name].mean() == pytest.approx(mean, rel=1e-6)
     if len(scan_metrics) > 1:
-        assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(targets.deviation, rel=1e-6)
+        assert scan_metrics.rms_height.std(ddof=1) == pytest.approx(
+            targets.rms_height_std, rel=1e-6
+        )
 
 
 @pytest.fixture(scope="module")
@@ -109,10 +111,10 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     constants = published.constants(ROOT / "resources/paper/parameters.csv")
     spectrum = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
     targets = conditioning.scan_targets(spectrum, table1, constants, DEFINITIONS, grid)
-    assert targets.rows == tuple(rows)
+    assert targets.met_rows == tuple(rows)
     published_means = table1.value[list(rows)]
     np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
-    assert targets.deviation == pytest.approx(table1.uncertainty["afm_rms_height"])
+    assert targets.rms_height_std == pytest.approx(table1.uncertainty["afm_rms_height"])
     group = conditioning.condition_group(
         spectrum,
         targets,
@@ -126,8 +128,8 @@ def test_targets_on_the_paper_s_pixels_are_the_expected_moments(spectrum):
     moments = spectrum.attrs["expected_scan_moments"]
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, GRID)
     np.testing.assert_array_equal(list(targets.means.values()), moments)
-    assert targets.deviation == pytest.approx(0.25 * moments[0])
-    assert targets.rows == AFM_ROWS
+    assert targets.rms_height_std == pytest.approx(0.25 * moments[0])
+    assert targets.met_rows == AFM_ROWS
 
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
@@ -136,7 +138,7 @@ def test_coarser_pixels_keep_the_rms_height(spectrum):
     height = spectrum.attrs["expected_scan_moments"][0]
     moments = expected_moments(uncd, transfer_weights(128, 2 * PIXEL, 32))
     np.testing.assert_allclose(list(targets.means.values()), [height, *moments[1:]], rtol=1e-3)
-    assert targets.rows == ("afm_rms_height",)
+    assert targets.met_rows == ("afm_rms_height",)
     group = conditioning.condition_group(spectrum, targets, generators(1, 2), coarse)
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
 
@@ -184,7 +186,7 @@ def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
     moments = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
     np.testing.assert_allclose(list(targets.means.values()), moments)
-    assert targets.rows == ()
+    assert targets.met_rows == ()
 
 
 def test_band_shares_are_smooth_and_add_up_to_one():

@@ -10,7 +10,7 @@ from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.inference import Pair, Published
 from hardcontact.paper.leave_one_out import leave_one_out_fits
 from hardcontact.paper.protruded_sets import empty_protruded_forces, fit_protruded_sets
-from hardcontact.paper.standoff import standoff
+from hardcontact.paper.standoff import infer_apex_heights
 
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
@@ -31,11 +31,13 @@ with job(snakemake) as job:
     pair = Pair(constants["range_of_adhesion"], constants["work_of_adhesion"])
     coating = job.parameters["surface"]
     for output, body in (("protruded", "one coating"), ("protruded_sphere", "the sphere")):
-        chunks = [read(path) for path in job.input[output]]
-        # Without substitutes there are no chunks.
-        chunks = chunks or [empty_protruded_forces(coating, plastic_sets["rho"].values)]
+        draw_datasets = [read(path) for path in job.input[output]]
+        # Without substitutes there are no draws.
+        draw_datasets = draw_datasets or [
+            empty_protruded_forces(coating, plastic_sets["rho"].values)
+        ]
         protruded_fits = fit_protruded_sets(
-            chunks, coating, plastic_sets, Published(pull_off, pair)
+            draw_datasets, coating, plastic_sets, Published(pull_off, pair)
         )
         job.write(
             protruded_fits.assign_attrs(job.parameters),
@@ -43,14 +45,15 @@ with job(snakemake) as job:
             output=output,
         )
 
-    rms_height = read(job.input.topography)["rms_height_mean"]
-    sphere = rms_height.sel(surface=read(job.input.topography).attrs["sphere_surface"])
+    topography = read(job.input.topography)
+    rms_heights = topography["rms_height_mean"]
+    sphere_rms_height = rms_heights.sel(surface=topography.attrs["sphere_surface"])
     job.write(
-        standoff(
+        infer_apex_heights(
             read(job.input.adhesion).sel(contact_model=PLASTIC),
             pull_off,
             constants["work_of_adhesion"],
-            np.hypot(rms_height, sphere).to_series(),
+            np.hypot(rms_heights, sphere_rms_height).to_series(),
         ),
         title="heights of the sphere's apex that follow from pull-off forces",
         output="standoff",

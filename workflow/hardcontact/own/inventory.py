@@ -246,13 +246,13 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
 
 
 def table_rows(
-    entries: Sequence[Entry], contact: Sequence[Entry], tip_radius: str
+    entries: Sequence[Entry], contact_entries: Sequence[Entry], tip_radius: str
 ) -> list[dict[str, str]]:
     """Return the rows of the table of surfaces by column; scans that make contacts come first.
 
     The tip radius is the quantity that the user gave for files that state none, or empty.
     """
-    contact_ids = {id(entry) for entry in contact}
+    contact_ids = {id(entry) for entry in contact_entries}
     return [
         {
             "surface": surface,

@@ -73,7 +73,7 @@ def main() -> int:
 
 
 def new_study(arguments: Namespace) -> str:
-    """Write the files of a study of own surfaces; return a report in words.
+    """Write the files of a study of the user's surfaces; return a report in words.
 
     Raises ValueError with a line for each problem; then nothing is written.
     """
@@ -81,7 +81,7 @@ def new_study(arguments: Namespace) -> str:
     sources, file_faults = list_sources(arguments, quantities["radius"].number)
     tip = quantities.get("tip")
     tip_text = tip.text if tip else ""
-    entries, unreadable, problems = inventory(
+    entries, unreadable, scan_faults = inventory(
         sources,
         tip.number if tip else None,
         arguments.channel,
@@ -89,17 +89,20 @@ def new_study(arguments: Namespace) -> str:
         quantities["size"].number if "size" in quantities else NONE,
         arguments.levelling,
     )
-    faults += [*file_faults, *problems]
+    faults += [*file_faults, *scan_faults]
     checks: list[Callable[[], Any]] = [
         partial(refuse_lines, [*name_faults(arguments), *faults]),
         *_checks(
-            arguments, table_rows(entries, [], tip_text), [source.surface for source in sources]
+            arguments,
+            table_rows(entries, contact_entries=[], tip_radius=tip_text),
+            [source.surface for source in sources],
         ),
     ]
     if not faults:  # Faults of the input can cause faults of the proposal.
         checks.append(partial(_propose_study, arguments, quantities, entries))
-    # With faults, `refuse_all` raises: the last result is that of `_propose_study`.
-    *_, (proposal, choices) = refuse_all(checks)
+    results = refuse_all(checks)
+    # With faults, `refuse_all` raises. The last result is therefore that of `_propose_study`.
+    proposal, choices = results[-1]
     overlay = f"config/{arguments.name}.yaml"
     table = f"config/{arguments.name}.tsv"
     command = f"snakemake --configfile {overlay}"
@@ -122,8 +125,9 @@ def new_study(arguments: Namespace) -> str:
 def _checks(
     arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str]
 ) -> Iterator[Callable[[], object]]:
-    """Yield the checks of cells of the table and of own forces."""
-    for row in rows:  # The label of a surface is refused by itself, not with each of its files.
+    """Yield the checks of cells of the table and of measured forces."""
+    # Labels are checked once, elsewhere. The id stands in, so that no file repeats a fault of them.
+    for row in rows:
         cells = {**row, "label": row["surface"]}
         yield partial(validate, SurfaceRow, cells, f"{row['path']!r}: ")
     if arguments.forces is not None:
@@ -138,24 +142,24 @@ def _propose_study(
 
     Raises ValueError if the study would refuse these scans at either effort.
     """
-    probe = Contact(
+    contact = Contact(
         radius=quantities["radius"].number,
         preload=quantities["preload"].number,
         hardness=quantities["hardness"].number,
         range=quantities["range"].number,
     )
     sphere = SPHERE if arguments.sphere else None
-    proposal = propose(entries, sphere, probe, quantities["range"].is_given)
+    proposal = propose(entries, sphere, contact, quantities["range"].is_given)
     proposal.cautions.extend(implausible_quantities(quantities))
     choices = [*_choices_without_scans(arguments, quantities), *proposal.choices]
     grids = {
         surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
         for surface, scans in entries_by_surface(proposal.contact_entries).items()
     }
-    full = values_by_key(choices)
-    for keys in (full, full | values_by_key(proposal.quick)):
+    full_effort_values = values_by_key(choices)
+    for values in (full_effort_values, full_effort_values | values_by_key(proposal.quick)):
         # `name_faults` checks the names of study and store.
-        other_keys = {key: value for key, value in keys.items() if key not in ("study", "store")}
+        other_keys = {key: value for key, value in values.items() if key not in ("study", "store")}
         check_grids(
             numeric_configuration(set_keys(read_yaml("config/config.yaml"), other_keys)), grids
         )

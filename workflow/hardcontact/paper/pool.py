@@ -115,7 +115,7 @@ def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
     mean = targets.means["rms_height"]
     if scans == 1:
         return np.array([mean])
-    reach = targets.deviation * (scans - 1) / np.sqrt(scans)
+    reach = targets.rms_height_std * (scans - 1) / np.sqrt(scans)
     lowest = max(mean - reach, MIN_HEIGHT_RATIO * mean)
     return np.asarray(np.linspace(lowest**0.5, (mean + reach) ** 0.5, count) ** 2)
 
@@ -166,7 +166,7 @@ def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
     ]
     targets = sources.targets
     return xr.concat(scans, pd.Index(list(numbers), name="scan")).assign_attrs(
-        mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.deviation
+        mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.rms_height_std
     )
 
 

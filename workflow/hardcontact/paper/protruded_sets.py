@@ -79,8 +79,8 @@ def compute_protruded_forces(
     """Compute the forces between sphere and coating if either of them has protrusions.
 
     Forces depend on the gap alone. Protrusions of the sphere are therefore added to the heights of
-    the coating, at random places of each scan, as if each scan met another sphere. A coating with
-    protrusions of its own is scaled back to its rms height.
+    the coating, at random positions on each scan, as if each scan met another sphere. A coating
+    with protrusions of its own is scaled back to its rms height.
 
     Parameters
     ----------
@@ -105,12 +105,12 @@ def compute_protruded_forces(
         mean force without protrusions; ``protrusion_density`` (1/µm²), ``protrusion_height`` (rms
         heights) and ``protrusion_width`` (nm) by draw.
     """
-    draws = [
+    draw_datasets = [
         _protruded_forces(number, scan_count, sources, roughness, protruded_body)
         for number in progress(draw_numbers, len(draw_numbers), "protruded surfaces")
     ]
     axis = pd.Index(list(draw_numbers), name="draw")
-    return xr.concat(draws, axis).assign_attrs(surface=sources.settings["surface"])
+    return xr.concat(draw_datasets, axis).assign_attrs(surface=sources.settings["surface"])
 
 
 def _protruded_forces(
@@ -131,21 +131,23 @@ def _protruded_forces(
         generator(seed, coating, draw_number, scan_number, "protruded scan")
         for scan_number in range(1, scan_count + 1)
     ]
-    unscaled = [level(draw_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
-    rms_heights = np.array([scan.heights.std() for scan in unscaled])
-    target_heights = scale_rms_heights(rms_heights, targets.means["rms_height"], targets.deviation)
-    # With six scans or more a target may be below the smallest rms height of the pool.
-    target_heights = np.maximum(target_heights, pool_rms_heights[0])
+    unscaled_scans = [level(draw_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
+    rms_heights = np.array([scan.heights.std() for scan in unscaled_scans])
+    target_rms_heights = scale_rms_heights(
+        rms_heights, targets.means["rms_height"], targets.rms_height_std
+    )
+    # Six scans or more may need smaller rms heights than the smallest of the pool.
+    target_rms_heights = np.maximum(target_rms_heights, pool_rms_heights[0])
     forces = []
     unprotruded_forces = []
-    for rng, scan, rms_height in zip(scan_rngs, unscaled, target_heights, strict=True):
+    for rng, scan, rms_height in zip(scan_rngs, unscaled_scans, target_rms_heights, strict=True):
         scan = _scale_scan(scan, rms_height)
         if sphere_is_protruded:
-            protruded = add_protrusions(rng, scan, protrusions, roughness.rms_height)
+            protruded_scan = add_protrusions(rng, scan, protrusions, roughness.rms_height)
         else:
-            protruded = level(add_protrusions(rng, scan, protrusions, rms_height))
-            protruded = _scale_scan(protruded, rms_height)
-        forces.append(_plastic_forces(protruded, settings))
+            protruded_scan = level(add_protrusions(rng, scan, protrusions, rms_height))
+            protruded_scan = _scale_scan(protruded_scan, rms_height)
+        forces.append(_plastic_forces(protruded_scan, settings))
         unprotruded_forces.append(_plastic_forces(scan, settings))
     force_ratio = np.mean(forces, axis=(0, 2)) / np.mean(unprotruded_forces, axis=(0, 2))
     values = {
@@ -188,7 +190,7 @@ def fit_protruded_sets(
     draw_datasets : iterable of xarray.Dataset
         From `compute_protruded_forces`: the same draws for each surface whose forces change.
     surface : str
-        The surface whose forces are compared with published forces.
+        The surface whose mean and median force decide whether a set agrees.
     sets : xarray.Dataset
         sets.nc for plastic contact: ``mean_force`` (set, surface, rho) and ``sphere_factor``
         (surface, rho).
@@ -206,17 +208,17 @@ def fit_protruded_sets(
         of PROTRUSION_UNITS (draw).
     """
     draws_by_surface: dict[str, list[xr.Dataset]] = {}
-    for draws in draw_datasets:
-        draws_by_surface.setdefault(draws.attrs["surface"], []).append(draws)
-    protruded = {
+    for draw_dataset in draw_datasets:
+        draws_by_surface.setdefault(draw_dataset.attrs["surface"], []).append(draw_dataset)
+    forces_by_surface = {
         name: xr.concat(surface_draws, "draw") for name, surface_draws in draws_by_surface.items()
     }
     sphere_factor = sets["sphere_factor"].sel(surface=surface, drop=True)
-    forces = protruded[surface]["pull_off_force"] * sphere_factor
+    forces = forces_by_surface[surface]["pull_off_force"] * sphere_factor
     forces = forces.transpose("draw", "contact", "rho")
     ranges = forces["rho"].values
-    force_ratios = [draws["mean_force_ratio"] for draws in protruded.values()]
-    force_ratio = xr.concat(force_ratios, pd.Index(list(protruded), name="surface"))
+    force_ratios = [draws["mean_force_ratio"] for draws in forces_by_surface.values()]
+    force_ratio = xr.concat(force_ratios, pd.Index(list(forces_by_surface), name="surface"))
     curves = sets["mean_force"] * force_ratio.reindex(surface=sets["surface"], fill_value=1.0)
     curves = curves.where(sets["surface"] != surface, forces.mean("contact"))
     fits = fitted_pairs(curves.transpose("draw", "set", ...), published.forces["mean_force"])
@@ -247,7 +249,7 @@ def fit_protruded_sets(
             np.log(published_pair_forces).std(axis=1),
             DIMENSIONLESS,
         ),
-    ).assign(protruded[surface][list(PROTRUSION_UNITS)])
+    ).assign(forces_by_surface[surface][list(PROTRUSION_UNITS)])
 
 
 def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:

@@ -5,8 +5,9 @@ Eq. 2 all points below the sphere attract together with the force
 
     F = 2 pi R W exp(sigma²/2 rho² - m/rho) Phi(m/sigma - sigma/rho).
 
-A force therefore gives m for every rho and W. The formula gives too small a force if few points
-carry it. Published forces are therefore compared with computed forces by the same formula.
+A force therefore gives m for every rho and W. If only few points carry
+the force, the formula underestimates it. Published forces are therefore compared with computed
+forces by the same formula.
 """
 
 import numpy as np
@@ -25,16 +26,16 @@ HEIGHT_COUNT = 20001
 MAX_HEIGHT_IN_RMS_HEIGHTS = 10
 MAX_HEIGHT_IN_RANGES = 40
 #: Statistics of the forces on a surface that give a height.
-CENTRAL_VALUES = ["mean", "median"]
+STATISTICS = ["mean", "median"]
 #: Work of adhesion: the published work, or the work that fits all forces best at each range.
-WORK_CHOICES = ["published", "fitted"]
+WORK_SOURCES = ["published", "fitted"]
 
 
 def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats:
     """Return the height m of the apex that gives a force.
 
     The force has a maximum at some height: lower down, fewer points lie below the sphere. Only
-    greater heights count.
+    heights above that of the maximum are searched.
 
     Parameters
     ----------
@@ -56,8 +57,8 @@ def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats
     return np.interp(-np.log(relative_force), minus_log_force, heights[falling], np.nan, np.nan)
 
 
-def standoff(
-    adhesion: xr.Dataset, published: pd.DataFrame, work: float, rms_heights: pd.Series
+def infer_apex_heights(
+    adhesion: xr.Dataset, published_forces: pd.DataFrame, work: float, rms_heights: pd.Series
 ) -> xr.Dataset:
     """Infer the height of the apex from published and from computed forces.
 
@@ -65,7 +66,7 @@ def standoff(
     ----------
     adhesion : xarray.Dataset
         adhesion.nc for one contact model.
-    published : pandas.DataFrame
+    published_forces : pandas.DataFrame
         ``mean_force`` and ``median_force`` in N by surface.
     work : float
         The published work of adhesion in J/m².
@@ -86,21 +87,21 @@ def standoff(
     computed_forces = computed_forces.transpose("surface", "statistic", "rho")
     surfaces = computed_forces["surface"].values
     ranges = computed_forces["rho"].values
-    columns = [f"{name}_force" for name in CENTRAL_VALUES]
-    published_forces = published.loc[surfaces, columns].to_numpy()
+    columns = [f"{name}_force" for name in STATISTICS]
+    force_values = published_forces.loc[surfaces, columns].to_numpy()
     fitted_work, _ = error_map.fit_work(
-        computed_forces.isel(statistic=0).values, published_forces[:, 0]
+        computed_forces.isel(statistic=0).values, force_values[:, 0]
     )
     smooth_force = float(dmt_pull_off(1.0, adhesion.attrs["sphere_radius"]))
     works = np.stack([np.full(ranges.size, work), fitted_work])
     height_from_published = np.empty(
-        (surfaces.size, len(CENTRAL_VALUES), len(WORK_CHOICES), ranges.size)
+        (surfaces.size, len(STATISTICS), len(WORK_SOURCES), ranges.size)
     )
     height_from_computed = np.empty(computed_forces.shape)
     for i, surface in enumerate(surfaces):
         for k, rho in enumerate(ranges):
             rms_height = rms_heights[surface]
-            published_ratios = published_forces[i, :, None] / (smooth_force * works[:, k])
+            published_ratios = force_values[i, :, None] / (smooth_force * works[:, k])
             height_from_published[i, :, :, k] = apex_height(published_ratios, rms_height, rho)
             computed_ratios = computed_forces.values[i, :, k] / smooth_force
             height_from_computed[i, :, k] = apex_height(computed_ratios, rms_height, rho)
@@ -115,8 +116,8 @@ def standoff(
             "combined_rms_height": ("surface", rms_heights[surfaces].to_numpy(), NM),
         },
         {
-            "statistic": CENTRAL_VALUES,
-            "work_source": WORK_CHOICES,
+            "statistic": STATISTICS,
+            "work_source": WORK_SOURCES,
             "rho": computed_forces["rho"],
         },
     ).assign(adhesion[["label", "basis"]])

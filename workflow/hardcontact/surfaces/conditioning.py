@@ -35,7 +35,7 @@ METRIC_PER_MOMENT = {
     "rms_laplacian": 2.0,
 }
 #: Number of components of the gain. The amplitudes of the second and the third relative to the
-#: first are fitted; the mean of the factors of the scans is moved into the gain.
+#: first are fitted.
 COMPONENT_COUNT = 3
 #: Largest amplitude of a component relative to that of the longest wavelengths, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
@@ -47,8 +47,8 @@ class Targets(NamedTuple):
     """The statistics that a group of scans of one surface meets."""
 
     means: Mapping[str, float]  #: Mean height, slope and curvature, by `height_map.METRICS`.
-    deviation: float  #: Standard deviation of the rms heights in nm (ddof 1).
-    rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
+    rms_height_std: float  #: Standard deviation of the rms heights in nm (ddof 1).
+    met_rows: tuple[str, ...]  #: Names of the rows of Table 1 that these targets meet.
 
 
 def scan_targets(
@@ -61,9 +61,9 @@ def scan_targets(
     """Return the targets of substitute scans on this study's pixels.
 
     On the paper's pixels and size the targets are the attribute ``expected_scan_moments`` of the
-    spectrum. On other pixels slope and curvature are computed from the spectrum for these pixels;
-    with another size, the rms height is, too. The deviation relative to the rms height is the
-    published one.
+    spectrum. On other pixels slope and curvature are computed from the spectrum for these pixels.
+    With another size, all three are computed from the spectrum. The standard deviation relative to
+    the rms height is the published one.
 
     Parameters
     ----------
@@ -89,11 +89,11 @@ def scan_targets(
     moments = np.array(spectrum_data.attrs["expected_scan_moments"])
     same_size = math.isclose(grid.size, size)
     same_pixels = same_size and grid.pixels == pixels
-    keeps_moment = np.array([same_size, same_pixels, same_pixels])
-    if not keeps_moment.all():
+    is_published_moment = np.array([same_size, same_pixels, same_pixels])
+    if not is_published_moment.all():
         spectrum = spectrum_of_dataset(spectrum_data)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-        moments = np.where(keeps_moment, moments, expected_moments(spectrum, weights))
+        moments = np.where(is_published_moment, moments, expected_moments(spectrum, weights))
     height = table1.loc["afm_rms_height"]
     calibrated_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
@@ -105,13 +105,13 @@ def scan_targets(
         float(moments[0] * height["uncertainty"] / height["value"]),
         tuple(
             row
-            for row, is_kept in zip(AFM_ROWS, keeps_moment, strict=True)
+            for row, is_kept in zip(AFM_ROWS, is_published_moment, strict=True)
             if is_kept and row in calibrated_rows
         ),
     )
 
 
-def scale_rms_heights(rms_heights: Floats, mean: float, deviation: float) -> Floats:
+def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
     """Return rms heights (scan,) in nm, scaled and shifted to a mean and a standard deviation.
 
     The standard deviation has ddof 1. The heights keep their order and relative distances. A single
@@ -119,16 +119,17 @@ def scale_rms_heights(rms_heights: Floats, mean: float, deviation: float) -> Flo
     """
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
-        differences *= deviation / differences.std(ddof=1)
+        differences *= std / differences.std(ddof=1)
     return np.asarray(mean + differences)
 
 
 def component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
-    The shares add up to one. Each component passes into the next as sin² of the logarithm of
-    wavelength: the first into the second between the size L of a scan and sqrt(2 p L), the second
-    into the third between sqrt(2 p L) and 2 p, where p is the side of a pixel.
+    The shares add up to one. The share of the next component rises as sin² of the logarithm of
+    wavelength. The second component replaces the first between the size L of a scan and
+    sqrt(2 p L), the third replaces the second between sqrt(2 p L) and 2 p; p is the side of a
+    pixel.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
@@ -192,16 +193,16 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
 
     means = np.array(list(targets.means.values()))
 
-    def relative_errors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
+    def errors_and_factors(log_amplitudes: Floats) -> tuple[Floats, Floats]:
         """Return the errors (3,), and the factors (scan,) that give scans their rms heights."""
         amplitudes = np.exp(np.append(0.0, log_amplitudes))
         values = np.sqrt(np.einsum("smij,i,j->sm", matrices, amplitudes, amplitudes))
         rms_heights = values[:, 0]
-        factors = scale_rms_heights(rms_heights, means[0], targets.deviation) / rms_heights
+        factors = scale_rms_heights(rms_heights, means[0], targets.rms_height_std) / rms_heights
         return (factors[:, None] * values).mean(axis=0) / means - 1, factors
 
     def slope_and_curvature_errors(log_amplitudes: Floats) -> Floats:
-        return relative_errors(log_amplitudes)[0][1:]
+        return errors_and_factors(log_amplitudes)[0][1:]
 
     fit = least_squares(
         slope_and_curvature_errors,
@@ -211,13 +212,14 @@ def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floa
         ftol=1e-15,
         gtol=1e-15,
     )
-    mean_errors, factors = relative_errors(fit.x)
+    mean_errors, factors = errors_and_factors(fit.x)
     if factors.min() <= 0:
         raise ValueError(
             f"expected rms heights above zero of {len(matrices)} scans with the mean "
-            f"{means[0]:.3g} nm and the deviation {targets.deviation:.3g} nm, found one of zero or "
-            "below: use fewer scans of this surface, whose rms heights deviate less"
+            f"{means[0]:.3g} nm and the deviation {targets.rms_height_std:.3g} nm, found one of "
+            "zero or below: use fewer scans of this surface, whose rms heights deviate less"
         )
+    # The mean factor goes into the gain, so that the factors of the scans have the mean one.
     mean_factor = factors.mean()
     return mean_factor * np.exp(np.append(0.0, fit.x)), factors / mean_factor, mean_errors
 
@@ -228,7 +230,7 @@ def condition_group(
     generator_functions: Mapping[int, Callable[[], np.random.Generator]],
     grid: ScanGrid,
 ) -> xr.Dataset:
-    """Return the `amplitude_gain` (wavevector) and the `factor` (scan) of heights of a group.
+    """Return the gain of amplitudes of a group of scans, and the factor of heights of each scan.
 
     Parameters
     ----------
@@ -244,8 +246,8 @@ def condition_group(
     Returns
     -------
     xarray.Dataset
-        The attribute `table1_rows_met` lists the rows of Table 1 that the surface meets by
-        construction.
+        ``amplitude_gain`` (wavevector) and ``factor`` (scan). The attribute ``table1_rows_met``
+        lists the rows of Table 1 that the surface meets by construction.
 
     Raises
     ------
@@ -254,7 +256,7 @@ def condition_group(
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(generator_functions))
-    conditioned_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
+    met_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
     if targets is not None:
         shares = component_shares(grid)
         spectrum = spectrum_of_dataset(spectrum_data)
@@ -268,14 +270,12 @@ def condition_group(
             matrices.append(metric_matrices(components, list(targets.means)))
         amplitudes, factors, mean_errors = _fit_group(np.array(matrices), targets)
         amplitude_gain = amplitudes @ shares
-        met_rows = {
+        rows_within_tolerance = {
             row
             for row, error in zip(AFM_ROWS, mean_errors, strict=True)
-            if row in targets.rows and abs(error) < TOLERANCE
+            if row in targets.met_rows and abs(error) < TOLERANCE
         }
-        conditioned_rows = [
-            row for row in conditioned_rows if row in met_rows or row not in AFM_ROWS
-        ]
+        met_rows = [row for row in met_rows if row in rows_within_tolerance or row not in AFM_ROWS]
     return xr.Dataset(
         {
             "amplitude_gain": (
@@ -289,5 +289,5 @@ def condition_group(
             "wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"}),
             "scan": list(generator_functions),
         },
-        {"basis": "substitute", "table1_rows_met": ",".join(conditioned_rows)},
+        {"basis": "substitute", "table1_rows_met": ",".join(met_rows)},
     )

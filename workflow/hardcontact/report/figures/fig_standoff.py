@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.paper.standoff import CENTRAL_VALUES
+from hardcontact.paper.standoff import STATISTICS
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "How high measured forces put the sphere"
@@ -64,7 +64,7 @@ def draw(standoff: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Da
         *style.surface_handles(standoff, marker=""),
         *(
             Line2D([], [], color="0.3", ls=LINES[name], label=f"{name} force")
-            for name in CENTRAL_VALUES
+            for name in STATISTICS
         ),
         Line2D([], [], label="published range", **style.PUBLISHED_RANGE),
     ]
