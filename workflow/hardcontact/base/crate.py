@@ -25,8 +25,9 @@ def crate_text(
 ) -> str:
     """Return the RO-Crate of ``results/<study>`` as JSON text, for the file `CRATE_FILE` in it.
 
-    Every file in the folder is an output with its SHA-256, except for logs and benchmarks. Inputs
-    are named by their paths in the repository. Equal files give an equal text.
+    Every file in the folder is an output with its SHA-256, except for logs, benchmarks, the
+    crate itself and ``report.html``. Inputs are named by their paths in the repository. Equal files
+    give an equal text.
 
     Parameters
     ----------
@@ -109,7 +110,10 @@ def described_files(folder: str | Path) -> dict[str, str]:
 
 
 def _files(folder: str | Path) -> dict[Path, str]:
-    """Return the outputs of a study and their digests, without logs and hidden files."""
+    """Return the outputs of a study and their digests.
+
+    Logs, benchmarks, hidden files, the crate itself and ``report.html`` are left out.
+    """
     return {
         path: digest(path)
         for path in sorted(Path(folder).rglob("*"))

@@ -4,7 +4,7 @@ import math
 import re
 import reprlib
 
-#: By unit of the study: what the user must write, in the words of a message.
+#: The quantity that a message asks for, by unit of the study.
 EXPECTED_QUANTITY = {
     "nm": "a length with a unit, such as 5.6 nm or 250 um",
     "N": "a force with a unit, such as 10 uN",
@@ -16,7 +16,7 @@ PREFIXES = {
     "f": -15, "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "": 0, "k": 3, "M": 6,
     "G": 9, "T": 12,
 }  # fmt: skip
-#: Powers of ten of every accepted unit, in the unit of the study of the same dimension.
+#: By unit of the study: accepted units of the same dimension, each with its power of ten.
 POWERS_OF_TEN = {
     "nm": {f"{prefix}m": power + 9 for prefix, power in PREFIXES.items()} | {"Å": -1},
     "N": {f"{prefix}N": power for prefix, power in PREFIXES.items()} | {"dyn": -5},
@@ -35,7 +35,7 @@ _QUANTITY = re.compile(
     r"\s*([+-]?[0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-zµμÅ/]+)(\^?2|²)?\s*"
 )
 #: Prefixes that units are printed with.
-_PRINTED = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
+_PRINTED_PREFIXES = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
 
 
 def parse_quantity(text: object, unit: str) -> float:
@@ -60,7 +60,7 @@ def format_exact(value: float, unit: str) -> str:
     `formatting.format_quantity` rounds instead.
     """
     name = "m" if unit == "nm" else unit
-    for prefix in _PRINTED:
+    for prefix in _PRINTED_PREFIXES:
         number = float(f"{value / 10.0 ** POWERS_OF_TEN[unit][prefix + name]:.12g}")
         if abs(number) >= 1:
             break

@@ -33,10 +33,12 @@ Floats = NDArray[np.float64]
 PASCAL_PER_GPA = 1e9
 NEWTON_PER_NN = 1e-9
 
-#: Side in nm of the window about a contact in which elastic and rigid pull-off are compared, and
-#: the smallest number of pixels along it.
+#: Side in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0
+#: Smallest number of pixels along this window.
 MIN_WINDOW_PIXELS = 16
+#: Largest number of pixels along a side of the map of the pressure in one contact.
+PRESSURE_MAP_PIXELS = 64
 #: Overlap or open gap (nm) that pixels in contact may have.
 MAX_OVERLAP = 1e-4
 #: Residual force on a pixel at which the solver stops, relative to the largest adhesive force on
@@ -176,7 +178,7 @@ def elastic_contacts_of_pair(
     modulus : float
         Effective modulus in Pa.
     pull_off_window : float
-        Edge in nm of the window around the lowest gap in which pull-off is solved.
+        Side in nm of the window around the lowest gap in which pull-off is solved.
 
     Returns
     -------
@@ -192,16 +194,17 @@ def elastic_contacts_of_pair(
     """
     geometry = bodies.geometry
     pixel_size = bodies.geometry.pixel_size
-    period = min(bodies.substrate.pixels, geometry.window)
-    window = min(max(window_pixels(pull_off_window, pixel_size), MIN_WINDOW_PIXELS), period)
+    period_pixels = min(bodies.substrate.pixels, geometry.window)
+    pull_off_pixels = window_pixels(pull_off_window, pixel_size)
+    pull_off_pixels = min(max(pull_off_pixels, MIN_WINDOW_PIXELS), period_pixels)
     contact_rows: list[tuple[float, ...]] = []
     pressure_maps = []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):
         for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
             gap = gap_map(bodies, index)
-            period_gap = part_around_lowest(gap, period)
-            window_gap = part_around_lowest(gap, window)
+            period_gap = part_around_lowest(gap, period_pixels)
+            window_gap = part_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
             rigid, elastic = adhesive_pull_off(
                 window_gap, pixel_size, modulus, contact.work, contact.range
@@ -218,19 +221,21 @@ def elastic_contacts_of_pair(
                 )
             )
             # The highest pressure is the lowest negative pressure.
-            pressure_maps.append(-part_around_lowest(-pressure, min(64, period)))
+            pressure_maps.append(
+                -part_around_lowest(-pressure, min(PRESSURE_MAP_PIXELS, period_pixels))
+            )
     variables: dict[str, Any] = {
         name: ("contact", list(values), {"units": unit})
         for (name, unit), values in zip(
             ELASTIC_UNITS.items(), zip(*contact_rows, strict=True), strict=True
         )
     }
-    example = {"units": "Pa", "long_name": "pressure in one contact"}
+    pressure_attributes = {"units": "Pa", "long_name": "pressure in one contact"}
     pixels = len(pressure_maps[0])
     position = (np.arange(pixels) - pixels // 2) * pixel_size
     from_peak = {"units": "nm", "long_name": "position from the peak"}
     return xr.Dataset(
-        variables | {"pressure": (("y", "x"), pressure_maps[0], example)},
+        variables | {"pressure": (("y", "x"), pressure_maps[0], pressure_attributes)},
         {
             "contact_y": ("contact", contact_indices[:, 0]),
             "contact_x": ("contact", contact_indices[:, 1]),
@@ -243,7 +248,7 @@ def elastic_contacts_of_pair(
             "effective_modulus": modulus,
             "rho": contact.range,
             "work_of_adhesion": contact.work,
-            "window": window * pixel_size,
+            "window": pull_off_pixels * pixel_size,
             "sphere_radius": geometry.radius,
             "hertz_peak_pressure": hertz_contact(
                 contact.preload, geometry.radius, modulus

@@ -12,14 +12,14 @@ from hardcontact.paper.inference import FINE_RANGE_COUNT, INFERRED_UNITS
 NONE_LEFT_OUT = "none"
 
 
-def fitted_pairs(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
+def fitted_pairs(mean_forces: xr.DataArray, published_mean_forces: pd.Series) -> xr.Dataset:
     """Fit range and work of adhesion to the mean forces of several surfaces.
 
     Parameters
     ----------
     mean_forces : xarray.DataArray
         Forces (..., surface, rho) in N at 1 J/m²; each element of the other dimensions has its fit.
-    published : pandas.Series
+    published_mean_forces : pandas.Series
         Measured mean forces in N by surface. Surfaces without a force do not enter the fit.
 
     Returns
@@ -28,7 +28,7 @@ def fitted_pairs(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
         ``range_of_adhesion`` (...) in nm, ``work_of_adhesion`` (...) in J/m² and ``best_error``
         (...), the mean relative error of the fitted forces.
     """
-    targets = published.reindex(mean_forces["surface"].values).dropna()
+    targets = published_mean_forces.reindex(mean_forces["surface"].values).dropna()
     dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
     forces = mean_forces.sel(surface=targets.index).transpose(*dimensions, "surface", "rho")
     ranges = forces["rho"].values
@@ -44,14 +44,14 @@ def fitted_pairs(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
     )
 
 
-def leave_one_out_fits(mean_forces: xr.DataArray, published: pd.Series) -> xr.Dataset:
+def leave_one_out_fits(mean_forces: xr.DataArray, published_mean_forces: pd.Series) -> xr.Dataset:
     """Return the `fitted_pairs` for all surfaces, and without one surface at a time.
 
     Parameters
     ----------
     mean_forces : xarray.DataArray
         As for `fitted_pairs`.
-    published : pandas.Series
+    published_mean_forces : pandas.Series
         As for `fitted_pairs`.
 
     Returns
@@ -60,6 +60,8 @@ def leave_one_out_fits(mean_forces: xr.DataArray, published: pd.Series) -> xr.Da
         The variables of `fitted_pairs` by left_out: NONE_LEFT_OUT, then each surface.
     """
     surfaces = mean_forces["surface"].values.tolist()
-    fits = [fitted_pairs(mean_forces, published)]
-    fits += [fitted_pairs(mean_forces.drop_sel(surface=name), published) for name in surfaces]
+    fits = [fitted_pairs(mean_forces, published_mean_forces)]
+    fits += [
+        fitted_pairs(mean_forces.drop_sel(surface=name), published_mean_forces) for name in surfaces
+    ]
     return xr.concat(fits, pd.Index([NONE_LEFT_OUT, *surfaces], name="left_out"))

@@ -1,4 +1,4 @@
-"""Selection of the number of a claim, and verdicts that do not depend on the number.
+"""Select the computed number that a claim is about, and give verdicts that do not depend on it.
 
 A number is a dataset of `value` and `value_interval` (`paper.numbers`).
 """
@@ -207,7 +207,7 @@ def fixed_verdict(
     return "", ""
 
 
-def _has_larger_pixels(topography: xr.Dataset, published: "pd.Series[float]") -> bool:
+def _has_larger_pixels(topography: xr.Dataset, published_constants: "pd.Series[float]") -> bool:
     """Return whether the pixels of the scans are larger than those of the paper."""
-    pixel_size = published["scan_size"] / published["scan_pixels"]
+    pixel_size = published_constants["scan_size"] / published_constants["scan_pixels"]
     return bool(topography["pixel_size"].max() > 1.01 * pixel_size)

@@ -73,6 +73,7 @@ def large_scale_master(
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     long_waves = lowpass(repeated, transition)
+    # The margin keeps waves exactly at the transition artificial in spite of rounding.
     transition_wavevector = 2 * np.pi / transition * (1 + 1e-12)
     artificial = random_surface(
         rng,
