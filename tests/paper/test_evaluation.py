@@ -28,8 +28,6 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
         {
             "rms_height": ("surface", [1.0, 2.0, 4.0, 0.5]),
             "rms_slope": ("surface", [0.1, 0.2, 0.4, 0.05]),
-            "scan_size": ("surface", [2.5e3] * 4),
-            "example_heights": (("surface", "row"), np.zeros((4, 256))),
             "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in names]),
             "table1_rows_met": ("surface", ["afm_rms_height"] * 3 + [""]),
         },
@@ -115,11 +113,11 @@ def test_a_claim_rests_on_the_scans_of_its_surfaces(changes, substitutes, basis,
     assert (row.basis, row.verdict) == (basis, verdict)
 
 
-@pytest.mark.parametrize(("scan_size", "verdict"), [(2.5e3, "consistent"), (5e3, "not testable")])
-def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(scan_size, verdict):
+@pytest.mark.parametrize(("pixel_size", "verdict"), [(9.8, "consistent"), (19.6, "not testable")])
+def test_slopes_on_pixels_larger_than_the_papers_are_not_judged(pixel_size, verdict):
     datasets = make_datasets()
-    sizes = ("surface", [scan_size] * 4)
-    datasets["topography"] = datasets["topography"].assign(scan_size=sizes)
+    pixel_sizes = ("surface", [pixel_size] * 4)
+    datasets["topography"] = datasets["topography"].assign(pixel_size=pixel_sizes)
     slope = {"dataset": "topography", "quantity": "afm_rms_slope"}
     assert judge(datasets, published_low=0.15, published_high=0.25, **slope).verdict == verdict
 
