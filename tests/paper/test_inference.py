@@ -112,7 +112,7 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = inference.Published(TABLE.iloc[::-1], inference.Pair(5.0, 0.04))  # in any order
+PUBLISHED = inference.PublishedFit(TABLE.iloc[::-1], inference.Pair(5.0, 0.04))  # in any order
 
 
 def infer(plastic, sampling=SAMPLING):

@@ -9,7 +9,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 from set_sources import CONFIDENCE, make_adhesion, make_masters, make_pool, make_sources
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.inference import Pair, Published, infer
+from hardcontact.paper.inference import Pair, PublishedFit, infer
 from hardcontact.paper.judged_sets import (
     SetSettings,
     draw_set_scans,
@@ -28,7 +28,7 @@ SETTINGS = SetSettings(
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = STATEMENTS[STATEMENTS["replicated"] == "yes"]
-PAPER = REPLICATED, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3))
+PAPER = REPLICATED, CONSTANTS, PublishedFit(FORCES, Pair(5.6, 46.3e-3))
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ from small_pool import SETTINGS, SOURCES, raw_scan
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import plastic_forces
 from hardcontact.paper import protruded_sets
-from hardcontact.paper.inference import Pair, Published
+from hardcontact.paper.inference import Pair, PublishedFit
 from hardcontact.paper.protruded_sets import (
     compute_protruded_forces,
     empty_protruded_forces,
@@ -112,19 +112,19 @@ def test_the_fit_recovers_the_pair_of_the_measured_forces():
         surface="rough"
     )
     protruded = [smooth, halved]
-    fits = fit_protruded_sets(protruded, "smooth", sets, Published(forces, PAIR)).sel(draw=7)
+    fits = fit_protruded_sets(protruded, "smooth", sets, PublishedFit(forces, PAIR)).sel(draw=7)
     np.testing.assert_allclose(fits["range_of_adhesion"], PAIR[0], rtol=0.01)
     np.testing.assert_allclose(fits["work_of_adhesion"], PAIR[1], rtol=0.03)
     np.testing.assert_allclose(fits["mean_force_at_fit"], measured_forces["smooth"], rtol=0.03)
     assert fits["agrees"].values.tolist() == [1, 1]
     forces.loc["smooth", "median_force"] /= 3  # the median of two contacts is their mean
-    fits_of_skewed = fit_protruded_sets(protruded, "smooth", sets, Published(forces, PAIR))
+    fits_of_skewed = fit_protruded_sets(protruded, "smooth", sets, PublishedFit(forces, PAIR))
     assert fits_of_skewed["agrees"].values.tolist() == [[0, 0]]
     assert fits["mean_force_at_published"].item() == pytest.approx(
         measured_forces["smooth"], rel=1e-3
     )
     assert fits["log_force_std_at_published"].item() == pytest.approx(np.log(3) / 2)
     fits_of_no_variant = fit_protruded_sets(
-        [empty_protruded_forces("smooth", RANGES)], "smooth", sets, Published(forces, PAIR)
+        [empty_protruded_forces("smooth", RANGES)], "smooth", sets, PublishedFit(forces, PAIR)
     )
     assert fits_of_no_variant["agrees"].sizes == {"draw": 0, "set": 2}

@@ -3,7 +3,7 @@
 from hardcontact.base import dataset, published
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.inference import Pair, Published, infer
+from hardcontact.paper.inference import Pair, PublishedFit, infer
 
 with job(snakemake) as job:
     params = job.parameters
@@ -11,7 +11,7 @@ with job(snakemake) as job:
     job.write(
         infer(
             dataset.read(job.input.adhesion),
-            Published(
+            PublishedFit(
                 published.pull_off(job.input.published_pull_off),
                 Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
             ),

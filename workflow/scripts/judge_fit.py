@@ -7,7 +7,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.paper.inference import Pair, Published
+from hardcontact.paper.inference import Pair, PublishedFit
 from hardcontact.paper.leave_one_out import leave_one_out_fits
 from hardcontact.paper.protruded_sets import empty_protruded_forces, fit_protruded_sets
 from hardcontact.paper.standoff import infer_apex_heights
@@ -37,7 +37,7 @@ with job(snakemake) as job:
             empty_protruded_forces(coating, plastic_sets["rho"].values)
         ]
         protruded_fits = fit_protruded_sets(
-            draw_datasets, coating, plastic_sets, Published(pull_off, pair)
+            draw_datasets, coating, plastic_sets, PublishedFit(pull_off, pair)
         )
         job.write(
             protruded_fits.assign_attrs(job.parameters),

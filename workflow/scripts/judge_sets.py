@@ -6,7 +6,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import single_masters, stacked_forces
-from hardcontact.paper.inference import Pair, Published
+from hardcontact.paper.inference import Pair, PublishedFit
 from hardcontact.paper.judged_sets import SetSettings, gather_sources, judge_sets
 
 with job(snakemake) as job:
@@ -25,7 +25,7 @@ with job(snakemake) as job:
         sources,
         pd.DataFrame(params["statements"]),
         constants,
-        Published(published.pull_off(job.input.published_pull_off), pair),
+        PublishedFit(published.pull_off(job.input.published_pull_off), pair),
         SetSettings(**params["settings"]),
     )
     job.write(

@@ -55,7 +55,7 @@ class Pair(NamedTuple):
     work_of_adhesion: float
 
 
-class Published(NamedTuple):
+class PublishedFit(NamedTuple):
     """Published forces, with the range and the work of adhesion that the paper inferred."""
 
     forces: pd.DataFrame  #: From `published.pull_off`.
@@ -64,7 +64,7 @@ class Published(NamedTuple):
 
 def infer(
     adhesion: xr.Dataset,
-    published: Published,
+    published: PublishedFit,
     reference_surface: str,
     error_threshold: float,
     force_floor: float,
@@ -76,7 +76,7 @@ def infer(
     ----------
     adhesion : xarray.Dataset
         adhesion.nc: forces in N at 1 J/m².
-    published : Published
+    published : PublishedFit
         Published forces, range and work of adhesion.
     reference_surface : str
         Surface to which force ratios are taken.

@@ -16,7 +16,7 @@ from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
 from hardcontact.paper.evaluation import claim_values
-from hardcontact.paper.inference import Published, infer
+from hardcontact.paper.inference import PublishedFit, infer
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import METRICS
@@ -267,7 +267,7 @@ def judge_sets(
     sources: Sources,
     statements: pd.DataFrame,
     constants: pd.DataFrame,
-    published: Published,
+    published: PublishedFit,
     settings: SetSettings,
 ) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
@@ -278,7 +278,7 @@ def judge_sets(
         Datasets from which sets are made.
     statements, constants : pandas.DataFrame
         From `evaluation.replicated_statements` and `published.constants`.
-    published : Published
+    published : PublishedFit
         Published forces, range and work of adhesion.
     settings : SetSettings
         Settings of the draws and of the judgement.
@@ -312,7 +312,7 @@ def judge_sets(
 def _set_datasets(
     sources: Sources,
     constants: "pd.Series[float]",
-    published: Published,
+    published: PublishedFit,
     settings: SetSettings,
     set_number: int,
 ) -> dict[str, xr.Dataset]:

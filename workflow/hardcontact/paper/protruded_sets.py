@@ -18,7 +18,7 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import plastic_forces, range_axis
-from hardcontact.paper.inference import Published
+from hardcontact.paper.inference import PublishedFit
 from hardcontact.paper.leave_one_out import fitted_pairs
 from hardcontact.paper.pool import PoolSettings, PoolSources
 from hardcontact.surfaces.conditioning import scale_rms_heights
@@ -178,7 +178,7 @@ def _plastic_forces(scan: HeightMap, settings: PoolSettings) -> Floats:
 
 
 def fit_protruded_sets(
-    draw_datasets: Iterable[xr.Dataset], surface: str, sets: xr.Dataset, published: Published
+    draw_datasets: Iterable[xr.Dataset], surface: str, sets: xr.Dataset, published: PublishedFit
 ) -> xr.Dataset:
     """Fit range and work of adhesion to every set, with the protrusions of every draw.
 
@@ -194,7 +194,7 @@ def fit_protruded_sets(
     sets : xarray.Dataset
         sets.nc for plastic contact: ``mean_force`` (set, surface, rho) and ``sphere_factor``
         (surface, rho).
-    published : Published
+    published : PublishedFit
         Published forces, range and work of adhesion.
 
     Returns
