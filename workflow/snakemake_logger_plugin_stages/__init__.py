@@ -4,6 +4,7 @@ A plugin that Snakemake finds by the name of this package. A stage is all jobs o
 runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log` has of every run.
 """
 
+import math
 import os
 import sys
 import threading
@@ -106,8 +107,8 @@ class LogHandler(LogHandlerBase):
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
-        minutes = self._cost(self._planned) / (os.cpu_count() or 1) / 60
-        how_long = f"about {minutes:.0f} minutes" if minutes > 1.5 else "about a minute or less"
+        minutes = math.ceil(self._cost(self._planned) / (os.cpu_count() or 1) / 60)
+        how_long = f"about {minutes} minutes" if minutes > 1 else "about a minute or less"
         self._say(f"{self._total} jobs, {how_long}")
         threading.Thread(target=self._break_silence, daemon=True).start()
 
