@@ -96,13 +96,18 @@ def test_nested_numbers_of_the_command_line_are_numbers(repository):
     shutil.rmtree(repository / "results")  # Other tests look whether a refused run makes any.
 
 
+def listen_to_ctrl_c():
+    """Undo what a shell does to programs in the background, and they to theirs: ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.study
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", "--configfile", QUICK],
         cwd=study, env=environment(study), text=True, start_new_session=True,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, preexec_fn=listen_to_ctrl_c,
     ) as run:  # fmt: skip
         messages = []
         for line in run.stdout:
