@@ -18,10 +18,10 @@ from hardcontact.base import dataset
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.theory.closed_form import closed_form, contact_share, smooth_force
+from hardcontact.theory.force_scatter import force_scatter
 from hardcontact.theory.pull_off_statistics import (
     ForceStatistics,
     field_variation,
-    force_scatter,
     number_variance,
     over_scans,
     predict_statistics,

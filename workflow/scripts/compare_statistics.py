@@ -8,7 +8,7 @@ from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import with_names
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.theory.pull_off_statistics import MEAN_ERROR, force_scatter, with_comparison
+from hardcontact.theory.force_scatter import MEAN_ERROR, force_scatter, with_comparison
 
 with job(snakemake) as job:
     params = job.parameters

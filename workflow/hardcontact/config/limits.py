@@ -213,7 +213,7 @@ def _master_limits(
     size = 2 * grid.size * tiles
     min_pixels = 2 * grid.pixels * tiles
     master_pixel_size = size / pixels
-    # The size of a Grid is half that of its periodic map. Its `pixels` are not used below.
+    # Only the size is that of the master, halved as in every Grid; pixels are those of the scan.
     master_grid = grid._replace(size=size / 2)
     accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
     yield Limit(pixels >= min_pixels, keys["pixels"], accepted, pixels)

@@ -199,7 +199,7 @@ def elastic_contacts_of_pair(
     pull_off_pixels = min(max(pull_off_pixels, MIN_WINDOW_PIXELS), period_pixels)
     contact_rows: list[tuple[float, ...]] = []
     pressure_maps = []
-    # More threads wait for each other: twice the processor time for the same numbers.
+    # More threads take twice the processor time and give the same numbers.
     with threadpool_limits(1, "blas"):
         for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
             gap = gap_map(bodies, index)

@@ -59,10 +59,10 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
     """Draw mean forces (samples,) in N of a log-normal distribution from a few tests.
 
-    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is m - z s*/sqrt(n) + s*²/2
-    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and m and s are mean and standard deviation
+    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
+    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
     of the logarithms of n tests, mu and sigma their true values. The deviation of the pivot from
-    m + s²/2 is added to the logarithm of the measured mean. NaN for a single test, whose scatter is
+    y + s²/2 is added to the logarithm of the measured mean. NaN for a single test, whose scatter is
     unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
     """
     if tests.test_count < 2:

@@ -32,8 +32,8 @@ from hardcontact.own.scan_parts import (
 )
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.edge_scaling import regime_coordinates
+from hardcontact.theory.force_scatter import force_scatter
 from hardcontact.theory.hard_contact import tabor
-from hardcontact.theory.pull_off_statistics import force_scatter
 from hardcontact.theory.summits import draw_size
 
 #: Quantiles of the forces of single contacts.

@@ -89,7 +89,7 @@ def range_exponent_of_area(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the force at the smallest range, relative to the smallest force.
+    """Return the mean force at the shortest range, relative to the smallest of all ranges.
 
     Its dimensions are surface and contact_model.
     """

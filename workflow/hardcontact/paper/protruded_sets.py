@@ -88,7 +88,8 @@ def compute_protruded_forces(
         Numbers of the draws. Each draw has other protrusions.
     scan_count : int
         Number of scans of the coating in each draw. Their rms heights are scaled to the
-        mean and the standard deviation of the targets.
+        mean and the standard deviation of the targets; those below the smallest rms height of the
+        pool are raised to it.
     sources : PoolSources
         Spectrum and targets of the coating without protrusions.
     roughness : PublishedRoughness
@@ -136,7 +137,7 @@ def _protruded_forces(
     target_rms_heights = scale_rms_heights(
         rms_heights, targets.means["rms_height"], targets.rms_height_std
     )
-    # Six scans or more may need smaller rms heights than the smallest of the pool.
+    # With six scans or more, a target may be below the smallest rms height of the pool.
     target_rms_heights = np.maximum(target_rms_heights, pool_rms_heights[0])
     forces = []
     unprotruded_forces = []
@@ -201,7 +202,7 @@ def fit_protruded_sets(
     -------
     xarray.Dataset
         The `fitted_pairs` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
-        ``median_force_at_fit`` (draw, set) of the protruded surface in N; ``agrees`` (draw, set) is
+        ``median_force_at_fit`` (draw, set) of the coating in N; ``agrees`` (draw, set) is
         1 if both are within the factor MAX_FORCE_FACTOR of the published forces. At the published
         pair ``mean_force_at_published`` and ``median_force_at_published`` (draw) in N and
         ``log_force_std_at_published`` (draw), the standard deviation of ln F. The variables

@@ -23,7 +23,7 @@ from hardcontact.report.templates import rendered
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.closed_form import MANY_POINTS, SINGLE_PEAKS
 from hardcontact.theory.edge_scaling import CLOSED_FORM, FORMULA
-from hardcontact.theory.pull_off_statistics import CHANCE, held_out_surfaces
+from hardcontact.theory.force_scatter import CHANCE, held_out_surfaces
 
 #: Distributions that are compared with computed forces.
 DISTRIBUTIONS = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")

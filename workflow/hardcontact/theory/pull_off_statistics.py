@@ -13,18 +13,14 @@ variance of a sum of Poisson clumps; over places it is their mixture over the le
 resources/validation tells what was chosen how, and errors.
 """
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-import pandas as pd
-import xarray as xr
 from numpy.polynomial.hermite_e import hermegauss
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.base.statistics import lognormal_shape
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.spectrum import Floats, Spectrum
@@ -40,7 +36,6 @@ from hardcontact.theory.summits import (
     Approaches,
     closest_approaches,
     clumps_above,
-    draw_size,
     lost_correlation,
     moment,
     rough_waves,
@@ -56,15 +51,8 @@ WIDER = 1.2
 #: height, the variance of F is within 1 % of that by 61 of them.
 NODES, WEIGHTS = hermegauss(15)
 WEIGHTS /= WEIGHTS.sum()
-#: Relative error of a mean force, for which contacts and scans are counted.
-MEAN_ERROR = 0.05
-#: Level of closest approach, in rms heights, above which the clumps that touch are rare. Below it
-#: waves longer than the sphere reaches lift it with the surface.
-LEAST_LEVEL = 2.0
 #: Halvings of the range of forces, of some hundred e-folds, to the last digit of a quantile.
 BISECTIONS = 60
-#: Distance that samples of 400 from a distribution exceed once in twenty, 1.36/sqrt(400).
-CHANCE = 0.068
 
 
 @dataclass(frozen=True)
@@ -273,133 +261,3 @@ def over_scans(spectrum: Spectrum, contact: Contact, deviation: float) -> ForceS
         weights=np.concatenate(weights),
         spreads=np.concatenate([scan.spreads for scan in scans]),
     )
-
-
-def force_scatter(
-    spectra: Mapping[str, Spectrum],
-    contact: Contact,
-    ranges: Sequence[float],
-    deviations: Mapping[str, float],
-    *,
-    tolerance: float,
-    confidence: float,
-) -> xr.Dataset:
-    """Return how the force on each surface scatters, by range of adhesion.
-
-    Parameters
-    ----------
-    spectra, deviations : mapping
-        By surface; the deviations are as of `over_scans`.
-    contact : Contact
-        Its range is replaced.
-    ranges : sequence of float
-        In nm.
-    tolerance, confidence : float
-        Relative error of a mean, and the probability that it is not larger.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over (surface, rho) ``weibull_modulus``; the standard deviation of ln F over places,
-        ``log_force_std``, and over places and scans, ``total_log_force_std``, and the latter from
-        mean and median as of published forces (`lognormal_shape`), ``total_lognormal_shape``;
-        ``contacts_needed`` for the mean of a surface, and ``scans_needed``, of one contact each,
-        for that of all. Over surface ``draw_size`` (nm) between independent places.
-    """
-    quantile = special.ndtri((1 + confidence) / 2)
-    rows = []
-    for surface, spectrum in spectra.items():
-        deviation = deviations[surface]
-        for rho in ranges:
-            places = predict_statistics(spectrum, replace(contact, range=rho))
-            scans = places
-            if deviation:
-                scans = over_scans(spectrum, replace(contact, range=rho), deviation)
-            # A median above the mean is no log-normal's.
-            total_shape = float(lognormal_shape(1, min(scans.median_over_mean, 1)))
-            rows.append(
-                {
-                    "weibull_modulus": places.modulus,
-                    "log_force_std": places.spread,
-                    "total_log_force_std": scans.spread,
-                    "total_lognormal_shape": total_shape,
-                    "contacts_needed": (quantile * places.variation / tolerance) ** 2,
-                    "scans_needed": (quantile * scans.variation / tolerance) ** 2,
-                }
-            )
-    table = pd.DataFrame(rows)
-    shape = (len(spectra), len(ranges))
-    sizes = [draw_size(spectrum, contact.radius, contact.area) for spectrum in spectra.values()]
-    return xr.Dataset(
-        {
-            name: (("surface", "rho"), table[name].to_numpy().reshape(shape), {"units": "1"})
-            for name in table
-        }
-        | {"draw_size": ("surface", sizes, {"units": "nm"})},
-        {
-            "surface": list(spectra),
-            "rho": ("rho", list(ranges), {"units": "nm", "long_name": "range of adhesion"}),
-        },
-        {"tolerance": tolerance, "confidence": confidence},
-    )
-
-
-def with_comparison(
-    scatter: xr.Dataset, inference: xr.Dataset, pull_off: pd.DataFrame, table: pd.DataFrame
-) -> xr.Dataset:
-    """Return the predicted scatter of forces beside published and computed scatter.
-
-    Parameters
-    ----------
-    scatter : xarray.Dataset
-        From `force_scatter`.
-    inference : xarray.Dataset
-        inference.nc.
-    pull_off : pandas.DataFrame
-        From `published.pull_off`.
-    table : pandas.DataFrame
-        Designed surfaces of `resources/validation/statistics.csv`.
-
-    Returns
-    -------
-    xarray.Dataset
-        `scatter` with ``published_log_force_std`` (surface) and ``computed_log_force_std``
-        (surface) with its interval, NaN if there is none; ``designed_<column>`` (case) for the
-        columns that give the error of the law, of which ``skewed`` is ``designed_skew_parameter``.
-    """
-    plastic = {"contact_model": "plastic", "pair": "published"}
-    name = "lognormal_shape"
-    names = {name: "computed_log_force_std", f"{name}_interval": "computed_log_force_std_interval"}
-    computed = inference[list(names)].sel(plastic, drop=True).rename(names)
-    published = pull_off.reindex(scatter["surface"].values)
-    shapes = lognormal_shape(published["mean_force"], published["median_force"])
-    columns = [
-        "surface", "held_out", "skewed", "level", "weibull_modulus", "log_force_std",
-        "predicted_log_force_std",
-        *table.columns[table.columns.str.startswith("distance_")],
-    ]  # fmt: skip
-    designed = (
-        table[columns]
-        .rename(columns={"skewed": "skew_parameter"})
-        .add_prefix("designed_")
-        .rename_axis("case")
-        .to_xarray()
-    )
-    for column in designed.data_vars.values():
-        if column.dtype.kind == "f":
-            column.attrs["units"] = "1"
-    return (
-        scatter.merge(computed.drop_vars(["label", "basis"], errors="ignore"), join="left")
-        .merge(designed)
-        .assign(published_log_force_std=("surface", shapes, {"units": "1"}))
-    )
-
-
-def held_out_surfaces(statistics: xr.Dataset) -> xr.Dataset:
-    """Return the designed surfaces that tell the error of the law.
-
-    They are Gaussian, were not looked at while it was made, and are touched above LEAST_LEVEL.
-    """
-    fair = (statistics["designed_held_out"] == 1) & (statistics["designed_skew_parameter"] == 0)
-    high = statistics["designed_level"] >= LEAST_LEVEL
-    return statistics.isel(case=np.flatnonzero(fair & high))

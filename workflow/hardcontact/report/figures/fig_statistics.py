@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.report.figures import drawing, style, tables
-from hardcontact.theory.pull_off_statistics import CHANCE, LEAST_LEVEL, held_out_surfaces
+from hardcontact.theory.force_scatter import CHANCE, MIN_TESTED_LEVEL, held_out_surfaces
 
 TITLE = "How pull-off forces scatter"
 CHAPTER = "8. What decides the band"
@@ -75,13 +75,13 @@ def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
 def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     """Draw computed against predicted spreads of ln F, by kind of surface."""
     is_skewed = statistics["designed_skew_parameter"] != 0
-    is_low = (statistics["designed_level"] < LEAST_LEVEL) & ~is_skewed
+    is_low = (statistics["designed_level"] < MIN_TESTED_LEVEL) & ~is_skewed
     is_fair = ~is_skewed & ~is_low
     is_held_out = statistics["designed_held_out"] == 1
     black = {"marker": "o", "color": "black", "ms": 3}
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (is_skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
-        (is_low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
+        (is_low, f"below {MIN_TESTED_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
         (is_fair & ~is_held_out, "used for the prediction", black | {"mfc": "none"}),
         (is_fair & is_held_out, "held out", black),
     ]
