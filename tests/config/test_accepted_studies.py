@@ -180,7 +180,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
     assert_forces(filtered_pull_off(master, filters, contacts, None, **lengths))
 
 
-@pytest.mark.parametrize("examples", [5, pytest.param(20, marks=pytest.mark.study)])
+@pytest.mark.parametrize("examples", [5, pytest.param(12, marks=pytest.mark.study)])
 def test_every_accepted_study_can_be_computed(project_folder, examples):
     refusals = []
 

@@ -134,7 +134,7 @@ KINDS = {
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of numbers that are no surface's
-@pytest.mark.parametrize("times", [1, pytest.param(5, marks=pytest.mark.study)])
+@pytest.mark.parametrize("times", [1, pytest.param(3, marks=pytest.mark.study)])
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_damaged_file_is_read_or_refused_in_clear_lines(tmp_path, kind, times):
     files_of, read_files = KINDS[kind]
