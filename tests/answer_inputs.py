@@ -158,7 +158,7 @@ def edges(count=1):
         ratio[:, index, is_computed] = 1 + 0.1 * (share if side == "small" else 1 / share)
     edge = np.tile([EDGES[side] for side in SIDES], (count, 1))
     data = xr.Dataset(
-        between_multiples("scale_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
+        between_multiples("filtered_force_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
                           (0.95, 1.05), CONFIDENCE)
         | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
@@ -183,15 +183,15 @@ def move_edge(edge, low, high, side="small"):
     share = (
         data["cutoff_wavelength"] / edge if side == "small" else edge / data["cutoff_wavelength"]
     )
-    is_computed = data["scale_ratio"].sel(side=side).notnull()
-    data["scale_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(is_computed)
+    is_computed = data["filtered_force_ratio"].sel(side=side).notnull()
+    data["filtered_force_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(is_computed)
     return data
 
 
 def unresolved_edges():
     """Return edges without values, because the force changes at no cutoff."""
     data = edges()
-    data["scale_ratio"] = data["scale_ratio"] * 0 + 1.01
+    data["filtered_force_ratio"] = data["filtered_force_ratio"] * 0 + 1.01
     data["edge"] *= np.nan
     data["edge_interval"] *= np.nan
     return data.assign(
@@ -217,8 +217,8 @@ def open_edges(count=1):
         values = data[name].astype(object)
         values.loc[large_side] = value
         data[name] = values.astype(str)
-    ratio = data["scale_ratio"].sel(side="large")
-    data["scale_ratio"].loc[large_side] = ratio.where(ratio.isnull(), 1.2)
+    ratio = data["filtered_force_ratio"].sel(side="large")
+    data["filtered_force_ratio"].loc[large_side] = ratio.where(ratio.isnull(), 1.2)
     data["conditional"][:] = 1
     return data.assign(interval_source=("surface", ["quarters"] * count))
 

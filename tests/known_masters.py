@@ -42,6 +42,6 @@ def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
     )
     contacts = ["contact_y", "contact_x"]
     return dataset.assign(
-        scale_ratio=dataset.pull_off_force.mean(contacts)
+        filtered_force_ratio=dataset.pull_off_force.mean(contacts)
         / dataset.unfiltered_pull_off_force.mean(contacts)
     )

@@ -73,7 +73,7 @@ def band() -> xr.Dataset:
     change = xr.DataArray(np.where(is_computed, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
     return xr.Dataset(
         {
-            "scale_change": change.expand_dims(group=groups),
+            "filtered_force_change": change.expand_dims(group=groups),
             "edge": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
             "edge_interval": (
                 ("side", "group", "bound"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
@@ -95,7 +95,9 @@ def sets() -> xr.Dataset:
         {
             "range_of_adhesion": (fits, ranges),
             "work_of_adhesion": (fits, 0.12 / ranges),
-            "scale_change": band()["scale_change"].isel(cutoff_wavelength=slice(1, -1)),
+            "filtered_force_change": band()["filtered_force_change"].isel(
+                cutoff_wavelength=slice(1, -1)
+            ),
             "edge": edges * band()["edge"],
         },
         {"contact_model": ["rigid", "plastic"]},

@@ -112,7 +112,10 @@ def make_masters(realizations=6):
     ratio[:, :, 1, 3:] = 1 - 0.1 * slope * 1800 / cutoffs[3:]
     return xr.Dataset(
         {
-            "scale_ratio": (("surface", "realization", "side", "cutoff_wavelength"), ratio),
+            "filtered_force_ratio": (
+                ("surface", "realization", "side", "cutoff_wavelength"),
+                ratio,
+            ),
             "unfiltered_wavelength": (("surface", "side"), [[2.44, 20_000.0]] * 4),
         },
         {

@@ -161,11 +161,11 @@ def test_ratios_equal_those_of_the_remaining_wave():
     ratios = hc.force_ratios(
         two_waves, {"small": [30, 200], "large": [1000, 200]}, rho=5.6, **sphere
     )
-    ratio = ratios.scale_ratio.sel(cutoff_wavelength=200)
+    ratio = ratios.filtered_force_ratio.sel(cutoff_wavelength=200)
     whole_force = force(long + short)
     assert ratio.sel(side="small").item() == pytest.approx(force(long) / whole_force, rel=1e-5)
     assert ratio.sel(side="large").item() == pytest.approx(force(short) / whole_force, rel=1e-5)
-    assert np.isnan(ratios.scale_ratio.sel(side="small", cutoff_wavelength=1000))
+    assert np.isnan(ratios.filtered_force_ratio.sel(side="small", cutoff_wavelength=1000))
     edge = ratios.sel(side="small")
     assert 30 < edge.edge < 200 and edge.edge_status == "found"
     # The force stays within the tolerance: the edge is open.

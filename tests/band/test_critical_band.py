@@ -23,7 +23,10 @@ def scales(ratios):
     surfaces = ["a", "b"][: len(ratios)]
     return xr.Dataset(
         {
-            "scale_ratio": (("surface", "realization", "side", "cutoff_wavelength"), ratios),
+            "filtered_force_ratio": (
+                ("surface", "realization", "side", "cutoff_wavelength"),
+                ratios,
+            ),
             "unfiltered_wavelength": (("surface", "side"), [[1.0, 20000.0]] * len(ratios)),
             "label": ("surface", [f"surface {name}" for name in surfaces]),
             "basis": ("surface", ["measured"] * len(surfaces)),
@@ -59,11 +62,11 @@ def test_pooled_change_is_the_mean_of_absolute_changes():
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
     bands = band.critical_band(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
     np.testing.assert_allclose(
-        bands.scale_change.sel(group="pooled"),
+        bands.filtered_force_change.sel(group="pooled"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
     )
-    assert bands.scale_ratio.dims == ("side", "surface", "cutoff_wavelength")
-    np.testing.assert_allclose(bands.scale_ratio.sel(surface="b"), decreasing)
+    assert bands.filtered_force_ratio.dims == ("side", "surface", "cutoff_wavelength")
+    np.testing.assert_allclose(bands.filtered_force_ratio.sel(surface="b"), decreasing)
     edge_of_b = 10 ** (1 + np.log(0.9) / np.log(0.8))
     np.testing.assert_allclose(
         bands.edge.sel(side="small"), [EDGES["a"]["small"], edge_of_b, 10**1.5]
@@ -86,9 +89,9 @@ def test_intervals_describe_the_scatter_of_realizations():
     bands = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
     small = bands.sel(side="small", cutoff_wavelength=100.0)
     ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
-    np.testing.assert_allclose(small.scale_ratio_interval[0], ratio_interval, rtol=0.03)
+    np.testing.assert_allclose(small.filtered_force_ratio_interval[0], ratio_interval, rtol=0.03)
     np.testing.assert_allclose(
-        small.scale_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
+        small.filtered_force_change_interval.sel(group="a"), ratio_interval - 1, rtol=0.2
     )
     low, high = bounds(bands.sel(side="small", group="a"), "edge")
     # The upper end of the change gives the lower end of the wavelength.

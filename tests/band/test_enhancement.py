@@ -19,7 +19,7 @@ def test_each_contact_model_has_the_edge_of_its_forces():
     ratio = 1.1 ** (np.log(cutoff / 2) / np.log(edges / 2))  # ln F is linear in ln c from 2 nm on
     forces = xr.Dataset(
         {
-            "scale_ratio": ratio.expand_dims(
+            "filtered_force_ratio": ratio.expand_dims(
                 surface=["a"], realization=[1, 2], side=["small"], radius=[1.0]
             )
         }
@@ -40,7 +40,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     ratio = xr.DataArray(
         factors, {"realization": [1, 2, 3], "cutoff_wavelength": CUTOFFS}
     ).expand_dims(surface=["a"], side=["small"], radius=[1.0], load=2, rho=[5.6, 1.0])
-    forces = xr.Dataset({"scale_ratio": ratio}, {"area": ("load", [400.0, 1.0])}).assign(
+    forces = xr.Dataset({"filtered_force_ratio": ratio}, {"area": ("load", [400.0, 1.0])}).assign(
         unfiltered_wavelength=(("surface", "side"), [[2.0]])
     )
     bands = bands_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")

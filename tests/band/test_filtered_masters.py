@@ -72,7 +72,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     scales = stacked_forces(masters)
     assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
     empty = [np.nan, np.nan]
-    ratios_of_b = scales.scale_ratio.sel(surface="b", load="light").transpose(
+    ratios_of_b = scales.filtered_force_ratio.sel(surface="b", load="light").transpose(
         "side", "realization", ...
     )
     np.testing.assert_array_equal(
@@ -81,7 +81,7 @@ def test_ratios_are_taken_of_mean_forces_over_contacts():
     np.testing.assert_array_equal(
         ratios_of_b.sel(side="large"), [[*empty, 0.5, 0.25], [*empty, 0.5, 0.5]]
     )
-    np.testing.assert_array_equal(scales.scale_ratio.sel(load="heavy").max(), 9.0)
-    assert scales.scale_ratio.sel(surface="a", realization=2).isnull().all()
+    np.testing.assert_array_equal(scales.filtered_force_ratio.sel(load="heavy").max(), 9.0)
+    assert scales.filtered_force_ratio.sel(surface="a", realization=2).isnull().all()
     assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
     assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]

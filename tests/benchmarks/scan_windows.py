@@ -102,11 +102,11 @@ def filtered_window_forces(
 
     Returns
     -------
-    ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``scale_ratio`` (realization,
-    map_size, cutoff_wavelength), the force without wavelengths above the cutoff relative to the
-    force with all, NaN at cutoffs above the period. Both are means over the windows of a surface.
-    ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map sizes
-    belong to the windows first, then to the whole surfaces.
+    ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``filtered_force_ratio``
+    (realization, map_size, cutoff_wavelength), the force without wavelengths above the cutoff
+    relative to the force with all, NaN at cutoffs above the period. Both are means over the windows
+    of a surface. ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map
+    sizes belong to the windows first, then to the whole surfaces.
     """
     realizations = range(filters.realizations)
     means = np.array([_realization_forces(name, density, filters, k) for k in realizations])
@@ -125,7 +125,11 @@ def filtered_window_forces(
     return xr.Dataset(
         {
             "pull_off_force": (axes, means[..., 0], FORCE),
-            "scale_ratio": ((*axes, "cutoff_wavelength"), means[..., 1:], ratio_attributes),
+            "filtered_force_ratio": (
+                (*axes, "cutoff_wavelength"),
+                means[..., 1:],
+                ratio_attributes,
+            ),
             "period": ("map_size", periods, nm | {"long_name": "longest wave of the surface"}),
             "mirrored": (
                 "map_size",

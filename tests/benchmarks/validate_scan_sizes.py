@@ -290,17 +290,17 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the long edges of the band from windows and whole surfaces, and the forces on them.
 
     The argument is a mapping from surfaces to results of `filtered_window_forces`. With intervals:
-    ``scale_ratio`` (surface, map_size, cutoff_wavelength), the mean over realizations of the force
-    without longer waves relative to the force with all, and ``force_over_largest`` (surface,
-    map_size), the force relative to the larger whole surface. Edges of each map size have
+    ``filtered_force_ratio`` (surface, map_size, cutoff_wavelength), the mean over realizations of
+    the force without longer waves relative to the force with all, and ``force_over_largest``
+    (surface, map_size), the force relative to the larger whole surface. Edges of each map size have
     names that begin with ``long_``. ``period`` and ``mirrored`` are copied from the forces.
     """
     windows = next(iter(forces.values()))[["period", "mirrored"]]
     all_forces = stack(
         {(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"]
     )
-    ratio = all_forces["scale_ratio"].mean("realization", keep_attrs=True)
-    interval = student_log_interval(all_forces["scale_ratio"], CONFIDENCE, "realization")
+    ratio = all_forces["filtered_force_ratio"].mean("realization", keep_attrs=True)
+    interval = student_log_interval(all_forces["filtered_force_ratio"], CONFIDENCE, "realization")
     force = all_forces["pull_off_force"]
     relative_force, relative_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
     cells = windows["period"].broadcast_like(relative_force).transpose(*relative_force.dims)
@@ -310,8 +310,8 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     edges = edges_of_curves(curves, logarithmic_limits(TOLERANCE))
     attributes = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
     return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
-        scale_ratio=ratio,
-        scale_ratio_interval=interval.assign_attrs(units="1"),
+        filtered_force_ratio=ratio,
+        filtered_force_ratio_interval=interval.assign_attrs(units="1"),
         force_over_largest=relative_force.assign_attrs(attributes),
         force_over_largest_interval=relative_interval.assign_attrs(
             attributes, confidence=CONFIDENCE

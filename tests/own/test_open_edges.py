@@ -22,9 +22,9 @@ def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
     band = edges([[SMALL, LARGE]], [3]).sel(surface="a")
     interpolation = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
     np.testing.assert_allclose(band.edge, [10 ** (1 + interpolation), 4000 * 0.5**interpolation])
-    np.testing.assert_allclose(band.scale_ratio.sel(side="small"), SMALL)
+    np.testing.assert_allclose(band.filtered_force_ratio.sel(side="small"), SMALL)
     # All scans have the same ratio: an interval would have no width.
-    assert band.edge_interval.isnull().all() and band.scale_ratio_interval.isnull().all()
+    assert band.edge_interval.isnull().all() and band.filtered_force_ratio_interval.isnull().all()
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3])
@@ -42,11 +42,15 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
 def test_the_interval_of_three_scans_comes_from_the_jackknife():
     master_forces = scales([[SMALL, LARGE]], spread=0.2)
     ratio = (
-        master_forces.scale_ratio.isel(surface=0).sel(side="small", cutoff_wavelength=100.0).values
+        master_forces.filtered_force_ratio.isel(surface=0)
+        .sel(side="small", cutoff_wavelength=100.0)
+        .values
     )
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
     band = band_edges(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
-    interval = band.scale_ratio_interval.isel(surface=0).sel(side="small", cutoff_wavelength=100.0)
+    interval = band.filtered_force_ratio_interval.isel(surface=0).sel(
+        side="small", cutoff_wavelength=100.0
+    )
     np.testing.assert_allclose(interval, jackknife_interval(ratio.mean(), left_out, 0.95))
 
 
@@ -69,7 +73,7 @@ def test_a_ratio_without_scatter_has_no_interval():
         .isel(surface=0)
         .sel(side="small")
     )
-    assert small_side.scale_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
+    assert small_side.filtered_force_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
     assert (
         small_side.edge_interval.notnull().all() and small_side.edge_interval.sel(bound="low") >= 10
     )

@@ -277,8 +277,8 @@ def band():
     critical = np.array([46.0, 1750.0])
     return xr.Dataset(
         {
-            "scale_ratio": (dims, ratio),
-            "scale_change": (dims, np.abs(np.array(ratio) - 1)),
+            "filtered_force_ratio": (dims, ratio),
+            "filtered_force_change": (dims, np.abs(np.array(ratio) - 1)),
             "edge": ("side", critical),
             "edge_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
         },
@@ -310,7 +310,10 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
     edges = [[60.0, 40.0, 30.0], [1500.0, np.nan, 9000.0]]
     band = xr.Dataset(
         {
-            "scale_change": (("side", "group", "cutoff_wavelength"), np.stack([curve] * 3, axis=1)),
+            "filtered_force_change": (
+                ("side", "group", "cutoff_wavelength"),
+                np.stack([curve] * 3, axis=1),
+            ),
             "edge": (("side", "group"), edges),
             "edge_interval": (
                 ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
@@ -344,7 +347,7 @@ def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
     dims = ("surface", "realization", "side", "cutoff_wavelength")
     scales = xr.Dataset(
         {
-            "scale_ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
+            "filtered_force_ratio": (dims, np.where(has_cutoff, 1 + 0.12 * noise, np.nan)),
             "unfiltered_wavelength": (("surface", "side"), np.tile([1.0, 2e4], (40, 1))),
         },
         {"surface": [f"s{number}" for number in range(40)], "side": ["small", "large"],

@@ -73,16 +73,20 @@ def test_equal_masters_have_the_band_of_one():
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
     band = set_band(alike, 5, 0.1, NO_SAMPLES, 3)
     single_band = critical_band(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
-    for name in ("scale_ratio", "scale_change", "edge"):
+    for name in ("filtered_force_ratio", "filtered_force_change", "edge"):
         np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 
 
 def test_masters_are_drawn_again_for_every_set_and_surface():
     masters = make_masters()
     bands = [set_band(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
-    ratio = np.array([band["scale_ratio"].values for band in bands])
-    mean = masters["scale_ratio"].mean("realization").transpose("side", "surface", ...).values
-    deviation = masters["scale_ratio"].std("realization").transpose("side", "surface", ...).values
+    ratio = np.array([band["filtered_force_ratio"].values for band in bands])
+    mean = (
+        masters["filtered_force_ratio"].mean("realization").transpose("side", "surface", ...).values
+    )
+    deviation = (
+        masters["filtered_force_ratio"].std("realization").transpose("side", "surface", ...).values
+    )
     error = deviation / np.sqrt(5)
     np.testing.assert_allclose(ratio.std(axis=0), error, rtol=0.14)
     assert (np.abs(ratio.mean(axis=0) - mean) < 4 * error / np.sqrt(300))[~np.isnan(mean)].all()

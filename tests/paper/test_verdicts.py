@@ -161,7 +161,7 @@ def band(cutoffs):
     change = np.where([np.array(cutoffs) < 300, np.array(cutoffs) > 300], 0.5, nan)
     dims = ("side", "group", "cutoff_wavelength")
     return xr.Dataset(
-        {"scale_change": (dims, change[:, None])},
+        {"filtered_force_change": (dims, change[:, None])},
         {"side": ["small", "large"], "group": ["mcd"], "cutoff_wavelength": cutoffs},
     )
 

@@ -135,19 +135,19 @@ def test_the_figure_of_cutoffs_shows_the_ratios_of_both_sides():
     table, figure = figures.draw_cutoffs(datasets())
     curves = lines_of(figure)
     for side, (label, _) in figures.SIDE_LOOKS.items():
-        ratios = data["scale_ratio"].sel(side=side).dropna("cutoff_wavelength")
+        ratios = data["filtered_force_ratio"].sel(side=side).dropna("cutoff_wavelength")
         x, y = curves[label].get_data()
         assert x.tolist() == CUTOFFS[side].tolist() and y.tolist() == ratios.values.tolist()
-        rows = table[(table["side"] == side) & (table["quantity"] == "scale_ratio")]
+        rows = table[(table["side"] == side) & (table["quantity"] == "filtered_force_ratio")]
         assert sorted(rows["value"]) == sorted(ratios.values)
 
 
 @pytest.mark.parametrize(("largest", "scale"), [(1.5, "linear"), (2000.0, "log")])
 def test_all_ratios_are_shown_on_a_logarithmic_axis_if_they_differ_tenfold(largest, scale):
     data = edges()
-    data["scale_ratio"] = data["scale_ratio"].clip(max=1.2)
-    data["scale_ratio_interval"] = data["scale_ratio_interval"].clip(0.9, 1.4)
-    data["scale_ratio"].loc[{"side": "small", "cutoff_wavelength": 160}] = largest
+    data["filtered_force_ratio"] = data["filtered_force_ratio"].clip(max=1.2)
+    data["filtered_force_ratio_interval"] = data["filtered_force_ratio_interval"].clip(0.9, 1.4)
+    data["filtered_force_ratio"].loc[{"side": "small", "cutoff_wavelength": 160}] = largest
     _, figure = figures.draw_cutoffs(datasets(edges=data))
     (axes,) = figure.axes
     low, high = axes.get_ylim()

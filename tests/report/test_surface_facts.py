@@ -49,7 +49,9 @@ def test_artificial_ends_of_intervals_are_left_out(data, source):
 def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
     # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
     data = move_edge(80.0, 70.0, 90.0)
-    low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
+    low, high = np.log(data["filtered_force_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[
+        0
+    ].values
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
     surface = datasets(edges=data).select_surface(SURFACES[0])
     np.testing.assert_allclose(
@@ -111,7 +113,9 @@ def test_an_open_edge_recommends_finer_or_larger_scans(is_lower_bound, advice):
 def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
     # The scans are reliable from 55 nm.
     row = rows(edges=move_edge(31.6, 20.0, 50.0))["short_edge"]
-    cutoffs = computed_cutoffs(move_edge(31.6, 20.0, 50.0)["scale_ratio"].sel(side="small"))
+    cutoffs = computed_cutoffs(
+        move_edge(31.6, 20.0, 50.0)["filtered_force_ratio"].sel(side="small")
+    )
     low, high = row.about["cutoffs"].low, row.about["cutoffs"].high
     assert row.fact.status == "no_interval" and low < 31.6 <= high
     assert not ((low < cutoffs) & (cutoffs < high)).any()

@@ -95,7 +95,7 @@ def curves(*exponents, scatter=0.0):
     ratio = xr.concat([1 / ratio, ratio], "side").assign_coords(side=["small", "large"])
     return xr.Dataset(
         {
-            "scale_ratio": ratio.where(ratio["side"] == "large", 1.0),
+            "filtered_force_ratio": ratio.where(ratio["side"] == "large", 1.0),
             "unfiltered_wavelength": (("surface", "side"), [[5.0, 3e4]]),
             "contact_area": (("side", "area"), [AREAS, AREAS]),
             "label": ("surface", ["A"]),

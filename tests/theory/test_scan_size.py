@@ -107,7 +107,10 @@ def test_known_ratios_have_known_or_open_edges():
     ratios = [[1.5, 1.0, np.nan], [1.5, 1.2, np.nan], [2.0, 1.21, 1.0]]
     forces = xr.Dataset(
         {
-            "scale_ratio": (("realization", "map_size", "cutoff_wavelength"), [ratios, ratios]),
+            "filtered_force_ratio": (
+                ("realization", "map_size", "cutoff_wavelength"),
+                [ratios, ratios],
+            ),
             "pull_off_force": (("realization", "map_size"), [[2.0, 3.0, 1.0]] * 2),
             "period": ("map_size", [1000.0, 1000.0, 8000.0]),
             "mirrored": ("map_size", [1, 1, 0]),

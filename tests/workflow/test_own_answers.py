@@ -65,7 +65,9 @@ def assert_honest(results, fitted=False):
 
 def assert_bounded(side):
     """Expect an edge between cutoffs and inside its interval, or an open edge."""
-    cutoffs = side.dropna("cutoff_wavelength", subset=["scale_ratio"])["cutoff_wavelength"].values
+    cutoffs = side.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])[
+        "cutoff_wavelength"
+    ].values
     edge, bound = side["edge"].item(), side["edge_bound"].item()
     low, high = side["edge_interval"].values
     assert np.isnan(edge) == np.isfinite(bound)

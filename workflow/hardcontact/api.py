@@ -316,7 +316,7 @@ def force_ratios(
     xarray.Dataset
         ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``,
         ``"found"`` or the reason for an open edge; ``edge_bound`` in nm, a lower bound of an open
-        edge if ``edge_bound_is_lower`` is 1, else an upper bound; ``scale_ratio`` (side,
+        edge if ``edge_bound_is_lower`` is 1, else an upper bound; ``filtered_force_ratio`` (side,
         cutoff_wavelength) of the mean plastic force to the force on the unfiltered scan, NaN at
         cutoffs of the other side.
 
@@ -344,7 +344,7 @@ def force_ratios(
             surface, Filters(side, surface.pixels, wavelengths), [contact], rough
         )
         forces["scan", 0, side] = side_forces.isel(radius=0, load=0, rho=0, drop=True)
-    ratio = stacked_forces(forces).scale_ratio.isel(surface=0, realization=0, drop=True)
+    ratio = stacked_forces(forces).filtered_force_ratio.isel(surface=0, realization=0, drop=True)
     logarithm = np.log(ratio)
     curves = xr.Dataset(
         {
@@ -356,7 +356,7 @@ def force_ratios(
     edges = edges_of_curves(curves, logarithmic_limits(tolerance))
     names = ("edge", "edge_status", "edge_bound", "edge_bound_is_lower")
     return xr.Dataset(
-        {"scale_ratio": ratio} | {name: edges[name] for name in names},
+        {"filtered_force_ratio": ratio} | {name: edges[name] for name in names},
         attrs={"rho": rho, "tolerance": tolerance},
     )
 

@@ -44,14 +44,14 @@ def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
     Parameters
     ----------
     band : xarray.Dataset
-        ``edge`` and ``scale_change`` of `critical_band`.
+        ``edge`` and ``filtered_force_change`` of `critical_band`.
 
     Returns
     -------
     xarray.DataArray
         Edges (..., side, group) in nm.
     """
-    cutoffs = band["cutoff_wavelength"].where(band["scale_change"].notnull())
+    cutoffs = band["cutoff_wavelength"].where(band["filtered_force_change"].notnull())
     last_cutoffs = cutoffs.max("cutoff_wavelength").where(
         band["side"] == "small", cutoffs.min("cutoff_wavelength")
     )
@@ -68,9 +68,9 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     Parameters
     ----------
     scales : xarray.Dataset
-        ``scale_ratio`` (surface, realization, side, cutoff_wavelength), the filtered force relative
-        to the unfiltered force, NaN at cutoffs of the other side; ``unfiltered_wavelength``
-        (surface, side) in nm.
+        ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), the filtered force
+        relative to the unfiltered force, NaN at cutoffs of the other side;
+        ``unfiltered_wavelength`` (surface, side) in nm.
     tolerance : float
         Relative change of the force that counts.
     sampling : Sampling
@@ -79,9 +79,9 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     Returns
     -------
     xarray.Dataset
-        With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
-        group, cutoff_wavelength), |ratio - 1|, and its mean over surfaces for the group POOLED; and
-        ``edge`` (side, group) in nm.
+        With intervals: ``filtered_force_ratio`` (side, surface, cutoff_wavelength);
+        ``filtered_force_change`` (side, group, cutoff_wavelength), |ratio - 1|, and its mean over
+        surfaces for the group POOLED; and ``edge`` (side, group) in nm.
     """
     return add_intervals(sampled_band(scales, tolerance, sampling), scales, sampling)
 
@@ -137,7 +137,7 @@ def sampled_band(
 
     Other forces on the same masters are sampled with the same random numbers.
     """
-    realizations = scales.scale_ratio.transpose("realization", *AXES)
+    realizations = scales.filtered_force_ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
     ratio_samples = np.stack(
         [
@@ -166,12 +166,12 @@ def sampled_band(
     never_leaves = np.isnan(edge_samples) & np.isfinite(change_samples).any(axis=-1)
     edge_samples = np.where(never_leaves, last_cutoffs, edge_samples)
     return {
-        "scale_ratio": SampledVariable(
+        "filtered_force_ratio": SampledVariable(
             AXES, ratio, ratio_samples, "1",
             "mean pull-off force with roughness beyond the cutoff removed, relative to the force "
             "with all roughness",
         ),
-        "scale_change": SampledVariable(
+        "filtered_force_change": SampledVariable(
             ("side", "group", "cutoff_wavelength"), change, change_samples,
             "1",
             "magnitude of the relative change of the force without roughness beyond the cutoff",

@@ -158,8 +158,8 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     -------
     xarray.Dataset
         The same variables over (surface, realization, side, ...), NaN at cutoffs of the other side.
-        ``scale_ratio`` (surface, realization, side, cutoff_wavelength, ...) compares means over
-        contacts; ``unfiltered_wavelength`` (surface, side) is in nm.
+        ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, ...) compares means
+        over contacts; ``unfiltered_wavelength`` (surface, side) is in nm.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -171,7 +171,7 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
         "force with all roughness",
     )
     ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    scales = forces.assign(scale_ratio=ratio, unfiltered_wavelength=ends)
+    scales = forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
     scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
     return scales
 
@@ -190,11 +190,11 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     -------
     xarray.Dataset
         `scales` with ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the changes of the
-        logarithms of ``scale_ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if there is
-        no varied master.
+        logarithms of ``filtered_force_ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if
+        there is no varied master.
     """
     whole = "unfiltered_pull_off_force"
-    ratio = varied["scale_ratio"] / scales["scale_ratio"]
+    ratio = varied["filtered_force_ratio"] / scales["filtered_force_ratio"]
     mean = varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES)
     shifts = xr.Dataset(
         {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}

@@ -36,7 +36,7 @@ class MasterForces(NamedTuple):
 
     #: ``pull_off_force`` (realization, cutoff_wavelength, contact_y, contact_x) and
     #: ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and the
-    #: ``scale_ratio`` of their means over contacts.
+    #: ``filtered_force_ratio`` of their means over contacts.
     forces: xr.Dataset
     scan_parts: ScanParts
     cell: float  #: The longest wavelength in nm.
@@ -50,7 +50,7 @@ def forces_of_masters(
     tiles = masters.tiles if side == "large" else 1
     cell *= tiles / masters.tiles
     forces = scales.sel(surface=surface, side=side).dropna(
-        "realization", how="all", subset=["scale_ratio"]
+        "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % masters.scans[surface],

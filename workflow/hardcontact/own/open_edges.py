@@ -54,15 +54,15 @@ def band_edges(
     Returns
     -------
     xarray.Dataset
-        ``scale_ratio`` (surface, side, cutoff_wavelength), the mean over realizations, with its
-        interval, which runs from zero to infinity if it is not bounded; the variables of EDGE
-        (surface, side); ``conditional`` (surface), 1 if the interval is conditional on one or two
-        scans; ``interval_source``, ``interval_scans``, label and basis (surface).
+        ``filtered_force_ratio`` (surface, side, cutoff_wavelength), the mean over realizations,
+        with its interval, which runs from zero to infinity if it is not bounded; the variables of
+        EDGE (surface, side); ``conditional`` (surface), 1 if the interval is conditional on one or
+        two scans; ``interval_source``, ``interval_scans``, label and basis (surface).
     """
     curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     curves = curves.transpose("surface", "side", ...)
     sources = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
-    band = curves[["scale_ratio", "scale_ratio_interval"]].merge(sources)
+    band = curves[["filtered_force_ratio", "filtered_force_ratio_interval"]].merge(sources)
     band = band.assign(edges_of_curves(curves, logarithmic_limits(tolerance)))
     band = band.assign(label=scales.label, basis=scales.basis)
     attributes = {name: scales.attrs[name] for name in ("rho", "sphere_radius")}
@@ -74,7 +74,7 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     half = half_width_over_masters(
         masters, lambda filtered, unfiltered: filtered / unfiltered, "log_ratio_shift", confidence
     )
-    ratio = masters.forces.scale_ratio.mean("realization").values
+    ratio = masters.forces.filtered_force_ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
     bounds = interval
     if not np.isnan(interval).all():
@@ -85,7 +85,7 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         logarithms = np.log(ratio), np.log(bounds)
     return xr.Dataset(
-        with_interval("scale_ratio", axis, ratio, interval, unit, confidence)
+        with_interval("filtered_force_ratio", axis, ratio, interval, unit, confidence)
         | with_interval("logarithm", axis, *logarithms, unit, confidence)
         | {
             "cell": masters.cell,

@@ -191,18 +191,22 @@ def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
 
 def _largest_change(band: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
     """Return the largest change of the force by the selected cutoffs (side, group)."""
-    return variable_as_number(band, "scale_change").where(is_selected).max("cutoff_wavelength")
+    return (
+        variable_as_number(band, "filtered_force_change")
+        .where(is_selected)
+        .max("cutoff_wavelength")
+    )
 
 
 def smoothest_ratio(band: xr.Dataset) -> xr.Dataset:
     """Return the force relative to the unfiltered force at the largest short cutoff (surface)."""
-    return _small_side_variable(band, "scale_ratio").isel(cutoff_wavelength=-1, drop=True)
+    return _small_side_variable(band, "filtered_force_ratio").isel(cutoff_wavelength=-1, drop=True)
 
 
 def stylus_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
     radius = paper["stylus_radius"].item()
-    change = _small_side_variable(band, "scale_change")
+    change = _small_side_variable(band, "filtered_force_change")
     return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 

@@ -37,7 +37,7 @@ SET_FIT_VARIABLES = [
     "minimum_error", "mean_force", "force_ratio",
 ]  # fmt: skip
 #: Variables of the critical band of a set that sets.nc contains.
-SET_BAND_VARIABLES = ["scale_ratio", "scale_change", "edge"]
+SET_BAND_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge"]
 
 
 class Sources(NamedTuple):
@@ -251,7 +251,9 @@ def set_band(
     """Return the critical band of masters of each substrate, drawn with replacement."""
     surface_ratios = []
     for surface in masters["surface"].values.tolist():
-        study_ratio = masters["scale_ratio"].sel(surface=surface).dropna("realization", how="all")
+        study_ratio = (
+            masters["filtered_force_ratio"].sel(surface=surface).dropna("realization", how="all")
+        )
         rng = generator(sampling.seed, surface, set_number, "set", "masters")
         drawn_masters = rng.choice(study_ratio.realization, realizations)
         ratio = study_ratio.sel(realization=drawn_masters)
@@ -259,7 +261,7 @@ def set_band(
         surface_ratios.append(ratio.drop_vars("surface"))
     ratio = xr.concat(surface_ratios, masters["surface"])
     return critical_band(
-        masters.drop_dims("realization").assign(scale_ratio=ratio), tolerance, sampling
+        masters.drop_dims("realization").assign(filtered_force_ratio=ratio), tolerance, sampling
     )
 
 

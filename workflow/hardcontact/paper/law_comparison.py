@@ -249,6 +249,6 @@ def _band(
         return forces
 
     ratio = law_force("pull_off_force") / law_force("unfiltered_pull_off_force")
-    scales = masters[["unfiltered_wavelength"]].assign(scale_ratio=ratio)
+    scales = masters[["unfiltered_wavelength"]].assign(filtered_force_ratio=ratio)
     band = critical_band(scales, tolerance, sampling)
     return band[["edge", "edge_interval"]]

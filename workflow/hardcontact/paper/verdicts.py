@@ -307,7 +307,7 @@ def open_end(side: str, value: float, low: float, high: float, bands: Sequence[x
     end = OPEN_END[side]
     limit = high if end == "high" else low
     last_cutoffs = np.array(
-        [last_cutoff(band["scale_change"].sel(side=side), side) for band in bands]
+        [last_cutoff(band["filtered_force_change"].sel(side=side), side) for band in bands]
     )
     value_is_open = (value >= last_cutoffs if end == "high" else value <= last_cutoffs).any()
     is_open = np.isclose(limit, last_cutoffs).any() or (value_is_open and np.isclose(limit, value))
@@ -326,8 +326,8 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     claims : pandas.DataFrame
         From `read_verdicts`.
     bands : sequence of xarray.Dataset
-        The datasets that give the intervals, band.nc and sets.nc: ``scale_change`` (..., side,
-        group, cutoff_wavelength).
+        The datasets that give the intervals, band.nc and sets.nc: ``filtered_force_change`` (...,
+        side, group, cutoff_wavelength).
 
     Returns
     -------

@@ -62,8 +62,8 @@ def parts_of_change(
     cutoff.
     """
     side_edges = data.edges.sel(side=side)
-    cutoffs = computed_cutoffs(side_edges["scale_ratio"])
-    logarithm = np.log(side_edges["scale_ratio"].sel(cutoff_wavelength=cutoffs).values)
+    cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
+    logarithm = np.log(side_edges["filtered_force_ratio"].sel(cutoff_wavelength=cutoffs).values)
     none_removed = 0 if side == "small" else len(cutoffs)
     end = data.force["extrapolation_end"].sel(side=side).item()
     wavelength = np.insert(cutoffs, none_removed, end)

@@ -102,13 +102,13 @@ def draw_cutoffs(datasets: Datasets) -> TableAndFigure:
     figure, panels = _panels(datasets)
     tolerance = datasets.edges.attrs["tolerance"]
     for axes, colour, data in panels:
-        cutoffs = computed_cutoffs(data.edges["scale_ratio"])
+        cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"])
         computed_ratios = data.edges.sel(cutoff_wavelength=cutoffs)
         for side, (label, look) in SIDE_LOOKS.items():
             side_data = computed_ratios.sel(side=side)
-            ends = bounds(side_data, "scale_ratio")
+            ends = bounds(side_data, "filtered_force_ratio")
             look = look | {"color": colour, "label": label}
-            _draw_curve(axes, cutoffs, side_data["scale_ratio"], ends, look)
+            _draw_curve(axes, cutoffs, side_data["filtered_force_ratio"], ends, look)
         axes.axhspan(1 - tolerance, 1 + tolerance, color="0.82", lw=0, zorder=0.5)
         _mark_positions(axes, data.edges["edge"].values)
         _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
@@ -120,7 +120,7 @@ def draw_cutoffs(datasets: Datasets) -> TableAndFigure:
             axes.set_yscale("linear")
         style.shade_artificial(axes, artificial_bands(data.spectra))
     _add_legend(figure)
-    return _table_rows(datasets.edges, {"scale_ratio": "1", "edge": "nm"}), figure
+    return _table_rows(datasets.edges, {"filtered_force_ratio": "1", "edge": "nm"}), figure
 
 
 def draw_spectra(datasets: Datasets) -> TableAndFigure:

@@ -48,7 +48,7 @@ def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Nu
     if np.isnan(edge):
         status = "open_above" if side_edges["edge_bound_is_lower"].item() else "open_below"
         return Number(name, bound, "nm", low, high, status, source)
-    scatter = side_edges["scale_ratio_interval"]
+    scatter = side_edges["filtered_force_ratio_interval"]
     is_unbounded = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
     return Number(name, edge, "nm", low, high, "not_bounded" if is_unbounded else "", source)
 
@@ -85,7 +85,7 @@ def edge_rows(data: Datasets) -> list[AnswerRow]:
             "measured_share": Number("measured_share", measured_share_at_edge(data, side)),
         }
         if edge.status == "no_interval":
-            cutoffs = computed_cutoffs(side_edges["scale_ratio"])
+            cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
             index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
             about["cutoffs"] = bounds_only("cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
         rows.append(AnswerRow(edge, about))

@@ -54,8 +54,8 @@ def stack_scaling(masters: Parts, described: Described) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        ``scale_ratio`` (surface, realization, side, cutoff_wavelength, radius, area, rho), NaN at
-        cutoffs of the other side; ``unfiltered_wavelength`` (surface, side) in nm;
+        ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, radius, area, rho),
+        NaN at cutoffs of the other side; ``unfiltered_wavelength`` (surface, side) in nm;
         ``contact_area`` (side, area) of touching pixels in nm².
     """
     stacked = stacked_forces(masters).swap_dims(load="area").drop_vars("load")
@@ -147,9 +147,11 @@ def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Data
 
     `critical_band` gets every combination of radius, area and range as a surface of its own.
     """
-    combinations = scaling["scale_ratio"].isel(realization=0, cutoff_wavelength=0, drop=True)
+    combinations = scaling["filtered_force_ratio"].isel(
+        realization=0, cutoff_wavelength=0, drop=True
+    )
     ends = scaling["unfiltered_wavelength"].broadcast_like(combinations)
-    cases = scaling[["scale_ratio"]].assign(unfiltered_wavelength=ends)
+    cases = scaling[["filtered_force_ratio"]].assign(unfiltered_wavelength=ends)
     cases = cases.stack(case=["surface", *COMBINATION])
     names = [":".join(map(str, case)) for case in cases["case"].values]
     unlabelled = cases.drop_vars(["case", "surface", *COMBINATION]).rename(case="surface")

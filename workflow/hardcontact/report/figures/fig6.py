@@ -45,9 +45,9 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
 
-    The table has `scale_ratio` and `scale_change`, which is |scale_ratio − 1|, against
-    `cutoff_wavelength` (nm), and the edges. Numbers beyond the last computed cutoff are empty; the
-    column `beyond` lists which of value, low and high these are.
+    The table has `filtered_force_ratio` and `filtered_force_change`, the magnitude of this ratio
+    minus one, against `cutoff_wavelength` (nm), and the edges. Numbers beyond the last computed
+    cutoff are empty; the column `beyond` lists which of value, low and high these are.
     """
     figure = drawing.create(6.2, band)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
@@ -60,14 +60,14 @@ def draw(
         side_band = band.sel(side=side)
         curves = {
             name: tables.value_and_interval(side_band, name).dropna("cutoff_wavelength", how="all")
-            for name in ("scale_ratio", "scale_change")
+            for name in ("filtered_force_ratio", "filtered_force_change")
         }
-        end_cutoff = last_cutoff(side_band["scale_ratio"], side)
+        end_cutoff = last_cutoff(side_band["filtered_force_ratio"], side)
         edges = tables.number_rows(tables.value_and_interval(side_band, "edge"))
         # A missing edge is drawn at the last cutoff, and empty in the table.
         edges["value"] = edges["value"].fillna(end_cutoff)
-        _draw_ratios(column[0], curves["scale_ratio"], band.attrs["scale_tolerance"])
-        _draw_changes(column[1], curves["scale_change"], band)
+        _draw_ratios(column[0], curves["filtered_force_ratio"], band.attrs["scale_tolerance"])
+        _draw_changes(column[1], curves["filtered_force_change"], band)
         _draw_edges(column[2], edges, side_band, end_cutoff)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "small" else (transition, np.inf)

@@ -47,7 +47,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
     frames = []
     for letter, (model, rho), (ratio_panel, edge_panel) in zip("abcd", cases, grid.T, strict=True):
         band = bands.sel(contact_model=model, rho=rho)
-        ratio = tables.value_and_interval(band, "scale_ratio").dropna(
+        ratio = tables.value_and_interval(band, "filtered_force_ratio").dropna(
             "cutoff_wavelength", how="all"
         )
         edges = tables.value_and_interval(band, "edge")
@@ -58,7 +58,7 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd
         edge_panel.set_xlabel("cutoff (nm)")
         style.label_panel(ratio_panel, letter, f"{model}, ρ = {rho:g} nm")
         columns = {"panel": letter, "contact_model": model, "rho": rho}
-        rows = tables.computed_rows(ratio, quantity="scale_ratio", unit="1", **columns)
+        rows = tables.computed_rows(ratio, quantity="filtered_force_ratio", unit="1", **columns)
         frames.append(rows.rename(columns={"surface": "group"}))
         frames.append(tables.computed_rows(edges, quantity="edge", unit="nm", **columns))
     grid[0, 0].set_ylabel("pull-off force / unfiltered")

@@ -133,15 +133,17 @@ def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
 
     Edges beyond the last cutoff are missing; the last cutoff replaces them.
     """
-    ratio = tables.summarize_sets(side_sets["scale_ratio"]).dropna("cutoff_wavelength", how="all")
+    ratio = tables.summarize_sets(side_sets["filtered_force_ratio"]).dropna(
+        "cutoff_wavelength", how="all"
+    )
     for look, curve in style.iterate_surfaces(ratio):
         style.fill_interval(axes, curve, "cutoff_wavelength", look["color"])
         axes.plot(curve["cutoff_wavelength"], curve["value"], color=look["color"])
     axes.axhline(1, color="0.6", lw=0.6, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="cutoff wavelength (nm)")
     style.label_logarithmic(axes.xaxis, axes.yaxis)
-    end_cutoff = last_cutoff(side_sets["scale_ratio"], side_sets["side"].item())
+    end_cutoff = last_cutoff(side_sets["filtered_force_ratio"], side_sets["side"].item())
     edges = tables.summarize_sets(side_sets["edge"].fillna(end_cutoff))
-    ratio_rows = tables.computed_rows(ratio, quantity="scale_ratio", unit="1")
+    ratio_rows = tables.computed_rows(ratio, quantity="filtered_force_ratio", unit="1")
     edge_rows = tables.computed_rows(edges, quantity="edge", unit="nm")
     return pd.concat([ratio_rows.rename(columns={"surface": "group"}), edge_rows])
