@@ -33,7 +33,7 @@ def describe_surface(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
     form, edges = closed_form(spectrum, contact), formula_edges(spectrum, contact, TOLERANCE)
     return {
         "rms_height_over_range": form.rms_height / contact.range,
-        "level": form.closest_approach / form.rms_height,
+        "level": form.apex_height / form.rms_height,
         "contact_over_rolloff": np.sqrt(contact.area) / roll_off(spectrum),
         "short_edge": edges.short,
         "long_edge": edges.long,

@@ -187,7 +187,7 @@ def predict_row(row: dict[str, Any]) -> dict[str, Any]:
         "predicted_long_edge": long,
         **table_coordinates(waves, contact, form),
         "unfollowed_rms_height": form.rms_height,
-        "closest_approach": form.closest_approach,
+        "apex_height": form.apex_height,
     }
 
 

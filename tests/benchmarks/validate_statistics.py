@@ -124,7 +124,7 @@ def compute_forces(row: dict[str, Any]) -> xr.Dataset:
     all_contacts = xr.concat(pair_forces, "realization").stack(place=axes).isel(place=slice(PLACES))
     axis_names, smooth = ("contact_model", "place"), float(dmt_pull_off(1.0, row["radius"]))
     relative = all_contacts["pull_off_force"].transpose(*axis_names).values / smooth
-    level = -all_contacts["apex_depth"].transpose(*axis_names).values / row["rms_height"]
+    level = all_contacts["apex_height"].transpose(*axis_names).values / row["rms_height"]
     return xr.Dataset(
         {
             "log_force": (

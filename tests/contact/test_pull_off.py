@@ -41,7 +41,7 @@ def direct_force(gap, contact_pixels, rho, pixel_size, work=1.0):
 def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
     arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
     forces = arrays["pull_off_force"].values
-    apex_depths = arrays["apex_depth"].values
+    apex_heights = arrays["apex_height"].values
     count = LOAD.pixels(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixels"].values.tolist() == [1, count]
@@ -49,8 +49,8 @@ def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_ran
         gap = gap_map(bodies_of_pair, contact)
         for model, contact_pixels in enumerate((1, count)):
             ordered = np.sort(gap, axis=None)
-            assert apex_depths[model][contact] == pytest.approx(
-                ordered[contact_pixels - 1], abs=1e-9
+            assert apex_heights[model][contact] == pytest.approx(
+                -ordered[contact_pixels - 1], abs=1e-9
             )
             for k, rho in enumerate(RHOS):
                 direct_sum = direct_force(gap, contact_pixels, rho, 8.0)

@@ -57,12 +57,12 @@ def test_roughness_ratios_compare_all_scales_with_afm_scans():
     near(force.curvature_growth_over_height_growth(topography), 60 / 1.5)
 
 
-def test_approach_level_is_a_ratio_of_each_scan():
+def test_apex_level_is_a_ratio_of_each_scan():
     """If apex and roughness scatter together, their ratio does not scatter."""
     rms = np.array([16.0, 17.0, 19.0])
-    adhesion = xr.Dataset({"apex_depth": (("scan", "contact"), -3.4 * rms[:, None])})
+    adhesion = xr.Dataset({"apex_height": (("scan", "contact"), 3.4 * rms[:, None])})
     topography = xr.Dataset({"rms_height": ("scan", rms)})
-    height = contact.approach_level(adhesion.assign_attrs(confidence=0.95), topography)
+    height = contact.apex_level(adhesion.assign_attrs(confidence=0.95), topography)
     near(height, 3.4)
     np.testing.assert_allclose(*bounds(height, "value"))
 

@@ -71,7 +71,7 @@ def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
     sigma, length, rho = 40.0, 300.0, 1e-3  # the range is so short that only one summit counts
     flat = 1e9  # so that the summit is high
     form = closed_form(rounded(sigma, length), contact(rho, 0.0, flat))
-    level = form.closest_approach / sigma
+    level = form.apex_height / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert form.regime == SINGLE_PEAKS
     assert form.relative == pytest.approx(summit / flat, rel=0.1)
@@ -82,7 +82,7 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
     assert double.force == pytest.approx(2 * closed_form(rough(), contact()).force)
     rigid = closed_form(rough(), contact(area=0.0))
     plastic = closed_form(rough(), contact(area=400.0))
-    assert plastic.closest_approach < rigid.closest_approach
+    assert plastic.apex_height < rigid.apex_height
     assert plastic.force > rigid.force
 
 
@@ -94,16 +94,16 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error, err
     pixels, size, radius = 512, 10e3, 50e3
     spectrum = rough(rms, 800.0, 0.8, 80.0)
     touching = Contact(radius=radius, preload=1e-5, hardness=25e9, window=size, count=8)
-    forces, approaches = [], []
+    forces, apex_heights = [], []
     for k in range(3):
         surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)
         pair = bodies(surface, None, touching)
         plastic = pull_off_of_pair(pair, touching, [rho]).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean())
-        approaches.append(-plastic["apex_depth"].values)
+        apex_heights.append(plastic["apex_height"].values)
     form = closed_form(spectrum, contact(rho, 400.0, radius))
     assert form.force == pytest.approx(np.mean(forces), rel=error)
-    form = closed_form(spectrum, contact(rho, 400.0, radius), np.array(approaches))
+    form = closed_form(spectrum, contact(rho, 400.0, radius), np.array(apex_heights))
     assert form.force == pytest.approx(np.mean(forces), rel=error_at_contacts)
 
 

@@ -151,8 +151,8 @@ def test_regime_coordinates_follow_from_the_closed_form():
     coordinates = regime_coordinates(SPECTRA, contact).sel(surface="b")
     form = closed_form(SPECTRA["b"], contact)
     assert coordinates["rms_height_over_range"].item() == pytest.approx(form.rms_height / 5.6)
-    level = form.closest_approach / form.rms_height
-    assert coordinates["approach_level"].item() == pytest.approx(level)
+    level = form.apex_height / form.rms_height
+    assert coordinates["apex_level"].item() == pytest.approx(level)
     # The table has forty points a decade.
     roll_off = 20.0 / coordinates["contact_over_rolloff"].item()
     assert roll_off == pytest.approx(2500, rel=0.5)

@@ -20,7 +20,7 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import edge_formulas as formulas
 from hardcontact.theory.closed_form import edges, gaussian_share
 from hardcontact.theory.prediction_errors import EDGE_FOUND, validation
-from hardcontact.theory.summits import Approaches, closest_approaches, moment, rough_waves
+from hardcontact.theory.summits import ApexLevels, apex_levels, moment, rough_waves
 
 HURST, ROLL_OFF = 0.8, 1000.0
 #: Wide contact on a gentle surface: no summit stands out, and many points attract.
@@ -61,7 +61,7 @@ def test_the_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
     sigma, step = 3.0, 1e-2
     slope = (log_force(sigma * np.exp(step)) - log_force(sigma * np.exp(-step))) / (2 * step)
     level = float(formulas.level_of_area(WIDE.area / (2 * np.pi * WIDE.radius * sigma)))
-    elasticity = formulas.elasticity(sigma, Approaches(np.array([level]), np.ones(1), 1e-3), WIDE)
+    elasticity = formulas.elasticity(sigma, ApexLevels(np.array([level]), np.ones(1), 1e-3), WIDE)
     assert elasticity == pytest.approx(-slope, rel=0.03)
 
 
@@ -71,7 +71,7 @@ def test_the_elasticity_of_single_peaks_follows_from_their_number():
     for modulus in (0.05, 0.2):
         sigma = level / modulus
         elasticity = formulas.elasticity(
-            sigma, Approaches(np.array([level]), np.ones(1), 50.0), contact
+            sigma, ApexLevels(np.array([level]), np.ones(1), 50.0), contact
         )
         assert elasticity == pytest.approx(modulus / (1 - modulus), rel=0.03)
 
@@ -80,7 +80,7 @@ def test_edges_of_many_points_match_the_power_law_and_the_closed_form():
     edge_pair = formulas.formula_edges(GENTLE, WIDE, 0.1)
     waves = rough_waves(GENTLE, WIDE.radius)
     sigma = np.sqrt(moment(waves, 0))
-    level = closest_approaches(waves, WIDE.radius, WIDE.area).mean()
+    level = apex_levels(waves, WIDE.radius, WIDE.area).mean()
     slack = level + 1 / level - sigma / WIDE.range
     share = 2 * np.log(1.1) * WIDE.range / (sigma * slack)
     # Both are first orders in the change of the force and in 1/t.

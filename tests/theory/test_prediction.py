@@ -29,8 +29,8 @@ def test_the_table_repeats_the_design_and_the_closed_form():
         form = closed_form(waves, contact)
         assert form.force == pytest.approx(row["predicted_force"], rel=1e-3)
         assert form.regime == row["regime"]
-        assert (form.rms_height, form.closest_approach) == pytest.approx(
-            (row["unfollowed_rms_height"], row["closest_approach"]), rel=1e-3
+        assert (form.rms_height, form.apex_height) == pytest.approx(
+            (row["unfollowed_rms_height"], row["apex_height"]), rel=1e-3
         )
     predicted = validate_prediction.predict_row(row)
     assert predicted["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)

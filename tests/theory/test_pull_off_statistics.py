@@ -27,7 +27,7 @@ from hardcontact.theory.pull_off_statistics import (
     predict_statistics,
     summit_variation,
 )
-from hardcontact.theory.summits import LEVELS, closest_approaches, clumps_above, spectrum_between
+from hardcontact.theory.summits import LEVELS, apex_levels, clumps_above, spectrum_between
 
 SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
 TABLE = pd.read_csv(validate_statistics.DATASET.with_suffix(".csv"))
@@ -41,9 +41,9 @@ def flat_contact(modulus, clumps=0.0):
     """Return a contact of a modulus with the area of a number of mean clumps."""
     waves = spectrum_between(SURFACE, 0, np.inf)
     _, number, bearing = clumps_above(waves, FLAT)
-    highest = closest_approaches(waves, FLAT, 0.0).mean()
+    highest = apex_levels(waves, FLAT, 0.0).mean()
     area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
-    level = closest_approaches(waves, FLAT, area).mean()
+    level = apex_levels(waves, FLAT, area).mean()
     return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
@@ -51,7 +51,7 @@ def drawn_sums(modulus, places=4000, points=400):
     """Return sums of clumps over places: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
     rng = generator(1, "clumps")
     arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
-    level = closest_approaches(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
+    level = apex_levels(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
     radii = rng.choice(drawn_radii(rng, level), (places, points))
     return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
 
@@ -78,7 +78,7 @@ def test_the_mean_force_equals_the_closed_form(rho, low, high):
 
 def test_radii_of_summits_scatter_like_drawn_radii():
     waves = spectrum_between(SURFACE, 0, np.inf)
-    levels = closest_approaches(waves, FLAT, 0.0)
+    levels = apex_levels(waves, FLAT, 0.0)
     radii = drawn_radii(generator(1, "radii"), levels.mean())
     assert summit_variation(waves, levels) == pytest.approx(radii.std() / radii.mean(), rel=0.05)
 

@@ -58,13 +58,13 @@ def test_short_waves_of_no_height_make_no_clumps():
 
 def test_the_highest_point_follows_gumbel_s_law():
     waves = full_band(rounded(4, 100))
-    approaches = summits.closest_approaches(waves, FLAT, 0.0)
+    levels = summits.apex_levels(waves, FLAT, 0.0)
     # Lambda(t) = R m2/(sigma sqrt(2 pi)) exp(-t²/2) is one at the location.
     location = np.sqrt(2 * np.log(FLAT * moment(waves, 2) / 2 / (4 * np.sqrt(2 * np.pi))))
     gumbel = stats.gumbel_r(location, 1 / location)
-    assert approaches.weights.sum() == pytest.approx(1)
-    assert approaches.mean() == pytest.approx(gumbel.mean(), rel=0.03)
-    deviation = np.sqrt(approaches.mean(approaches.levels**2) - approaches.mean() ** 2)
+    assert levels.weights.sum() == pytest.approx(1)
+    assert levels.mean() == pytest.approx(gumbel.mean(), rel=0.03)
+    deviation = np.sqrt(levels.mean(levels.levels**2) - levels.mean() ** 2)
     assert deviation == pytest.approx(gumbel.std(), rel=0.2)
 
 
@@ -80,10 +80,10 @@ def test_exponential_areas_of_poisson_clumps_have_a_known_distribution(area):
 
 def test_a_large_contact_area_is_the_bearing_area():
     waves, area = full_band(rounded(4, 100)), 3e6
-    level = summits.closest_approaches(waves, FLAT, area).mean()
+    level = summits.apex_levels(waves, FLAT, area).mean()
     bearing = 2 * np.pi * FLAT * 4 * integrate.quad(stats.norm.sf, level, 10)[0]
     assert bearing == pytest.approx(area, rel=0.05)
-    assert level < summits.closest_approaches(waves, FLAT, 400).mean()
+    assert level < summits.apex_levels(waves, FLAT, 400).mean()
 
 
 def test_the_highest_point_matches_random_surfaces():
@@ -95,7 +95,7 @@ def test_the_highest_point_matches_random_surfaces():
         (random_surface(generator(3, k), pixels, 10.0, spectrum).heights - sphere).max()
         for k in range(120)
     ]
-    mean_height = summits.closest_approaches(waves, radius, 0.0).mean() * np.sqrt(moment(waves, 0))
+    mean_height = summits.apex_levels(waves, radius, 0.0).mean() * np.sqrt(moment(waves, 0))
     assert mean_height == pytest.approx(np.mean(highest), rel=0.08)
 
 

@@ -137,9 +137,9 @@ def mean_over_contacts(values):
 
 def gaussian_relative(adhesion, rms_height):
     """Return the mean over contacts of F/(2 pi R W) in closed form (model, range)."""
-    approach = -adhesion.apex_depth
-    summits = xr.apply_ufunc(stats.norm.sf, approach / rms_height)
-    relative = xr.apply_ufunc(gaussian_share, rms_height, approach, adhesion.rho) + summits
+    summits = xr.apply_ufunc(stats.norm.sf, adhesion.apex_height / rms_height)
+    relative = xr.apply_ufunc(gaussian_share, rms_height, adhesion.apex_height, adhesion.rho)
+    relative = relative + summits
     return mean_over_contacts(relative)
 
 
@@ -171,7 +171,7 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
         smooth_adhesion, flat
     )
     # The closed form is for many points; single peaks decide only at the shortest range.
-    touches_many = adhesion.rho > (combined_rms**2 / -adhesion.apex_depth).max()
+    touches_many = adhesion.rho > (combined_rms**2 / adhesion.apex_height).max()
     assert (~touches_many).sum() <= 1
     lost, lost_in_theory = (
         1 - force_ratio.where(touches_many, drop=True) for force_ratio in (ratio, gaussian_ratio)

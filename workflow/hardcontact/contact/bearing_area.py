@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.contact.geometry import Bodies, ContactGeometry, plastic_approach
+from hardcontact.contact.geometry import Bodies, ContactGeometry, largest_contact_gap
 from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
@@ -79,8 +79,8 @@ def as_tiles(surface: HeightMap) -> Tiles:
 class LowestGaps(NamedTuple):
     """The contact pixels of one contact."""
 
-    #: (contact_pixels,) nm, ascending. The first is minus the separation of rigid closest approach,
-    #: the last that of plastic closest approach.
+    #: (contact_pixels,) nm, ascending. The first is minus the height of the apex at rigid closest
+    #: approach, the last minus that at plastic closest approach.
     gaps: Floats
     offsets: NDArray[np.int_]  #: (contact_pixels, 2) pixels from the apex: row, column.
 
@@ -198,7 +198,7 @@ def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixels: int) -> Low
     """Return the smallest of gaps, ascending; equal ones in the order of offsets."""
     if gaps.size > contact_pixels:
         # Few are left to sort, and equal gaps at the end are all among them.
-        low = gaps <= plastic_approach(gaps, contact_pixels)
+        low = gaps <= largest_contact_gap(gaps, contact_pixels)
         gaps, offsets = gaps[low], offsets[low]
     order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixels]
     return LowestGaps(gaps[order], offsets[order])

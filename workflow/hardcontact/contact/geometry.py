@@ -135,7 +135,7 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
 
 
 def gap_map(bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_]) -> Floats:
-    """Return the gap (window, window) in nm of one contact of the array, at zero approach.
+    """Return the gap (window, window) in nm of one contact of the array, at the apex height 0.
 
     The apex stands at the pixel (window/2, window/2).
     """
@@ -148,14 +148,14 @@ def gap_map(bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_]) -> Floa
     return gap
 
 
-def plastic_approach(gap: Floats, contact_pixels: int) -> float:
-    """Return the largest gap (nm) of the contact pixels: minus that of closest approach."""
+def largest_contact_gap(gap: Floats, contact_pixels: int) -> float:
+    """Return the largest gap (nm) of the contact pixels: minus the height m of the apex."""
     return float(np.partition(gap.ravel(), contact_pixels - 1)[contact_pixels - 1])
 
 
 def flattened_gaps(gap: Floats, contact_pixels: int) -> Floats:
     """Return the gap (n, n) in nm at plastic closest approach, zero at the contact pixels."""
-    return np.maximum(gap - plastic_approach(gap, contact_pixels), 0)
+    return np.maximum(gap - largest_contact_gap(gap, contact_pixels), 0)
 
 
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:

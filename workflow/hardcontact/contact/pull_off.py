@@ -69,10 +69,10 @@ def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho:
     is `outside_sum` (...), from `outside_sums`. If fewer touch, all gaps are larger by the same
     length.
     """
-    approach = gaps[..., contact_pixels - 1]
-    opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
+    largest_gap = gaps[..., contact_pixels - 1]
+    opened = np.exp((largest_gap[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
     return np.asarray(
-        contact_pixels + opened + outside_sum * np.exp((approach - gaps[..., -1]) / rho)
+        contact_pixels + opened + outside_sum * np.exp((largest_gap - gaps[..., -1]) / rho)
     )
 
 
@@ -112,7 +112,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     -------
     xarray.Dataset
         ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-        ``apex_depth`` (contact_model, contact_y, contact_x) in nm, ``contact_pixels``
+        ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixels``
         (contact_model) and the number of `touched_places`.
 
     Raises
@@ -124,14 +124,15 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     counts = [1, contact.pixels(pixel_size)]
     contacts, forces = _forces(bodies, counts, ranges)
     gaps = _gaps(contacts)
-    apex_depths = np.stack([gaps[..., 0], gaps[..., -1]])
+    # At closest approach the largest gap of the touching pixels has become zero.
+    apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
-    depth_attributes = {"units": "nm", "long_name": "depth of the apex below the mean plane"}
+    height_attributes = {"units": "nm", "long_name": "height of the apex above the mean plane"}
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
-            "apex_depth": (model_axes, apex_depths, depth_attributes),
+            "apex_height": (model_axes, apex_heights, height_attributes),
             "contact_pixels": ("contact_model", counts, {"units": "1"}),
             "touched_places": ((), touched_places(bodies, contacts), {"units": "1"}),
         },

@@ -57,16 +57,16 @@ class ContactPixels:
     def outside_sum(
         self, contact: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
     ) -> float:
-        """Return the sum of exp(-(g + d)/rho) over pixels outside a contact (i, j).
+        """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
 
-        d is the separation of closest approach. `total` is the sum over all pixels but these, and
-        `terms` (pixels,) are those of these, overwritten, both at the approach where the
+        m is the height of the apex at closest approach. `total` is the sum over all pixels but
+        these, and `terms` (pixels,) are those of these, overwritten, both at the approach where the
         highest points would meet, whose sum is `highest`.
         """
         terms[self._own[contact]] = 0.0
-        approach = self._gaps[contact][-1]
-        image_sum = np.exp((approach - self._image_gaps[contact]) / rho).sum()
-        return float(np.exp((approach + highest) / rho) * (total + terms.sum()) + image_sum)
+        largest_gap = self._gaps[contact][-1]
+        image_sum = np.exp((largest_gap - self._image_gaps[contact]) / rho).sum()
+        return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
 
 
 def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
@@ -147,10 +147,10 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
 
 
 def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
-    """Return the sum (rho, contact, contact) of exp(-(g + d)/rho) outside plastic contact.
+    """Return the sum (rho, contact, contact) of exp(-(g + m)/rho) outside plastic contact.
 
-    d is the separation of closest approach. The contacts are `LowestGaps` by place (i, j) of the
-    array.
+    m is the height of the apex at closest approach. The contacts are `LowestGaps` by place (i, j)
+    of the array.
     """
     substrate = bodies.substrate
     roughness = bodies.roughness

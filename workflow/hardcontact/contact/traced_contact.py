@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
+from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
 from hardcontact.contact.pull_off import pull_off_force
 
 
@@ -32,7 +32,7 @@ def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> 
     rho = contact.range
     work = contact.work
     gap = gap_map(bodies, index)
-    gap -= plastic_approach(gap, contact.pixels(geometry.pixel_size))
+    gap -= largest_contact_gap(gap, contact.pixels(geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)
     pressure = work / (rho * 1e-9) * attraction
     pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))

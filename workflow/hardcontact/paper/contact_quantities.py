@@ -59,14 +59,14 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
     )
 
 
-def approach_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
+def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
     """Return the height of the apex of the sphere in contact above the mean plane.
 
     It is in rms heights of the scan (surface, contact_model). Contact pixels are at least as high,
     because a smooth sphere is lowest at its apex.
     """
-    apex_depth = mean_over_contacts(adhesion["apex_depth"])
-    return mean_over_scans(-apex_depth / topography["rms_height"], adhesion.attrs["confidence"])
+    apex_height = mean_over_contacts(adhesion["apex_height"])
+    return mean_over_scans(apex_height / topography["rms_height"], adhesion.attrs["confidence"])
 
 
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:

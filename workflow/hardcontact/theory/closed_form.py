@@ -32,8 +32,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.summits import (
-    Approaches,
-    closest_approaches,
+    ApexLevels,
+    apex_levels,
     clump_radius,
     moment,
     rough_waves,
@@ -67,7 +67,7 @@ class ClosedForm:
     relative: float  #: Force relative to 2 pi R W.
     first_term: float  #: The first term alone relative to 2 pi R W, if all summits are smooth.
     rms_height: float  #: sigma in nm.
-    closest_approach: float  #: The mean of m in nm.
+    apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: (sigma/rho)/(m/sigma): above one single peaks decide; infinite if m is not above zero.
     freezing: float
     regime: str  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
@@ -83,12 +83,12 @@ def smooth_force(contact: Contact) -> float:
     return float(dmt_pull_off(contact.work, contact.radius)) * (1 + contact_share(contact))
 
 
-def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -> Floats:
+def gaussian_share(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
     """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
 
     Parameters
     ----------
-    rms_height, approach, rho : array_like
+    rms_height, apex_height, rho : array_like
         sigma, m and rho in nm; they broadcast.
 
     Returns
@@ -97,7 +97,7 @@ def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -
         Of the broadcast shape.
     """
     sigma = np.asarray(rms_height)
-    m = np.asarray(approach)
+    m = np.asarray(apex_height)
     rho = np.asarray(rho)
     log_phi = special.log_ndtr(m / sigma - sigma / rho)
     return np.asarray(np.exp(sigma**2 / (2 * rho**2) - m / rho + log_phi))
@@ -106,7 +106,7 @@ def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -
 def closed_form(
     spectrum: Spectrum,
     contact: Contact,
-    approaches: ArrayLike | None = None,
+    apex_heights: ArrayLike | None = None,
     *,
     rough_below: bool = True,
 ) -> ClosedForm:
@@ -118,9 +118,9 @@ def closed_form(
         C_iso in nm⁴; roughness of other wavelengths does not exist.
     contact : Contact
         The sphere, the attraction and the area in contact.
-    approaches : array_like, optional
-        Heights m (nm) of closest approach of computed contacts. By default they follow from the
-        spectrum (`closest_approaches`).
+    apex_heights : array_like, optional
+        Heights m (nm) of the apex at computed contacts. By default they follow from the spectrum
+        (`apex_levels`).
     rough_below : bool
         Whether summits below the sphere attract as rough summits (`rough_terms`). If not, they
         attract as smooth summits, and only the summits that touch are rough.
@@ -136,12 +136,12 @@ def closed_form(
         force = smooth_force(contact)
         return ClosedForm(force, force / smooth, 1.0, 0.0, 0.0, 0.0, SMOOTH)
     sigma = float(np.sqrt(moment(waves, 0)))
-    if approaches is None:
-        levels = closest_approaches(waves, contact.radius, contact.area)
+    if apex_heights is None:
+        levels = apex_levels(waves, contact.radius, contact.area)
     else:
-        heights = np.ravel(approaches) / sigma
-        (delta,) = clump_radius(waves, [heights.mean()])
-        levels = Approaches(heights, np.full(heights.shape, 1 / heights.size), float(delta))
+        t = np.ravel(apex_heights) / sigma
+        (delta,) = clump_radius(waves, [t.mean()])
+        levels = ApexLevels(t, np.full(t.shape, 1 / t.size), float(delta))
     first_term = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.range))
     rough_first_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
     relative = rough_first_term + summit_term + contact_share(contact)
@@ -154,16 +154,16 @@ def closed_form(
 
 
 def _terms(
-    waves: Spectrum, levels: Approaches, contact: Contact, generations: int, rough_below: bool
+    waves: Spectrum, levels: ApexLevels, contact: Contact, generations: int, rough_below: bool
 ) -> tuple[float, float]:
-    """Return the first and the second term of F/(2 pi R W), averaged over levels of approach."""
+    """Return the first and the second term of F/(2 pi R W), averaged over levels of the apex."""
     sigma = np.sqrt(moment(waves, 0))
     share = 1.0
     summit = roughness_on_summit(waves, levels, contact)
     if summit is not None and generations:
         finer, summit_contact = summit
-        approaches = closest_approaches(finer, summit_contact.radius, summit_contact.area)
-        terms = _terms(finer, approaches, summit_contact, generations - 1, rough_below)
+        finer_levels = apex_levels(finer, summit_contact.radius, summit_contact.area)
+        terms = _terms(finer, finer_levels, summit_contact, generations - 1, rough_below)
         share = min(sum(terms), 1.0)
     first_term, summit_term = rough_terms(sigma, levels, contact.range, share)
     if not rough_below:
@@ -171,7 +171,7 @@ def _terms(
     return levels.mean(first_term), summit_term
 
 
-def rough_terms(sigma: float, levels: Approaches, rho: float, share: float) -> tuple[Floats, float]:
+def rough_terms(sigma: float, levels: ApexLevels, rho: float, share: float) -> tuple[Floats, float]:
     """Return the first term of F/(2 pi R W) at each level (n,), and the mean second term.
 
     Rough summits attract with a share of the force of smooth summits, whether they touch or lie
@@ -183,8 +183,8 @@ def rough_terms(sigma: float, levels: Approaches, rho: float, share: float) -> t
     ----------
     sigma, rho : float
         Rms height and range of adhesion in nm.
-    levels : Approaches
-        Levels t of closest approach.
+    levels : ApexLevels
+        Levels t of the apex at closest approach.
     share : float
         Force of a rough summit relative to a smooth summit.
 
@@ -205,7 +205,7 @@ def rough_terms(sigma: float, levels: Approaches, rho: float, share: float) -> t
 
 
 def roughness_on_summit(
-    waves: Spectrum, levels: Approaches, contact: Contact
+    waves: Spectrum, levels: ApexLevels, contact: Contact
 ) -> tuple[Spectrum, Contact] | None:
     """Return the spectrum of the roughness on a touching summit, and the contact of the summit.
 

@@ -16,8 +16,8 @@ from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.summits import spectrum_between
 
-#: Sources of the height of closest approach: expected from the spectrum, or computed contacts.
-APPROACH_SOURCES = ["spectrum", "contacts"]
+#: Sources of the height of the apex: expected from the spectrum, or computed contacts.
+APEX_HEIGHT_SOURCES = ["spectrum", "contacts"]
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
     -------
     xarray.Dataset
         By (surface, map_size, rho): ``computed_force`` in N, the mean plastic force over contacts
-        and realizations, with its interval over realizations. By source (APPROACH_SOURCES), too:
+        and realizations, with its interval over realizations. By source (APEX_HEIGHT_SOURCES), too:
         ``predicted_force`` and ``first_term_force`` in N, and ``predicted_over_computed``, the
         predicted force relative to the computed force. For the unfiltered spectra:
         ``all_scales_freezing`` and ``regime`` (surface, rho), and ``edge`` (surface, side) in nm.
@@ -99,7 +99,7 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
             surface=list(spectra),
             map_size=("map_size", list(trial.sizes), {"units": "nm"}),
             rho=("rho", list(trial.ranges), {"units": "nm", "long_name": "range of adhesion"}),
-            source=APPROACH_SOURCES,
+            source=APEX_HEIGHT_SOURCES,
             side=list(SIDES),
         )
         .assign_attrs(range_of_adhesion=trial.rho, confidence=trial.confidence)
@@ -110,7 +110,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     """Return computed and predicted forces of one surface and size of map."""
     pixel_size = size / trial.pixels
     forces = []
-    closest_approaches = []
+    apex_heights = []
     for realization in range(trial.realizations):
         rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
         surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
@@ -119,7 +119,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
             contact_model="plastic"
         )
         forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
-        closest_approaches.append(-plastic["apex_depth"].values)
+        apex_heights.append(plastic["apex_height"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
     area = trial.contact.pixels(pixel_size) * pixel_size**2
     contacts = [
@@ -127,7 +127,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
     ]
     forms = [
         [closed_form(waves, contact, heights) for contact in contacts]
-        for heights in (None, np.array(closest_approaches))
+        for heights in (None, np.array(apex_heights))
     ]
     smooth = forms[0][0].force / forms[0][0].relative
     realizations = xr.DataArray(np.array(forces), dims=("realization", "rho"))

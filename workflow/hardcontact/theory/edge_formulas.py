@@ -34,7 +34,7 @@ from hardcontact.band.critical_band import interpolate_edge
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import SUMMIT_SIZE, contact_share, gaussian_share
-from hardcontact.theory.summits import Approaches, closest_approaches, moment, rough_waves
+from hardcontact.theory.summits import ApexLevels, apex_levels, moment, rough_waves
 
 #: Mean curvature of the summits of a Gaussian surface relative to its rms half-Laplacian.
 SUMMIT_CURVATURE = np.sqrt(32 / (3 * np.pi))
@@ -74,12 +74,12 @@ def formula_edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> Edg
     summit_edge = interpolate_edge(wavelength, gap / contact.range, (-1.0, change))
     if np.isnan(summit_edge):
         return Edges(np.nan, np.nan)
-    approaches = closest_approaches(waves, contact.radius, contact.area)
-    force_elasticity = elasticity(float(np.sqrt(moment(waves, 0))), approaches, contact)
+    levels = apex_levels(waves, contact.radius, contact.area)
+    force_elasticity = elasticity(float(np.sqrt(moment(waves, 0))), levels, contact)
     remaining = np.exp(-2 * change / force_elasticity) if force_elasticity > 0 else 0.0
     variances = np.array([1 - remaining, remaining]) * variance[-1]
     short, long = np.exp(np.interp(variances, variance, np.log(wavelength)))
-    return Edges(float(min(short, summit_edge)), float(max(long, SUMMIT_SIZE * approaches.radius)))
+    return Edges(float(min(short, summit_edge)), float(max(long, SUMMIT_SIZE * levels.radius)))
 
 
 def gaps_on_summits(waves: Spectrum, radius: float, area: float) -> tuple[Floats, Floats, Floats]:
@@ -115,7 +115,7 @@ def gaps_on_summits(waves: Spectrum, radius: float, area: float) -> tuple[Floats
     return 2 * np.pi / q[-2::-1], variance, sigma * height_above(-level)
 
 
-def elasticity(sigma: float, approaches: Approaches, contact: Contact) -> float:
+def elasticity(sigma: float, levels: ApexLevels, contact: Contact) -> float:
     """Return the elasticity E = -d ln F/d ln sigma of the force.
 
     The first term of F, G = exp(s²/2 - t s) Phi(t - s), has the elasticity s (h - s) + phi/Phi(t -
@@ -127,8 +127,8 @@ def elasticity(sigma: float, approaches: Approaches, contact: Contact) -> float:
     ----------
     sigma : float
         Rms height of all waves in nm.
-    approaches : Approaches
-        Levels t of closest approach.
+    levels : ApexLevels
+        Levels t of the apex at closest approach.
     contact : Contact
         The sphere, the attraction and the area in contact.
 
@@ -137,7 +137,7 @@ def elasticity(sigma: float, approaches: Approaches, contact: Contact) -> float:
     float
         E of the mean force.
     """
-    t = approaches.mean()
+    t = levels.mean()
     s = sigma / contact.range
     h = float(hazard(t))
     many_points_share = special.ndtr(t - s)
@@ -146,7 +146,7 @@ def elasticity(sigma: float, approaches: Approaches, contact: Contact) -> float:
     summit_term = special.ndtr(-t)
     summit_elasticity = h * (h - t)
     # The highest of Poisson's clumps rises above the others by exp(-gamma) of a clump.
-    highest_area = np.exp(-np.euler_gamma) * np.pi * approaches.radius**2
+    highest_area = np.exp(-np.euler_gamma) * np.pi * levels.radius**2
     highest_elasticity = highest_area / (highest_area + contact.area) * summit_elasticity
     peak_elasticity = first_term * (first_elasticity - highest_elasticity)
     peak_elasticity += summit_term * (summit_elasticity - highest_elasticity)

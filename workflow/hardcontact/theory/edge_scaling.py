@@ -250,20 +250,20 @@ def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.
     Returns
     -------
     xarray.Dataset
-        By surface: ``rms_height_over_range``, sigma/rho; ``approach_level``, m/sigma of the closed
+        By surface: ``rms_height_over_range``, sigma/rho; ``apex_level``, m/sigma of the closed
         form, NaN if the sphere follows all waves; ``contact_over_rolloff``, the root of the contact
         area relative to the roll-off.
     """
     forms = [closed_form(spectrum, contact) for spectrum in spectra.values()]
-    height = np.array([form.rms_height for form in forms])
-    approach = np.array([form.closest_approach for form in forms])
+    rms_height = np.array([form.rms_height for form in forms])
+    apex_height = np.array([form.apex_height for form in forms])
     roll_offs = np.array([roll_off(spectrum) for spectrum in spectra.values()])
     return xr.Dataset(
         {
-            "rms_height_over_range": ("surface", height / contact.range, DIMENSIONLESS),
-            "approach_level": (
+            "rms_height_over_range": ("surface", rms_height / contact.range, DIMENSIONLESS),
+            "apex_level": (
                 "surface",
-                approach / np.where(height > 0, height, np.nan),
+                apex_height / np.where(rms_height > 0, rms_height, np.nan),
                 DIMENSIONLESS,
             ),
             "contact_over_rolloff": ("surface", contact.area**0.5 / roll_offs, DIMENSIONLESS),

@@ -138,7 +138,7 @@ def prediction(
         *extrapolated,
         Number("force_scatter", predict_statistics(waves, contact).spread),
         Number("force_ratio", form.force / smooth),
-        Number("closest_approach", form.closest_approach, "nm"),
+        Number("apex_height", form.apex_height, "nm"),
         Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),
         *(
             Number(

@@ -9,7 +9,7 @@ the attraction of alike clumps is
 for k > 1 and n = 1 Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry the force. At a
 given level the force is taken as log-normal, with a mean of the terms of `closed_form` and the
 variance of a sum of Poisson clumps; over places it is their mixture over the levels of
-`closest_approaches`. workflow/report/theory.md has the derivation. No number is fitted to a force;
+`apex_levels`. workflow/report/theory.md has the derivation. No number is fitted to a force;
 resources/validation tells what was chosen how, and errors.
 """
 
@@ -33,8 +33,8 @@ from hardcontact.theory.closed_form import (
 )
 from hardcontact.theory.summits import (
     LEVELS,
-    Approaches,
-    closest_approaches,
+    ApexLevels,
+    apex_levels,
     clumps_above,
     lost_correlation,
     moment,
@@ -61,7 +61,7 @@ class ForceStatistics:
 
     modulus: float  #: k = rho m/sigma²; infinite without roughness.
     clumps: float  #: Mean number of clumps in contact, n; 0 without roughness.
-    means: Floats  #: (n,) at the levels of closest approach, in N.
+    means: Floats  #: (n,) at the levels of the apex, in N.
     weights: Floats  #: (n,) probabilities of the levels.
     spreads: Floats  #: (n,) standard deviations of ln F at each level.
 
@@ -137,7 +137,7 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
 class _Attraction(NamedTuple):
     """The attraction in 2 pi R W, without that of the area in contact, by level (n,)."""
 
-    levels: Approaches
+    levels: ApexLevels
     first: Floats  #: (n,) mean of the clumps below the sphere.
     touching: float  #: Mean of those that touch.
     clumps: float  #: Mean number of those that touch.
@@ -158,7 +158,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     """Return how a sphere is attracted by summits, which are rough themselves."""
     radius = contact.radius
     rho = contact.range
-    levels = closest_approaches(waves, radius, contact.area)
+    levels = apex_levels(waves, radius, contact.area)
     sigma = np.sqrt(moment(waves, 0))
     t = levels.levels
     # What a rough summit attracts of what a smooth one does.
@@ -188,7 +188,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     scattered = (1 - cover) * clumps * (square - 1) + crowded * (clumps - 1)
     variance = np.minimum(field_variance, clump_variance) + (touching / clumps) ** 2 * scattered
     attraction = _Attraction(levels, first, touching, clumps, variance, 1.0)
-    wider = closest_approaches(waves, WIDER * radius, contact.area)
+    wider = apex_levels(waves, WIDER * radius, contact.area)
     wider_first, wider_touching = rough_terms(sigma, wider, rho, share)
     ratio = (wider.mean(wider_first) + wider_touching) / attraction.mean
     return attraction._replace(growth=float(np.clip(1 + np.log(ratio) / np.log(WIDER), 0, 1)))
@@ -203,7 +203,7 @@ def number_variance(cover: float) -> float:
     return (1 - cover) ** 3 / (1 + cover)
 
 
-def summit_variation(waves: Spectrum, levels: Approaches) -> float:
+def summit_variation(waves: Spectrum, levels: ApexLevels) -> float:
     """Return the standard deviation over the mean of the radius 1/sqrt(K) of summits.
 
     K = a² - b² is their Gaussian curvature. On a Gaussian surface at the level t the mean curvature

@@ -25,7 +25,8 @@ from hardcontact.surfaces.spectrum import Floats, Spectrum
 #: Number of points of a spectrum, and of distances of its autocorrelation.
 WAVES = 300
 DISTANCES = 120
-#: Levels t of closest approach: a contact wider than the roughness goes below the mean plane.
+#: Levels t of the apex at closest approach: a contact wider than the roughness goes below the mean
+#: plane.
 LEVELS = np.linspace(-6, 8, 701)
 #: Mean clumps in the area of contact beyond which their sum is normal.
 MAX_POISSON_CLUMPS = 50.0
@@ -39,8 +40,8 @@ LOWEST_CLUMP_LEVEL = 1.2
 MAX_FOLLOWED_CURVATURE = 0.1
 
 
-class Approaches(NamedTuple):
-    """Distribution of the level t of closest approach."""
+class ApexLevels(NamedTuple):
+    """Distribution of the level t of the sphere's apex at closest approach."""
 
     levels: Floats  #: Levels t (n,).
     weights: Floats  #: Probabilities (n,), which add up to one.
@@ -134,14 +135,14 @@ def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
     return np.asarray(np.exp(np.interp(log_share, log_ascending_share, np.log(distances))))
 
 
-def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approaches:
-    """Return the distribution of the level at which a sphere touches a given area.
+def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
+    """Return the distribution of the level of the apex of a sphere that touches a given area.
 
     Between the heights z and z + dz the sphere is above the area 2 pi R dz of the plane. If its
     apex is at the level t, Lambda(t) = 2 pi R sigma ∫_t^∞ Q(u)/(pi delta(u)²) du clumps rise above
     the sphere; Q is the upper tail of the normal distribution. The area above the sphere is B(t) =
     2 pi R sigma ∫_t^∞ Q(u) du, on average B/Lambda for each clump. Areas of clumps have an
-    exponential distribution, like areas of caps. Closest approach is below t if their sum stays
+    exponential distribution, like areas of caps. The apex comes to rest below t if their sum stays
     below the area of contact. The probability of this is P(t) = exp(-Lambda) [1 + Σ_n Lambda^n/n!
     P(n, A Lambda/B)], P(n, x) the incomplete gamma function. Without an area it is exp(-Lambda).
     With many clumps it rises from zero to one at the bearing area, B = A.
@@ -157,7 +158,7 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
 
     Returns
     -------
-    Approaches
+    ApexLevels
         The lowest level has the probability that no point rises above it.
     """
     radii, clumps, bearing = clumps_above(waves, radius)
@@ -168,7 +169,7 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     weights = np.append(probability[0], np.maximum(np.diff(probability), 0))
     weights /= weights.sum()
     levels = np.append(LEVELS[0], middle)
-    return Approaches(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
+    return ApexLevels(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
 
 
 def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
@@ -221,7 +222,7 @@ def draw_size(spectrum: Spectrum, radius: float, area: float) -> float:
     waves = rough_waves(spectrum, radius)
     if waves is None:
         return 0.0
-    level = max(closest_approaches(waves, radius, area).mean(), 1.0)
+    level = max(apex_levels(waves, radius, area).mean(), 1.0)
     return float(2 * np.sqrt(2 * radius * np.sqrt(moment(waves, 0)) / level))
 
 

@@ -15,18 +15,18 @@ The mean pull-off force of a random surface from its power spectrum alone. (a) C
 Closed form relative to computed force. (c) Freezing 1/k = σ²/(ρm): above one single peaks attract,
 below one many points do.
 
-σ is the rms height, ρ the range of adhesion, m the closest approach. Heights are normally
+σ is the rms height, ρ the range of adhesion, m the height of the apex. Heights are normally
 distributed. All points that do not touch give exp(σ²/(2ρ²) − m/ρ) Φ(m/σ − σ/ρ) of the force on a
 smooth surface. The closed form corrects this for rough summits, and adds the summits that
 touch and the plastic contact area. Bars in (a): {{ inference.confidence | percent }} intervals
-over the surfaces. In (b) the closest approach is expected from the spectrum (solid) or computed
+over the surfaces. In (b) the height of the apex is expected from the spectrum (solid) or computed
 (dashed); grey: within a factor of two. Drawn from closed_form.nc.
 """
 
-#: Where closest approach comes from: its line, and as it is printed.
+#: Where the height of the apex comes from: its line, and as it is printed.
 SOURCES = {
     "spectrum": ("-", "closed form of the spectrum alone"),
-    "contacts": ("--", "with computed approaches"),
+    "contacts": ("--", "with computed heights of the apex"),
 }
 
 

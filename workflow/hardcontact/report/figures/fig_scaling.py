@@ -24,7 +24,7 @@ Surfaces where many points or single peaks attract.
 random surfaces of one spectrum. Where no cutoff changes the force by more than the tolerance of
 Fig. 6, no edge is shown. A, preload over hardness, is the contact area. (c) Surfaces held out:
 not used to make the formulas. Open: a bound, the last cutoff; grey: within a factor of two. (d) σ
-is the rms height, m the closest approach. Line: σ/ρ = m/σ, where
+is the rms height, m the height of the apex. Line: σ/ρ = m/σ, where
 many points (left) give way to single peaks; grey: the transition. Coloured marks: the study's
 surfaces at the paper's sphere, range and load. Pale: the designed surfaces. Crosses: two chromium
 nitride coatings, from published spectra. The area of a mark is √A relative to the roll-off λ_r. λ_r
@@ -40,7 +40,7 @@ SIDE_LOOKS = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "lon
 #: Names of published spectra on the map.
 NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
 #: Coordinates on the map, and area of the mark, for surfaces of the study and designed surfaces.
-STUDY_VARIABLES = ("rms_height_over_range", "approach_level", "contact_over_rolloff")
+STUDY_VARIABLES = ("rms_height_over_range", "apex_level", "contact_over_rolloff")
 DESIGNED_VARIABLES = (
     "designed_rms_height_over_range",
     "designed_level",
@@ -159,7 +159,7 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
         axes.plot(x, y, "x", color=style.PUBLISHED_COLOUR, ms=5)
         axes.annotate(label, (x, y), (-3, 4), textcoords="offset points", ha="right", fontsize=7)
     axes.set(xscale="log", xlim=(0.2, 300), ylim=(-0.5, 5))
-    axes.set(xlabel="$\\sigma/\\rho$", ylabel="level of closest approach $t = m/\\sigma$")
+    axes.set(xlabel="$\\sigma/\\rho$", ylabel="level of the apex $t = m/\\sigma$")
     axes.text(0.25, 4.6, "many points", fontsize=7, style="italic", va="top")
     axes.text(280, 4.6, "single peaks", fontsize=7, style="italic", ha="right", va="top")
     style.label_logarithmic(axes.xaxis)

@@ -18,7 +18,7 @@ positions of the sphere on designed surfaces, computed and predicted. (b) Larges
 the probabilities of computed forces and of three distributions, by the Weibull modulus k = ρm/σ².
 (c) The four coatings; black: published.
 
-ρ is the range of adhesion, m the closest approach, σ the rms height. The prediction
+ρ is the range of adhesion, m the height of the apex, σ the rms height. The prediction
 follows from them; only the mean force of each surface is fitted. The log-normal is fitted to each
 surface. Contact in (a, b) is rigid and plastic, the sphere smooth. Held out: surfaces not looked
 at while the prediction was made; only these are in (b). Crosses in (a): skewed heights (skewness
