@@ -6,11 +6,11 @@ from hardcontact.contact.geometry import flattened_gaps
 from hardcontact.contact.pull_off import contacts_and_totals
 
 
-def direct_total(gap, contact_pixels, rho):
+def direct_total(gap, contact_pixel_count, rho):
     """Sum of exp(-gap/rho) at plastic contact, of a gap (window, window) at any approach, in nm."""
-    return float(np.exp(-flattened_gaps(gap, contact_pixels) / rho).sum())
+    return float(np.exp(-flattened_gaps(gap, contact_pixel_count) / rho).sum())
 
 
-def plastic_totals(bodies, contact_pixels, rho):
+def plastic_totals(bodies, contact_pixel_count, rho):
     """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact, contact)."""
-    return contacts_and_totals(bodies, contact_pixels, [rho])[1][:, 0]
+    return contacts_and_totals(bodies, contact_pixel_count, [rho])[1][:, 0]

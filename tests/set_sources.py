@@ -85,7 +85,7 @@ def make_adhesion():
     return xr.Dataset(
         {
             "pull_off_force": (("surface", "scan", "sphere_scan", *AXES), forces, {"units": "N"}),
-            "contact_pixels": ("contact_model", [1, 17]),
+            "contact_pixel_count": ("contact_model", [1, 17]),
             "label": ("surface", SUBSTRATES),
             "basis": ("surface", ["substitute"] * 4),
         },

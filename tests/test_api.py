@@ -140,7 +140,10 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
         y, x = places[i], places[j]
         heights_in_window = mirrored[np.ix_((y + offset) % pixels, (x + offset) % pixels)]
         gap = sphere[:, None] + sphere - heights_in_window
-        for model, count in (("rigid", 1), ("plastic", Contact(radius=1.0, **LOAD).pixels(PIXEL))):
+        for model, count in (
+            ("rigid", 1),
+            ("plastic", Contact(radius=1.0, **LOAD).pixel_count(PIXEL)),
+        ):
             direct_sum = work / (rho * 1e-9) * (PIXEL * 1e-9) ** 2 * direct_total(gap, count, rho)
             force = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
             assert force == pytest.approx(direct_sum, rel=1e-6)

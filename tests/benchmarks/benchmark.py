@@ -60,7 +60,7 @@ def surface(pixels):
 def pair_under_sphere(substrate, sphere=None):
     """Return substrate and sphere with the study's contacts, and the number of contact pixels."""
     pair = bodies(substrate, sphere, CONTACT)
-    return pair, CONTACT.pixels(pair.geometry.pixel_size)
+    return pair, CONTACT.pixel_count(pair.geometry.pixel_size)
 
 
 def timed(function, repeats=3):
@@ -90,8 +90,8 @@ def times_as_long(ratio):
 
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
-    pair, contact_pixels = pair_under_sphere(substrate)
-    return contacts_and_totals(pair, [contact_pixels], [RHO])[1][0, 0]
+    pair, contact_pixel_count = pair_under_sphere(substrate)
+    return contacts_and_totals(pair, [contact_pixel_count], [RHO])[1][0, 0]
 
 
 def smooth_sphere(threads):
@@ -102,9 +102,11 @@ def smooth_sphere(threads):
     )
     fast, totals = timed(lambda: pull_off(substrate))
     contacts = [(0, 0), (7, 13), (19, 4)]
-    pair, contact_pixels = pair_under_sphere(substrate)
+    pair, contact_pixel_count = pair_under_sphere(substrate)
     slow, direct_sums = timed(
-        lambda: [direct_total(gap_map(pair, contact), contact_pixels, RHO) for contact in contacts],
+        lambda: [
+            direct_total(gap_map(pair, contact), contact_pixel_count, RHO) for contact in contacts
+        ],
         1,
     )
     slow *= CONTACTS**2 / len(contacts)
@@ -127,13 +129,15 @@ def stitched(seed, scale):
 
 
 def rough_sphere():
-    pair, contact_pixels = pair_under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
+    pair, contact_pixel_count = pair_under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
 
     def fast():
-        return contact_pixels + outside_sums(pair, all_lowest_gaps(pair, contact_pixels), RHOS)
+        return contact_pixel_count + outside_sums(
+            pair, all_lowest_gaps(pair, contact_pixel_count), RHOS
+        )
 
     def direct(contact, rho):
-        return direct_total(gap_map(pair, contact), contact_pixels, rho)
+        return direct_total(gap_map(pair, contact), contact_pixel_count, rho)
 
     quick, totals = timed(fast)
     contacts = [(i, j) for i in range(0, CONTACTS, 5) for j in range(2, CONTACTS, 6)]

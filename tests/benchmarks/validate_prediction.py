@@ -103,7 +103,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
         "size": size,
         "pixels": pixels,
         "shortest": 4 * pixel_size,
-        "area": contact.pixels(pixel_size) * pixel_size**2,
+        "area": contact.pixel_count(pixel_size) * pixel_size**2,
         "missing_waves": "short" if coarse else "long" if small else "nothing",
     }
 

@@ -88,7 +88,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
         "pixels": pixels,
         "places_along_edge": count,
         "shortest": 4 * size / pixels,
-        "area": contact.pixels(size / pixels) * (size / pixels) ** 2,
+        "area": contact.pixel_count(size / pixels) * (size / pixels) ** 2,
     }
 
 

@@ -47,8 +47,8 @@ def tiny(draw):
     pixels, pixel, tiles = pick(16, 17, 21, 32), pick(0.5, 4.883, 20.0, 78.0), pick(1, 2, 3)
     small, large = 2 * pixels * pick(1, 2, 3), 2 * pixels * tiles * pick(1, 2)
     period, domain, count = 2 * pixels * pixel, 2 * pixels * tiles * pixel, pick(1, 2, 3)
-    hardness, contact_pixels = pick(1, 25, 1000), pick(0.1, 1, 2, 17, pixels, pixels**2)
-    load = f"{contact_pixels * hardness * pixel**2:.6g} nN"
+    hardness, contact_pixel_count = pick(1, 25, 1000), pick(0.1, 1, 2, 17, pixels, pixels**2)
+    load = f"{contact_pixel_count * hardness * pixel**2:.6g} nN"
     cutoffs = {
         "small": draw(lengths(2 * period / small, period, 3)),
         "large": draw(lengths(2 * pixel, domain, 3)),
@@ -83,7 +83,7 @@ def tiny(draw):
             },
         },
         "elastic": {"contacts": 1},
-        "indent": {"preloads": [f"{4 * contact_pixels * hardness * pixel**2:.6g} nN"]},
+        "indent": {"preloads": [f"{4 * contact_pixel_count * hardness * pixel**2:.6g} nN"]},
         "asperities": {"contacts": 1, "ranges": ["0.1 nm", "9 nm"]},
         "sets": {
             "count": pick(1, 2),
@@ -99,7 +99,10 @@ def tiny(draw):
                 "large": insight_keys["large"],
                 "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
                 "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
-                "preloads": [load, f"{pick(2, 8) * contact_pixels * hardness * pixel**2:.6g} nN"],
+                "preloads": [
+                    load,
+                    f"{pick(2, 8) * contact_pixel_count * hardness * pixel**2:.6g} nN",
+                ],
             },
         },
         "robustness": {"preloads": [], "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"]},
@@ -147,9 +150,9 @@ def check_pair(config, rng, substrate, sphere):
     pixel_size = pair.geometry.pixel_size
     assert_forces(pull_off_of_pair(pair, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:
-        contact_pixels = replace(contact, preload=preload).pixels(pixel_size)
-        for lowest in all_lowest_gaps(pair, contact_pixels).values():
-            assert len(lowest.gaps) == contact_pixels
+        contact_pixel_count = replace(contact, preload=preload).pixel_count(pixel_size)
+        for lowest in all_lowest_gaps(pair, contact_pixel_count).values():
+            assert len(lowest.gaps) == contact_pixel_count
             depth, *_ = indent_sizes(lowest, pixel_size)
             assert 0 < depth < np.inf
     carried = config["asperities"]

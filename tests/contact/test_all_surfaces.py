@@ -14,7 +14,7 @@ def pair_forces(value, pixels):
     return xr.Dataset(
         {
             "pull_off_force": (CONTACTS, np.full((2, 2), value)),
-            "contact_pixels": ("contact_model", [1, pixels], {"units": "1"}),
+            "contact_pixel_count": ("contact_model", [1, pixels], {"units": "1"}),
         },
         {axis: (axis, [1.5 * pixels, 2.5 * pixels]) for axis in CONTACTS},
         {"work_of_adhesion": 1.0},
@@ -37,7 +37,7 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
         np.testing.assert_array_equal(forces.pull_off_force.sel(pair_labels), k)
     assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
     assert forces.contact_x.values.tolist() == [0, 1]
-    assert forces.contact_pixels.values.tolist() == [1, 13]
+    assert forces.contact_pixel_count.values.tolist() == [1, 13]
     assert forces.wider_window_change.dims == ("surface", "scan")
     np.testing.assert_array_equal(forces.wider_window_change, [[0.1, np.nan], [0.2, 0.3]])
     assert forces.label.values.tolist() == ["A", "B"]

@@ -16,17 +16,19 @@ from hardcontact.contact.geometry import (
 
 
 @pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("contact_pixels", [1, 9, 90, 4097, 9000])
+@pytest.mark.parametrize("contact_pixel_count", [1, 9, 90, 4097, 9000])
 @pytest.mark.parametrize("rough", [False, True])
-def test_lowest_gaps_equal_those_of_the_whole_window(case, contact_pixels, rough):
+def test_lowest_gaps_equal_those_of_the_whole_window(case, contact_pixel_count, rough):
     pixels, pixel_size, rms, period, window = case
     roughness = periodic_noise(period, 0.5, 2) if rough else None
     bodies = make_bodies(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
-    for contact, (gaps, offsets) in all_lowest_gaps(bodies, contact_pixels).items():
+    for contact, (gaps, offsets) in all_lowest_gaps(bodies, contact_pixel_count).items():
         window_gaps = gap_map(bodies, contact)
-        np.testing.assert_allclose(gaps, np.sort(window_gaps.ravel())[:contact_pixels], atol=1e-9)
+        np.testing.assert_allclose(
+            gaps, np.sort(window_gaps.ravel())[:contact_pixel_count], atol=1e-9
+        )
         np.testing.assert_allclose(window_gaps[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
-        assert len(np.unique(offsets, axis=0)) == contact_pixels
+        assert len(np.unique(offsets, axis=0)) == contact_pixel_count
 
 
 @pytest.mark.parametrize("share", [0.001, 0.01, 0.1])
@@ -44,9 +46,9 @@ def test_the_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
 
 def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
     contact = Contact(radius=250e3, preload=10e-6, hardness=25e9)
-    assert contact.pixels(2500 / 512) == 17  # 16.8 rounded up
-    assert contact.pixels(5000 / 8192) == 1074  # 1073.7
-    assert contact.pixels(20.0) == 1  # exactly one pixel
+    assert contact.pixel_count(2500 / 512) == 17  # 16.8 rounded up
+    assert contact.pixel_count(5000 / 8192) == 1074  # 1073.7
+    assert contact.pixel_count(20.0) == 1  # exactly one pixel
     assert contact.area == pytest.approx(400.0)
 
 

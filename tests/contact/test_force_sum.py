@@ -19,16 +19,16 @@ def bodies_of(case, seed, rough=True):
 
 
 @pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("contact_pixels", [1, 17])
+@pytest.mark.parametrize("contact_pixel_count", [1, 17])
 @pytest.mark.parametrize("rough", [False, True])
-def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
+def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
     bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
-    contacts = all_lowest_gaps(bodies, contact_pixels)
+    contacts = all_lowest_gaps(bodies, contact_pixel_count)
     sums_by_range = outside_sums(bodies, contacts, rhos)
     for contact, (gaps, _) in contacts.items():
         gap = gap_map(bodies, contact)
         for sums, rho in zip(sums_by_range, rhos, strict=True):
-            for count in {1, contact_pixels}:
+            for count in {1, contact_pixel_count}:
                 assert opened_total(sums[contact], gaps, count, rho) == pytest.approx(
                     direct_total(gap, count, rho), rel=1e-9
                 )
@@ -62,9 +62,9 @@ def test_the_force_at_each_of_several_loads_is_the_direct_sum(case, rho, rough):
     bodies, loads = bodies_of(case, 12, rough), [9, 1, 40]
     totals = plastic_totals(bodies, loads, rho)
     assert totals.shape == (3, 3, 3)
-    for contact_pixels, load_totals in zip(loads, totals, strict=True):
+    for contact_pixel_count, load_totals in zip(loads, totals, strict=True):
         for contact, total in np.ndenumerate(load_totals):
-            direct_sum = direct_total(gap_map(bodies, contact), contact_pixels, rho)
+            direct_sum = direct_total(gap_map(bodies, contact), contact_pixel_count, rho)
             assert total == pytest.approx(direct_sum, rel=1e-9)
 
 

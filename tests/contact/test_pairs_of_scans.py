@@ -26,7 +26,7 @@ def test_indents_of_scans_equal_those_of_each_pair():
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
     pair = bodies(substrates[4], spheres[2], CONTACT)
-    contacts = all_lowest_gaps(pair, replace(CONTACT, preload=40e-6).pixels(8.0))
+    contacts = all_lowest_gaps(pair, replace(CONTACT, preload=40e-6).pixel_count(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
     for contact, (gaps, _) in contacts.items():
         assert depth[contact] == pytest.approx(gaps[-1] - gaps[0], abs=1e-12)

@@ -32,28 +32,28 @@ def pair(seed=1):
     )
 
 
-def direct_force(gap, contact_pixels, rho, pixel_size, work=1.0):
+def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
     """Eq. 3 in SI units."""
     pressure = work / (rho * 1e-9)
-    return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixels, rho)
+    return pressure * (pixel_size * 1e-9) ** 2 * direct_total(gap, contact_pixel_count, rho)
 
 
 def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
     arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
     forces = arrays["pull_off_force"].values
     apex_heights = arrays["apex_height"].values
-    count = LOAD.pixels(8.0)
+    count = LOAD.pixel_count(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
-    assert arrays["contact_pixels"].values.tolist() == [1, count]
+    assert arrays["contact_pixel_count"].values.tolist() == [1, count]
     for contact in np.ndindex(3, 3):
         gap = gap_map(bodies_of_pair, contact)
-        for model, contact_pixels in enumerate((1, count)):
+        for model, contact_pixel_count in enumerate((1, count)):
             ordered = np.sort(gap, axis=None)
             assert apex_heights[model][contact] == pytest.approx(
-                -ordered[contact_pixels - 1], abs=1e-9
+                -ordered[contact_pixel_count - 1], abs=1e-9
             )
             for k, rho in enumerate(RHOS):
-                direct_sum = direct_force(gap, contact_pixels, rho, 8.0)
+                direct_sum = direct_force(gap, contact_pixel_count, rho, 8.0)
                 assert forces[model, k][contact] == pytest.approx(direct_sum, rel=1e-9)
 
 
@@ -66,7 +66,7 @@ def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts_at_each_load():
 
 def test_the_change_by_a_wider_window_matches_the_direct_sum():
     pairs = [pair(seed) for seed in (1, 3)]
-    count, rho, changes = LOAD.pixels(8.0), 5.6, []
+    count, rho, changes = LOAD.pixel_count(8.0), 5.6, []
     for narrow_pair in pairs:
         wider_pair = replace(
             narrow_pair, geometry=replace(narrow_pair.geometry, window=320 + 2 * 128)
@@ -113,7 +113,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
         pair_on_filtered = bodies(surface, sphere, LOAD)
         pixel_size = pair_on_filtered.geometry.pixel_size
         for load in LOADS:
-            count = load.pixels(pixel_size)
+            count = load.pixel_count(pixel_size)
             for contact in np.ndindex(3, 3):
                 direct_sum = direct_force(
                     gap_map(pair_on_filtered, contact), count, 5.6, pixel_size

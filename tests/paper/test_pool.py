@@ -12,11 +12,11 @@ from hardcontact.paper.pool import height_weights, pool_heights
 from hardcontact.surfaces.height_map import metrics, mirror_stitch
 
 
-def direct_force(scan, factor, contact_pixels, rho, contact):
+def direct_force(scan, factor, contact_pixel_count, rho, contact):
     """Eq. 3 on a scan times a factor, in N at 1 J/m2, summed over every pixel."""
     stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
     gap = gap_map(bodies(stitched, None, CONTACT), contact)
-    return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixels, rho)
+    return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixel_count, rho)
 
 
 @pytest.fixture
@@ -45,7 +45,7 @@ def test_interpolation_is_exact_at_its_heights_and_of_cubics_in_the_root():
 
 
 def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
-    count = CONTACT.pixels(GRID.pixel_size)
+    count = CONTACT.pixel_count(GRID.pixel_size)
     scan = raw_scan(4)
     assert count > 1
     forces = np.exp(pool["log_force"].sel(scan=4).values.astype(float))

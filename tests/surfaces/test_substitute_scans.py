@@ -157,7 +157,7 @@ def forces(scan):
     """Mean plastic forces in µN of 10 x 10 contacts at ranges of 2, 5.6 and 10 nm."""
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12500.0, count=10)
     pair = bodies(mirror_stitch(scan), None, contact)
-    pixels = contact.pixels(scan.pixel_size)
+    pixels = contact.pixel_count(scan.pixel_size)
     ranges = (2.0, 5.6, 10.0)
     totals = [plastic_totals(pair, [pixels], rho)[0].mean() for rho in ranges]
     return 1e6 * pull_off_force(totals, np.array(ranges), scan.pixel_size, 0.0463)

@@ -20,32 +20,32 @@ POWERS = [law for law in LAWS if not law.exponential]
 HARDNESS = 25e9
 
 
-def range_arguments(pixel_size, contact_pixels, ranges, count=3, reach=0.0):
+def range_arguments(pixel_size, contact_pixel_count, ranges, count=3, reach=0.0):
     """Return arguments for range_forces, with this number of contact pixels."""
-    preload = contact_pixels * HARDNESS * (pixel_size * 1e-9) ** 2
+    preload = contact_pixel_count * HARDNESS * (pixel_size * 1e-9) ** 2
     contact = Contact(radius=RADIUS, preload=preload, hardness=HARDNESS, window=8000.0, count=count)
     return contact, reach, list(ranges)
 
 
-def direct_forces(bodies, contact_pixels, law, rho):
+def direct_forces(bodies, contact_pixel_count, law, rho):
     """Eq. 3 with the pressure of the law itself, over every pixel of every contact, in N."""
     indices = np.ndindex(*[len(bodies.geometry.positions)] * 2)
-    gaps = [flattened_gaps(gap_map(bodies, index), contact_pixels) for index in indices]
+    gaps = [flattened_gaps(gap_map(bodies, index), contact_pixel_count) for index in indices]
     totals = np.array([pressure(law, gap, rho).sum() for gap in gaps])
     return pull_off_force(totals, rho, bodies.geometry.pixel_size, 1.0).reshape(3, 3)
 
 
 @pytest.mark.parametrize("law", POWERS, ids=lambda law: law.name)
-@pytest.mark.parametrize("contact_pixels", [1, 17])
+@pytest.mark.parametrize("contact_pixel_count", [1, 17])
 @pytest.mark.parametrize(("rms", "rough"), [(20.0, False), (60.0, False), (20.0, True)])
-def test_the_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
+def test_the_force_of_a_law_is_its_direct_sum(law, contact_pixel_count, rms, rough):
     roughness = periodic_noise(96, 0.7, 4) if rough else None
     bodies = make_bodies(periodic_noise(96, rms, 3), roughness, 50.0, 160, 3)
     ranges = range_grid(5.6, 0.45, 0.01, 1e5)
-    forces = range_forces(bodies, *range_arguments(50.0, contact_pixels, ranges))
+    forces = range_forces(bodies, *range_arguments(50.0, contact_pixel_count, ranges))
     for rho in (0.15, 2.0, 8.0):
         mixture = law_forces(law, [rho], ranges, np.moveaxis(forces, 0, -1))[..., 0]
-        direct = direct_forces(bodies, contact_pixels, law, rho)
+        direct = direct_forces(bodies, contact_pixel_count, law, rho)
         np.testing.assert_allclose(mixture, direct, rtol=3e-5)
 
 

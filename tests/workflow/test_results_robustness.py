@@ -36,7 +36,7 @@ def test_loads_carried_by_equally_many_pixels_have_equal_results(robustness):
     preload, hardness = (robustness.sel(variant=name) for name in ("preload-5uN", "hardness-47GPa"))
     for pixel in (2500 / 128, 5000 / 1024, 20000 / 1024):  # scans, masters of either side
         half, hard, study = (
-            Contact(radius=1.0, preload=preload, hardness=hardness).pixels(pixel)
+            Contact(radius=1.0, preload=preload, hardness=hardness).pixel_count(pixel)
             for preload, hardness in ((5e-6, 25e9), (10e-6, 47e9), (10e-6, 25e9))
         )
         assert half == hard < study

@@ -25,8 +25,10 @@ with job(snakemake) as job:
         # The window holds the whole surface, each point once.
         contact = Contact(radius=params["radius"], window=surface.size, count=1, **params["load"])
         contact_bodies = bodies(surface, sphere, contact)
-        contact_pixels = contact.pixels(contact_bodies.geometry.pixel_size)
-        ratios.append(indented_area_ratio(contact_bodies, contact_pixels, rng, params["contacts"]))
+        contact_pixel_count = contact.pixel_count(contact_bodies.geometry.pixel_size)
+        ratios.append(
+            indented_area_ratio(contact_bodies, contact_pixel_count, rng, params["contacts"])
+        )
     names = ("surface", "label", "basis", "contacts")
     job.write(
         mean_over_surfaces(ratios, params["confidence"]).assign_attrs(

@@ -125,7 +125,7 @@ def filtered_pull_off(
     axes |= load_axis(contacts) | range_axis(rhos)
     axes |= {axis: ((axis,), np.arange(contact.count), {}) for axis in CONTACT_AXES}
     areas = ("load", [load.area for load in contacts], {"units": "nm2"})
-    touching = [load.pixels(pixel_size) * pixel_size**2 for load in contacts]
+    touching = [load.pixel_count(pixel_size) * pixel_size**2 for load in contacts]
     contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
     filtered = forces_at_cutoffs(master, filters, forces, axes)
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)

@@ -131,7 +131,7 @@ def periods_in_window(window: float, scan_size: float) -> float:
     return max(1.0, window / (2 * scan_size)) ** 2
 
 
-def max_contact_pixels(window: float, grid: Grid) -> int:
+def max_contact_pixel_count(window: float, grid: Grid) -> int:
     """Return the largest number of contact pixels.
 
     It is a quarter of the pixels of the window (nm), or of the stitched scan if it is smaller.
@@ -157,7 +157,7 @@ def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Li
     if surface == config["sphere"].get("surface"):
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         yield Limit(radius >= grid.size, "sphere.radius", accepted, f"{radius:.6g} nm")
-    available_pixels = max_contact_pixels(window, grid)
+    available_pixels = max_contact_pixel_count(window, grid)
     reason = f"which a quarter of the {4 * available_pixels} pixels of {surface} can carry"
     for section in sections:
         yield from _load_limits(section, available_pixels, grid.pixel_size, reason)
@@ -189,12 +189,14 @@ def _substrate_and_sphere_limits(
         if section.name in ("contact", "sets"):
             yield from _contact_pixel_limits(config, section, surface, pixel_size, periods)
         if "indent.preloads" in section.largest_contacts and surface == config["indent"]["surface"]:
-            contact_pixels = section.largest_contacts["indent.preloads"].pixels(pixel_size)
-            fits = 2 <= contact_pixels <= MAX_INDENT_PIXELS
+            contact_pixel_count = section.largest_contacts["indent.preloads"].pixel_count(
+                pixel_size
+            )
+            fits = 2 <= contact_pixel_count <= MAX_INDENT_PIXELS
             accepted = (
                 f"2 to {MAX_INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
             )
-            yield Limit(fits, "indent.preloads", accepted, contact_pixels)
+            yield Limit(fits, "indent.preloads", accepted, contact_pixel_count)
 
 
 def _master_limits(
@@ -292,5 +294,5 @@ def _load_limits(
             f"at most {format_quantity(max_load, 'N')} of load at a hardness of "
             f"{contact.hardness / 1e9:.4g} GPa, {reason}"
         )
-        holds = contact.pixels(pixel_size) <= available_pixels
+        holds = contact.pixel_count(pixel_size) <= available_pixels
         yield Limit(holds, key, accepted, format_quantity(contact.preload, "N"))

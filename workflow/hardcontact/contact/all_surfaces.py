@@ -76,13 +76,13 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        The same variables over (surface, scan, ...); ``contact_pixels`` (contact_model) is the
+        The same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is the
         largest of all pairs.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
-    largest = forces["contact_pixels"].max([*dimensions, "sphere_scan"], keep_attrs=True)
-    return with_names(forces.assign(contact_pixels=largest), described)
+    largest = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
+    return with_names(forces.assign(contact_pixel_count=largest), described)
 
 
 def single_masters(

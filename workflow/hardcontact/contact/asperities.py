@@ -100,10 +100,10 @@ def asperities_of_pair(
         The variables of ASPERITY_UNITS (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
-    contact_pixels = contact.pixels(pixel_size)
+    contact_pixel_count = contact.pixel_count(pixel_size)
     carriers = []
     for index in progress(contact_indices, len(contact_indices), "contacts"):
-        gap = flattened_gaps(gap_map(bodies, index), contact_pixels)
+        gap = flattened_gaps(gap_map(bodies, index), contact_pixel_count)
         carriers.append([asperities(np.exp(-gap / rho), share, pixel_size) for rho in ranges])
     values = np.array(carriers)
     return xr.Dataset(

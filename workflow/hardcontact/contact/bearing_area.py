@@ -79,10 +79,10 @@ def as_tiles(surface: HeightMap) -> Tiles:
 class LowestGaps(NamedTuple):
     """The contact pixels of one contact."""
 
-    #: (contact_pixels,) nm, ascending. The first is minus the height of the apex at rigid closest
-    #: approach, the last minus that at plastic closest approach.
+    #: (contact_pixel_count,) nm, ascending. The first is minus the height of the apex at rigid
+    #: closest approach, the last minus that at plastic closest approach.
     gaps: Floats
-    offsets: NDArray[np.int_]  #: (contact_pixels, 2) pixels from the apex: row, column.
+    offsets: NDArray[np.int_]  #: (contact_pixel_count, 2) pixels from the apex: row, column.
 
 
 class _Windows:
@@ -141,7 +141,7 @@ def lowest_gaps(
     roughness: Tiles | None,
     geometry: ContactGeometry,
     positions: NDArray[np.int_],
-    contact_pixels: int,
+    contact_pixel_count: int,
 ) -> list[LowestGaps]:
     """Return the smallest gaps of contacts and the pixels that they belong to.
 
@@ -150,34 +150,34 @@ def lowest_gaps(
     their offsets.
     """
     windows = _Windows(substrate, roughness, geometry, positions)
-    limits = _limits_of_gaps(windows, contact_pixels)
+    limits = _limits_of_gaps(windows, contact_pixel_count)
     contact, tile = np.nonzero(windows.bounds <= limits[:, None])
     batches = [slice(start, start + BATCH) for start in range(0, len(tile), BATCH)]
     low = [_gaps_up_to(windows, contact[batch], tile[batch], limits) for batch in batches]
     contact, gaps, offsets = (np.concatenate(parts) for parts in zip(*low, strict=True))
     ends = np.searchsorted(contact, np.arange(1, len(positions)))
     return [
-        _lowest(*candidates, contact_pixels)
+        _lowest(*candidates, contact_pixel_count)
         for candidates in zip(np.split(gaps, ends), np.split(offsets, ends), strict=True)
     ]
 
 
-def _limits_of_gaps(windows: _Windows, contact_pixels: int) -> Floats:
+def _limits_of_gaps(windows: _Windows, contact_pixel_count: int) -> Floats:
     """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels."""
     # The N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
     contacts, tiles = windows.bounds.shape
-    count = min(-(-contact_pixels // TILE**2), tiles)
+    count = min(-(-contact_pixel_count // TILE**2), tiles)
     if count == 1:
         best = windows.bounds.argmin(axis=1)[:, None]
     else:
         best = np.argpartition(windows.bounds, count - 1, axis=1)[:, :count]
     gaps, _, _ = windows.gaps(np.repeat(np.arange(contacts), count), best.ravel())
     gaps = gaps.reshape(contacts, -1)
-    if gaps.shape[1] < contact_pixels:
+    if gaps.shape[1] < contact_pixel_count:
         return np.full(contacts, np.inf)
-    if contact_pixels == 1:
+    if contact_pixel_count == 1:
         return np.asarray(gaps.min(axis=1))
-    return np.partition(gaps, contact_pixels - 1, axis=1)[:, contact_pixels - 1]
+    return np.partition(gaps, contact_pixel_count - 1, axis=1)[:, contact_pixel_count - 1]
 
 
 def _gaps_up_to(
@@ -194,17 +194,17 @@ def _gaps_up_to(
     return contact[number], gaps.ravel()[low], offsets
 
 
-def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixels: int) -> LowestGaps:
+def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> LowestGaps:
     """Return the smallest of gaps, ascending; equal ones in the order of offsets."""
-    if gaps.size > contact_pixels:
+    if gaps.size > contact_pixel_count:
         # Few are left to sort, and equal gaps at the end are all among them.
-        low = gaps <= largest_contact_gap(gaps, contact_pixels)
+        low = gaps <= largest_contact_gap(gaps, contact_pixel_count)
         gaps, offsets = gaps[low], offsets[low]
-    order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixels]
+    order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixel_count]
     return LowestGaps(gaps[order], offsets[order])
 
 
-def all_lowest_gaps(bodies: Bodies, contact_pixels: int) -> dict[tuple[int, int], LowestGaps]:
+def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int, int], LowestGaps]:
     """Return `lowest_gaps` of every contact, by its place (i, j) in the array."""
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
@@ -215,6 +215,6 @@ def all_lowest_gaps(bodies: Bodies, contact_pixels: int) -> dict[tuple[int, int]
         (i, j): contact
         for i, row in enumerate(rows)
         for j, contact in enumerate(
-            lowest_gaps(substrate, roughness, geometry, row, contact_pixels)
+            lowest_gaps(substrate, roughness, geometry, row, contact_pixel_count)
         )
     }

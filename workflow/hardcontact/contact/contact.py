@@ -38,8 +38,8 @@ class Contact:
         """The area F/H that carries the preload, in nm²."""
         return self.preload / self.hardness * 1e18
 
-    def pixels(self, pixel_size: float) -> int:
-        """Return the contact pixels (size in nm): the smallest whole number >= F/(H A_pix).
+    def pixel_count(self, pixel_size: float) -> int:
+        """Return the number of contact pixels (size in nm): the smallest one >= F/(H A_pix).
 
         Source: the paper, plastic analysis.
         """

@@ -148,14 +148,14 @@ def gap_map(bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_]) -> Floa
     return gap
 
 
-def largest_contact_gap(gap: Floats, contact_pixels: int) -> float:
+def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
     """Return the largest gap (nm) of the contact pixels: minus the height m of the apex."""
-    return float(np.partition(gap.ravel(), contact_pixels - 1)[contact_pixels - 1])
+    return float(np.partition(gap.ravel(), contact_pixel_count - 1)[contact_pixel_count - 1])
 
 
-def flattened_gaps(gap: Floats, contact_pixels: int) -> Floats:
+def flattened_gaps(gap: Floats, contact_pixel_count: int) -> Floats:
     """Return the gap (n, n) in nm at plastic closest approach, zero at the contact pixels."""
-    return np.maximum(gap - largest_contact_gap(gap, contact_pixels), 0)
+    return np.maximum(gap - largest_contact_gap(gap, contact_pixel_count), 0)
 
 
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:

@@ -24,14 +24,14 @@ MAP_HALF_WIDTH = 32
 INDENT_UNITS = {"depth": "nm", "equal_area_side": "nm", "longer_side": "nm", "indent_count": "1"}
 
 
-def indent_sizes(contact_pixels: LowestGaps, pixel_size: float) -> tuple[float, float, float, int]:
+def indent_sizes(lowest_gaps: LowestGaps, pixel_size: float) -> tuple[float, float, float, int]:
     """Return depth, two sizes (nm) and number of the indents of one contact, as INDENT_UNITS.
 
     The depth is the penetration of the deepest pixel. The sizes are the side of a square with the
     area of the largest indent, and the longer side of its bounding box.
     """
     # The gaps ascend; the sphere comes down until the last of them is zero.
-    gaps, offsets = contact_pixels
+    gaps, offsets = lowest_gaps
     are_neighbours = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
     count, labels = connected_components(are_neighbours, directed=False)
     pixel_counts = np.bincount(labels)
@@ -41,12 +41,12 @@ def indent_sizes(contact_pixels: LowestGaps, pixel_size: float) -> tuple[float, 
     return gaps[-1] - gaps[0], equal_area_side, longer_side, count
 
 
-def penetration_map(contact_pixels: LowestGaps, half_width: int) -> NDArray[np.float64]:
+def penetration_map(lowest_gaps: LowestGaps, half_width: int) -> NDArray[np.float64]:
     """Return the penetration (nm) of pixels up to `half_width` pixels from the deepest.
 
     It is (2 half_width + 1, 2 half_width + 1), and zero out of contact.
     """
-    gaps, offsets = contact_pixels
+    gaps, offsets = lowest_gaps
     penetration = np.zeros((2 * half_width + 1,) * 2)
     y, x = (offsets - offsets[0] + half_width).T
     inside = (abs(y - half_width) <= half_width) & (abs(x - half_width) <= half_width)
@@ -100,7 +100,9 @@ def _pixels_by_load(
     contact_bodies: Bodies, loaded_contacts: Sequence[Contact]
 ) -> list[dict[tuple[int, int], LowestGaps]]:
     """Return the contact pixels at each load, by the indices of the contact."""
-    counts = [contact.pixels(contact_bodies.geometry.pixel_size) for contact in loaded_contacts]
+    counts = [
+        contact.pixel_count(contact_bodies.geometry.pixel_size) for contact in loaded_contacts
+    ]
     lowest_gaps_by_index = all_lowest_gaps(contact_bodies, max(counts))
     return [
         {
@@ -116,8 +118,8 @@ def _sizes_of_bodies(contact_bodies: Bodies, loaded_contacts: Sequence[Contact])
     sizes = np.array(
         [
             [
-                indent_sizes(contact_pixels, contact_bodies.geometry.pixel_size)
-                for contact_pixels in pixels_by_index.values()
+                indent_sizes(lowest_gaps, contact_bodies.geometry.pixel_size)
+                for lowest_gaps in pixels_by_index.values()
             ]
             for pixels_by_index in _pixels_by_load(contact_bodies, loaded_contacts)
         ]

@@ -62,29 +62,32 @@ def pull_off_force(
     return np.asarray(pixel_force * np.asarray(total))
 
 
-def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
+def opened_total(
+    outside_sum: ArrayLike, gaps: Floats, contact_pixel_count: int, rho: float
+) -> Floats:
     """Return the sum (...) of exp(-gap/rho) if 1 (rigid contact) to k pixels touch.
 
     The gaps (..., k) are in nm and ascending. If all their pixels touch, the sum over other pixels
     is `outside_sum` (...), from `outside_sums`. If fewer touch, all gaps are larger by the same
     length.
     """
-    largest_gap = gaps[..., contact_pixels - 1]
-    opened = np.exp((largest_gap[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
+    largest_gap = gaps[..., contact_pixel_count - 1]
+    opened = np.exp((largest_gap[..., None] - gaps[..., contact_pixel_count:]) / rho).sum(axis=-1)
     return np.asarray(
-        contact_pixels + opened + outside_sum * np.exp((largest_gap - gaps[..., -1]) / rho)
+        contact_pixel_count + opened + outside_sum * np.exp((largest_gap - gaps[..., -1]) / rho)
     )
 
 
 def contacts_and_totals(
-    bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats
+    bodies: Bodies, pixel_counts: Sequence[int], rhos: Sequence[float] | Floats
 ) -> tuple[Contacts, Floats]:
-    """Return the contacts with the most pixels, and totals (count, rho, contact, contact)."""
-    contacts = all_lowest_gaps(bodies, max(counts))
+    """Return the contacts with the most pixels, and totals (pixel count, rho, contact, contact)."""
+    contacts = all_lowest_gaps(bodies, max(pixel_counts))
     gaps = _gaps(contacts)
     sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
     totals = [
-        [opened_total(sums, gaps, count, rho) for sums, rho in sums_outside] for count in counts
+        [opened_total(sums, gaps, count, rho) for sums, rho in sums_outside]
+        for count in pixel_counts
     ]
     return contacts, np.array(totals)
 
@@ -112,7 +115,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     -------
     xarray.Dataset
         ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-        ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixels``
+        ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixel_count``
         (contact_model) and the number of `touched_places`.
 
     Raises
@@ -121,8 +124,8 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
         If a range is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
-    counts = [1, contact.pixels(pixel_size)]
-    contacts, forces = _forces(bodies, counts, ranges)
+    pixel_counts = [1, contact.pixel_count(pixel_size)]
+    contacts, forces = _forces(bodies, pixel_counts, ranges)
     gaps = _gaps(contacts)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
@@ -133,7 +136,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
             "apex_height": (model_axes, apex_heights, height_attributes),
-            "contact_pixels": ("contact_model", counts, {"units": "1"}),
+            "contact_pixel_count": ("contact_model", pixel_counts, {"units": "1"}),
             "touched_places": ((), touched_places(bodies, contacts), {"units": "1"}),
         },
         {"contact_model": ["rigid", "plastic"]}
@@ -151,16 +154,16 @@ def plastic_forces(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence
 
     The contacts differ in their load alone, the ranges of adhesion are in nm.
     """
-    counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
-    return _forces(bodies, counts, ranges)[1]
+    pixel_counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts]
+    return _forces(bodies, pixel_counts, ranges)[1]
 
 
 def _forces(
-    bodies: Bodies, counts: Sequence[int], ranges: Sequence[float]
+    bodies: Bodies, pixel_counts: Sequence[int], ranges: Sequence[float]
 ) -> tuple[Contacts, Floats]:
-    """Return the contacts of the most pixels, and forces (count, rho, contact, contact) in N."""
+    """Return contacts of the most pixels, and forces (pixel count, rho, contact, contact) in N."""
     rhos = np.asarray(ranges, float)
-    contacts, totals = contacts_and_totals(bodies, counts, rhos)
+    contacts, totals = contacts_and_totals(bodies, pixel_counts, rhos)
     pixel_size = bodies.geometry.pixel_size
     return contacts, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
@@ -184,8 +187,8 @@ def mean_pull_off_of_pair(
     xarray.Dataset
         In N at 1 J/m²: plastic ``pull_off_force`` (load, rho) and ``rigid_pull_off_force`` (rho).
     """
-    counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
-    rigid, *plastic = _forces(bodies, [1, *counts], ranges)[1].mean(axis=(-2, -1))
+    pixel_counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts]
+    rigid, *plastic = _forces(bodies, [1, *pixel_counts], ranges)[1].mean(axis=(-2, -1))
     return xr.Dataset(
         {
             "pull_off_force": (("load", "rho"), np.array(plastic), FORCE),
@@ -254,12 +257,12 @@ def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset
     changes = []
     for bodies in pairs:
         geometry = bodies.geometry
-        contact_pixels = contact.pixels(geometry.pixel_size)
-        contacts = all_lowest_gaps(bodies, contact_pixels)
+        contact_pixel_count = contact.pixel_count(geometry.pixel_size)
+        contacts = all_lowest_gaps(bodies, contact_pixel_count)
         window = geometry.window + 2 * bodies.substrate.pixels
         wider = replace(bodies, geometry=replace(geometry, window=window))
-        narrow = outside_sums(bodies, contacts, [contact.range]) + contact_pixels
-        wide = outside_sums(wider, contacts, [contact.range]) + contact_pixels
+        narrow = outside_sums(bodies, contacts, [contact.range]) + contact_pixel_count
+        wide = outside_sums(wider, contacts, [contact.range]) + contact_pixel_count
         changes.append(float(np.abs(wide / narrow - 1).max()))
     attributes = {
         "units": "1",

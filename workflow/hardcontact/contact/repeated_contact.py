@@ -48,7 +48,7 @@ def over_window(bodies: Bodies) -> Bodies:
 
 
 def repeated_contacts(
-    bodies: Bodies, positions: ArrayLike, contact_pixels: int
+    bodies: Bodies, positions: ArrayLike, contact_pixel_count: int
 ) -> Iterator[tuple[LowestGaps, Floats]]:
     """Press one place of a sphere onto places of a substrate, and yield contacts and depths.
 
@@ -63,7 +63,7 @@ def repeated_contacts(
     depth = np.zeros((bodies.geometry.window,) * 2)
     for position in np.asarray(positions):
         (contact,) = lowest_gaps(
-            substrate, roughness, bodies.geometry, position[None], contact_pixels
+            substrate, roughness, bodies.geometry, position[None], contact_pixel_count
         )
         penetration = contact.gaps[-1] - contact.gaps
         _flatten(roughness, contact.offsets, penetration)
@@ -104,7 +104,7 @@ def large_surface(
 
 
 def indented_area_ratio(
-    bodies: Bodies, contact_pixels: int, rng: np.random.Generator, contacts: int
+    bodies: Bodies, contact_pixel_count: int, rng: np.random.Generator, contacts: int
 ) -> float:
     """Return the area of the indents of many contacts relative to as many separate contacts.
 
@@ -114,7 +114,7 @@ def indented_area_ratio(
     ----------
     bodies : Bodies
         Substrate and sphere on common pixels.
-    contact_pixels : int
+    contact_pixel_count : int
         Number of pixels in contact.
     rng : numpy.random.Generator
         Source of the places.
@@ -128,7 +128,8 @@ def indented_area_ratio(
     """
     places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
     indented_pixels = [
-        np.count_nonzero(depth) for _, depth in repeated_contacts(bodies, places, contact_pixels)
+        np.count_nonzero(depth)
+        for _, depth in repeated_contacts(bodies, places, contact_pixel_count)
     ]
     # Separate contacts are all like the first one, on a sphere without indents.
     return indented_pixels[-1] / (contacts * indented_pixels[0])

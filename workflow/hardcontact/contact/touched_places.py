@@ -20,12 +20,12 @@ def touched_places(bodies: Bodies, contacts: Contacts) -> int:
     from scipy.ndimage import label  # A slow import.
 
     pixels = bodies.substrate.pixels
-    contact_pixels = [
+    contact_points = [
         (bodies.geometry.positions[list(index)] + offsets) % pixels
         for index, (_, offsets) in contacts.items()
     ]
     # Fold the mirror images back onto the scan.
-    scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_pixels]
+    scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_points]
     is_touched = np.zeros((pixels, pixels), bool)
     for points in scan_pixels:
         is_touched[points] = True

@@ -32,7 +32,7 @@ def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> 
     rho = contact.range
     work = contact.work
     gap = gap_map(bodies, index)
-    gap -= largest_contact_gap(gap, contact.pixels(geometry.pixel_size))
+    gap -= largest_contact_gap(gap, contact.pixel_count(geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)
     pressure = work / (rho * 1e-9) * attraction
     pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))

@@ -286,7 +286,7 @@ def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
     """Return about the time (s) for one contact and all its periods on pixels of a size (nm)."""
     periods = periods_in_window(contact.window, scan.size)
     tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
-    return contact.pixels(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
+    return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 
 def _count(
@@ -304,7 +304,7 @@ def _count(
         finest = 2 * scan.size / small_pixels
         for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
-            kept_pixels = max(kept_pixels, contact.pixels(pixel_size) * period_count)
+            kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
     for count in CONTACT_COUNTS:
         slow = count**2 * seconds > CONTACT_SECONDS
         if count <= max_count and count**2 * kept_pixels <= CONTACT_PIXELS and not slow:

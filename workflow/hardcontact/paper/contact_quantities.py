@@ -72,7 +72,7 @@ def apex_level(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the area in nm² of the pixels in contact (contact_model)."""
     pixel_area: float = adhesion.attrs["pixel_size"] ** 2
-    return number_with_interval(adhesion["contact_pixels"] * pixel_area)
+    return number_with_interval(adhesion["contact_pixel_count"] * pixel_area)
 
 
 def finer_pixel_ratio(adhesion: xr.Dataset) -> xr.Dataset:

@@ -240,7 +240,7 @@ def set_adhesion(
             forces = scale_to_sampled_mean(study_forces, rng)
         surface_forces.append(forces)
     stacked_forces = xr.concat(surface_forces, study["surface"], join="outer")
-    return study[["label", "basis", "contact_pixels"]].assign(
+    return study[["label", "basis", "contact_pixel_count"]].assign(
         pull_off_force=stacked_forces.transpose(*study["pull_off_force"].dims)
     )
 

@@ -121,7 +121,7 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
         forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
         apex_heights.append(plastic["apex_height"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
-    area = trial.contact.pixels(pixel_size) * pixel_size**2
+    area = trial.contact.pixel_count(pixel_size) * pixel_size**2
     contacts = [
         contact_of_area(trial.contact.radius, rho, trial.work, area) for rho in trial.ranges
     ]

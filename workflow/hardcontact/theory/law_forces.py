@@ -123,10 +123,10 @@ def range_forces(
     """
     pixel_size = contact_bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)
-    contact_pixels = contact.pixels(pixel_size)
-    contacts = all_lowest_gaps(contact_bodies, contact_pixels)
+    contact_pixel_count = contact.pixel_count(pixel_size)
+    contacts = all_lowest_gaps(contact_bodies, contact_pixel_count)
     window = max(window_pixels(law_window, pixel_size), contact_bodies.geometry.window)
-    totals = contact_pixels + _sums_outside_contact(contact_bodies, window, contacts, rhos)
+    totals = contact_pixel_count + _sums_outside_contact(contact_bodies, window, contacts, rhos)
     return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
