@@ -20,10 +20,12 @@ POWERS = [law for law in LAWS if not law.exponential]
 HARDNESS = 25e9
 
 
-def range_arguments(pixel_size, contact_pixel_count, ranges, count=3, reach=0.0):
+def range_arguments(pixel_size, contact_pixel_count, ranges, contacts_per_side=3, reach=0.0):
     """Return arguments for range_forces, with this number of contact pixels."""
     preload = contact_pixel_count * HARDNESS * (pixel_size * 1e-9) ** 2
-    contact = Contact(radius=RADIUS, preload=preload, hardness=HARDNESS, window=8000.0, count=count)
+    contact = Contact(
+        radius=RADIUS, preload=preload, hardness=HARDNESS, window=8000.0, count=contacts_per_side
+    )
     return contact, reach, list(ranges)
 
 

@@ -65,7 +65,7 @@ rule aggregate_robustness:
                 "substrates": SELECTION.substrates,
                 "probe": FILES.probe,
                 **{f"pixels_{side}": SIZE[side]["pixels"] for side in SIDES},
-                "count": SIZE["count"],
+                "contacts_per_side": SIZE["count"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 "range": STUDY["scales"]["range"],
                 "reference_surface": STUDY["reference_surface"],

@@ -5,7 +5,7 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.robustness import Choices, robustness
 
-SETTINGS = "sphere_radius", "range", "count", "pixels_small", "pixels_large"
+SETTINGS = "sphere_radius", "range", "contacts_per_side", "pixels_small", "pixels_large"
 
 
 with job(snakemake) as job:

@@ -13,7 +13,12 @@ with job(snakemake) as job:
     params = job.parameters
     sources = job.input
     contacts = [
-        Contact(radius=params["radii"][0], window=params["window"], count=params["count"], **load)
+        Contact(
+            radius=params["radii"][0],
+            window=params["window"],
+            count=params["contacts_per_side"],
+            **load,
+        )
         for load in params["loads"]
     ]
     sphere = read_height_map(sources.sphere) if sources.sphere else None

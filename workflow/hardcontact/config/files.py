@@ -268,13 +268,13 @@ class Files:
     def filters(self, purpose: str) -> dict[str, Any]:
         """Return the settings of masters and filters on both sides, and contacts along a side."""
         configuration = self._configuration
-        section, count = {
+        section, count_key = {
             "sets": ("sets", "sets.count"),
             "enhancement": ("sets", "sets.count"),
             "scaling": ("insight.scaling", "insight.count"),
         }.get(purpose, ("scales", "contact.count"))
         return {
-            "count": get_key(configuration, count),
+            "contacts_per_side": get_key(configuration, count_key),
             "sides": {
                 side: {
                     name: get_key(configuration, key)

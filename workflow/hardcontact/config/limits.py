@@ -163,8 +163,9 @@ def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Li
         yield from _load_limits(section, available_pixels, grid.pixel_size, reason)
     accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
     for section in sections:
-        count = get_key(config, section.count_key)
-        yield Limit(count <= stitched_pixels, section.count_key, accepted, count)
+        contacts_per_side = get_key(config, section.count_key)
+        holds = contacts_per_side <= stitched_pixels
+        yield Limit(holds, section.count_key, accepted, contacts_per_side)
     ranges = {"scales.range": config["scales"]["range"]}
     ranges["adhesion.ranges"] = config["adhesion"]["ranges"][0]
     if config["published"] == PAPER:
@@ -275,13 +276,14 @@ def _contact_pixel_limits(
 
     Each pixel (side in nm) lies `periods` times in the window.
     """
-    count = get_key(config, section.count_key)
+    contacts_per_side = get_key(config, section.count_key)
     window = config["contact"]["window"]
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{section.count_key} = {count} and contact.window = {window:.6g} nm"
+        f"{section.count_key} = {contacts_per_side} and contact.window = {window:.6g} nm"
     )
-    yield from _load_limits(section, int(CONTACT_PIXELS / count**2 / periods), pixel_size, reason)
+    available_pixels = int(CONTACT_PIXELS / contacts_per_side**2 / periods)
+    yield from _load_limits(section, available_pixels, pixel_size, reason)
 
 
 def _load_limits(

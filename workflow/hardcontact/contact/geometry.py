@@ -65,25 +65,25 @@ def window_pixels(window: float, pixel_size: float) -> int:
     return 2 * int(round(window / pixel_size / 2))
 
 
-def contact_positions(pixels: int, contacts_along_edge: int) -> NDArray[np.int_]:
-    """Return the pixels (contacts_along_edge,) of contacts evenly over one period of the substrate.
+def contact_positions(pixels: int, contacts_per_side: int) -> NDArray[np.int_]:
+    """Return the pixels (contacts_per_side,) of contacts evenly over one period of the substrate.
 
     The first lies a quarter of a step from the edge, so that no two contacts are mirror images of
     each other on a mirror-stitched surface.
     """
-    steps = np.arange(contacts_along_edge) + 0.25
-    return np.floor(steps * pixels / contacts_along_edge).astype(int)
+    steps = np.arange(contacts_per_side) + 0.25
+    return np.floor(steps * pixels / contacts_per_side).astype(int)
 
 
 def sampled_contacts(
-    rng: np.random.Generator, contacts_along_edge: int, contacts: int
+    rng: np.random.Generator, contacts_per_side: int, contacts: int
 ) -> NDArray[np.int_]:
     """Draw places (contacts, 2) from the array of all contacts, each at most once.
 
     With the same generator a larger sample contains the smaller one.
     """
-    numbers = rng.permutation(contacts_along_edge**2)[:contacts]
-    return np.stack(np.divmod(numbers, contacts_along_edge), axis=1)
+    numbers = rng.permutation(contacts_per_side**2)[:contacts]
+    return np.stack(np.divmod(numbers, contacts_per_side), axis=1)
 
 
 def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:

@@ -94,9 +94,9 @@ def contacts_and_totals(
 
 def _gaps(contacts: Contacts) -> Floats:
     """Return the gaps (contact, contact, k) of contacts in nm."""
-    along_edge = math.isqrt(len(contacts))
+    contacts_per_side = math.isqrt(len(contacts))
     gaps = np.array([contact.gaps for contact in contacts.values()])
-    return gaps.reshape(along_edge, along_edge, -1)
+    return gaps.reshape(contacts_per_side, contacts_per_side, -1)
 
 
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:

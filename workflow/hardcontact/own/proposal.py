@@ -36,7 +36,7 @@ RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
-CONTACT_COUNTS = (20, 16, 12, 10, 8, 6, 4)
+CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take.
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
@@ -55,16 +55,16 @@ class Effort(NamedTuple):
     cutoffs: int  #: on each side
     realizations: int  #: masters of each side
     slow_realizations: int  #: masters of each side if contacts take long
-    contacts: int  #: along a side of the array
+    contacts_per_side: int  #: along a side of the array
     ranges: int  #: of adhesion
 
 
 #: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
 FULL_EFFORT = Effort(
-    pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts=20, ranges=12
+    pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_side=20, ranges=12
 )
 QUICK_EFFORT = Effort(
-    pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts=8, ranges=5
+    pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts_per_side=8, ranges=5
 )
 
 
@@ -227,7 +227,9 @@ def _choices(
 ) -> Iterator[Choice]:
     """Yield the choices of one effort, within the limits of the checks."""
     small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
-    count, slow = _count(substrates, contact, small_pixels, effort.contacts)
+    contacts_per_side, slow = _contacts_per_side(
+        substrates, contact, small_pixels, effort.contacts_per_side
+    )
     masters = effort.slow_realizations if slow else effort.realizations
     surfaces = [scan.source.surface for scan in substrates]
     most_scans = max(map(surfaces.count, surfaces))
@@ -239,7 +241,7 @@ def _choices(
     ranges = [_nm(rho) for rho in _ranges(contact.range, shortest_range, effort.ranges)]
     permitted = f"these scans permit {shortest_range:.3g} nm or more"
     yield Choice("contact.window", _nm(contact.window), reasons["contact.window"])
-    yield Choice("contact.count", count, "contacts along a side of their array")
+    yield Choice("contact.count", contacts_per_side, "contacts along a side of their array")
     yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
     yield Choice("scales.range", _nm(contact.range), reasons["scales.range"])
     yield Choice("scales.realizations", realizations, "masters on each side")
@@ -276,7 +278,7 @@ def _small_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
     while 2 * pixels <= max_pixels:
         pixel_size = scan.size / pixels
         seconds = _contact_seconds(scan, contact, pixel_size)
-        if pixel_size < FINEST_PIXEL_SIZE or CONTACT_COUNTS[-1] ** 2 * seconds > CONTACT_SECONDS:
+        if pixel_size < FINEST_PIXEL_SIZE or CONTACTS_PER_SIDE[-1] ** 2 * seconds > CONTACT_SECONDS:
             break
         pixels *= 2
     return pixels
@@ -289,8 +291,8 @@ def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
     return contact.pixel_count(pixel_size) * periods * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 
-def _count(
-    substrates: Sequence[Entry], contact: Contact, small_pixels: int, max_count: int
+def _contacts_per_side(
+    substrates: Sequence[Entry], contact: Contact, small_pixels: int, max_per_side: int
 ) -> tuple[int, bool]:
     """Return the contacts along a side that time and memory permit, and whether they take long.
 
@@ -305,11 +307,13 @@ def _count(
         for pixel_size, period_count in ((scan.pixel_size, periods), (finest, 1.0)):
             seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
             kept_pixels = max(kept_pixels, contact.pixel_count(pixel_size) * period_count)
-    for count in CONTACT_COUNTS:
-        slow = count**2 * seconds > CONTACT_SECONDS
-        if count <= max_count and count**2 * kept_pixels <= CONTACT_PIXELS and not slow:
+    for contacts_per_side in CONTACTS_PER_SIDE:
+        contacts = contacts_per_side**2
+        slow = contacts * seconds > CONTACT_SECONDS
+        fits = contacts_per_side <= max_per_side and contacts * kept_pixels <= CONTACT_PIXELS
+        if fits and not slow:
             break
-    return count, slow
+    return contacts_per_side, slow
 
 
 def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:

@@ -152,7 +152,8 @@ def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
     size = robustness.attrs
     plural = "" if size["realizations"] == 1 else "s"
     variants = (
-        f"variants: {size['count']} x {size['count']} contacts, {size['realizations']} "
+        f"variants: {size['contacts_per_side']} x {size['contacts_per_side']} contacts, "
+        f"{size['realizations']} "
         f"realization{plural} of {size['pixels_small']}² and {size['pixels_large']}² pixels"
     )
     return [
