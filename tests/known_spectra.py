@@ -1,4 +1,4 @@
-"""Spectra whose moments are known, on the grid of the study."""
+"""Spectra whose rms values are known, on the grid of the study."""
 
 import numpy as np
 

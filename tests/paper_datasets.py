@@ -27,10 +27,10 @@ def published_table1() -> pd.DataFrame:
 
 
 def topography(pixels: int = 512) -> xr.Dataset:
-    """Return surfaces with the published moments; scans have them by construction."""
+    """Return surfaces with the published rms values; scans have them by construction."""
     names = [*SUBSTRATES, "ruby"]
     printed = {name: np.array(values) for name, (values, _) in TABLE1.items()}
-    scan_moments = {
+    scan_rms = {
         "rms_height": printed["afm_rms_height"],
         "rms_gradient": printed["afm_rms_slope"],
         "rms_profile_slope": printed["afm_rms_slope"] / np.sqrt(2),
@@ -44,12 +44,12 @@ def topography(pixels: int = 512) -> xr.Dataset:
         "rms_half_laplacian": printed["all_rms_curvature"],
         "rms_laplacian": printed["all_rms_curvature"] * 2,
     }
-    moments = {f"{name}_mean": [*values, 0.7] for name, values in scan_moments.items()}
-    moments |= {f"{name}_std": [*(0.1 * values), 0.07] for name, values in scan_moments.items()}
-    moments |= {f"all_scales_{name}": [*values, np.nan] for name, values in all_scales.items()}
+    rms_values = {f"{name}_mean": [*values, 0.7] for name, values in scan_rms.items()}
+    rms_values |= {f"{name}_std": [*(0.1 * values), 0.07] for name, values in scan_rms.items()}
+    rms_values |= {f"all_scales_{name}": [*values, np.nan] for name, values in all_scales.items()}
     constructed = "afm_rms_height,afm_rms_slope,afm_rms_curvature"
     return xr.Dataset(
-        {name: ("surface", values) for name, values in moments.items()}
+        {name: ("surface", values) for name, values in rms_values.items()}
         | {
             "label": ("surface", [*LABELS, "ruby"]),
             "basis": ("surface", ["substitute"] * len(names)),

@@ -24,7 +24,7 @@ from hardcontact.surfaces.spectrum import (
 )
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesize_scan
 from hardcontact.surfaces.substitute_spectra import (
-    expected_moments,
+    expected_scan_rms,
     rows_of_surface,
     substitute_spectrum,
     transfer_weights,
@@ -55,10 +55,10 @@ def assert_met(targets, scan_metrics):
 @pytest.fixture(scope="module")
 def spectrum():
     """UNCD's spectrum, calibrated to the AFM rows of Table 1."""
-    moments = expected_moments(UNCD, transfer_weights(256, PIXEL, 64))
+    rms_values = expected_scan_rms(UNCD, transfer_weights(256, PIXEL, 64))
     return spectrum_dataset(UNCD.density).assign_attrs(
         table1_rows_met="afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope",
-        expected_scan_moments=moments,
+        expected_scan_rms=rms_values,
     )
 
 
@@ -86,9 +86,9 @@ def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
     ],
 )
 def test_conditioned_scans_have_the_given_statistics(spectrum, numbers, names):
-    moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
-    units = [conditioning.METRIC_PER_MOMENT[name] for name in names]
-    targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
+    rms_values = spectrum.attrs["expected_scan_rms"] * np.array([1.02, 0.97, 1.01])
+    units = [conditioning.METRIC_PER_RMS[name] for name in names]
+    targets = Targets(dict(zip(names, rms_values * units, strict=True)), 0.2 * rms_values[0], ())
     group = conditioning.condition_group(spectrum, targets, generators(*numbers), GRID)
     assert_met(targets, synthesized_metrics(spectrum, group, GRID))
 
@@ -124,20 +124,20 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     assert_met(targets, synthesized_metrics(spectrum, group, grid, PAPER["seed"], surface))
 
 
-def test_targets_on_the_paper_s_pixels_are_the_expected_moments(spectrum):
-    moments = spectrum.attrs["expected_scan_moments"]
+def test_targets_on_the_paper_s_pixels_are_the_expected_rms_values(spectrum):
+    rms_values = spectrum.attrs["expected_scan_rms"]
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, GRID)
-    np.testing.assert_array_equal(list(targets.means.values()), moments)
-    assert targets.rms_height_std == pytest.approx(0.25 * moments[0])
+    np.testing.assert_array_equal(list(targets.means.values()), rms_values)
+    assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])
     assert targets.met_rows == AFM_ROWS
 
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, coarse)
-    height = spectrum.attrs["expected_scan_moments"][0]
-    moments = expected_moments(uncd, transfer_weights(128, 2 * PIXEL, 32))
-    np.testing.assert_allclose(list(targets.means.values()), [height, *moments[1:]], rtol=1e-3)
+    height = spectrum.attrs["expected_scan_rms"][0]
+    rms_values = expected_scan_rms(uncd, transfer_weights(128, 2 * PIXEL, 32))
+    np.testing.assert_allclose(list(targets.means.values()), [height, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
     group = conditioning.condition_group(spectrum, targets, generators(1, 2), coarse)
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"
@@ -171,7 +171,7 @@ def test_negative_heights_are_refused_in_one_line(spectrum):
 
 
 def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
-    height, slope, curvature = spectrum.attrs["expected_scan_moments"]
+    height, slope, curvature = spectrum.attrs["expected_scan_rms"]
     rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
     targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
     group = conditioning.condition_group(spectrum, targets, generators(1, 2, 3), GRID)
@@ -184,8 +184,8 @@ def test_rows_of_table_1_beyond_a_smooth_gain_are_not_met(spectrum):
 def test_scans_of_another_size_meet_no_row_of_table_1(spectrum):
     grid = ScanGrid(128, 2 * GRID.size, 256)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
-    moments = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
-    np.testing.assert_allclose(list(targets.means.values()), moments)
+    rms_values = expected_scan_rms(UNCD, transfer_weights(512, PIXEL, 128))
+    np.testing.assert_allclose(list(targets.means.values()), rms_values)
     assert targets.met_rows == ()
 
 

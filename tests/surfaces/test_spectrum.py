@@ -1,4 +1,4 @@
-"""Spectra: published twins, moments, models, tails, PSDs of scans."""
+"""Spectra: published twins, rms values, models, tails, PSDs of scans."""
 
 import numpy as np
 import pytest
@@ -25,12 +25,12 @@ def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
     assert density[-1] == 0
 
 
-def test_moments_of_a_band_are_its_integrals():
+def test_rms_values_of_a_band_are_its_integrals():
     # C_iso = 1 nm4 from q = 1 to 2: (1/2 pi) ∫ q^(1 + 2k) dq, the Laplacian's a quarter of it.
     q = np.geomspace(1, 2, 20_001)
-    moments = spectrum.all_scales_rms(Spectrum(q, np.ones_like(q)))
+    rms_values = spectrum.all_scales_rms(Spectrum(q, np.ones_like(q)))
     squares = np.array([3 / 2, 15 / 4, 63 / 6 / 4]) / (2 * np.pi)
-    np.testing.assert_allclose(moments, np.sqrt(squares), rtol=1e-6)
+    np.testing.assert_allclose(rms_values, np.sqrt(squares), rtol=1e-6)
 
 
 def test_scans_have_the_measured_psd_of_their_spectrum():

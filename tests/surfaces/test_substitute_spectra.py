@@ -1,4 +1,4 @@
-"""Spectra of substitutes: descriptions, calibration to Table 1, expected moments of scans."""
+"""Spectra of substitutes: descriptions, calibration to Table 1, expected rms values of scans."""
 
 from functools import cache
 
@@ -15,7 +15,7 @@ from hardcontact.surfaces import spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
 from hardcontact.surfaces.substitute_scans import cut_scan
-from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
+from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import random_surface
 
 
@@ -41,8 +41,8 @@ def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff,
         density = spectrum.self_affine(WAVEVECTORS, *truth)
     else:
         density = spectrum.varying_hurst(WAVEVECTORS, truth[0], rolloff, *truth[1:])
-    moments = expected_moments(Spectrum(WAVEVECTORS, density), weights)
-    table1 = pd.DataFrame({"value": moments}, index=list(spectrum.AFM_ROWS))
+    rms_values = expected_scan_rms(Spectrum(WAVEVECTORS, density), weights)
+    table1 = pd.DataFrame({"value": rms_values}, index=list(spectrum.AFM_ROWS))
     parameters = substitute_spectra.calibrate_model(band(model, rolloff), table1, weights)
     assert list(parameters) == names
     np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
@@ -63,25 +63,25 @@ def longer_waves():
     return np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
 
 
-@pytest.mark.parametrize("moments", [(1.17, 6.32), (1.0, 4.0), (0.9, 5.9)])
-def test_a_tail_completes_slope_and_curvature(longer_waves, moments):
+@pytest.mark.parametrize("rms_values", [(1.17, 6.32), (1.0, 4.0), (0.9, 5.9)])
+def test_a_tail_completes_slope_and_curvature(longer_waves, rms_values):
     tail = spectrum.power_law_tail(
-        longer_waves, *substitute_spectra.calibrate_tail(longer_waves, *moments)
+        longer_waves, *substitute_spectra.calibrate_tail(longer_waves, *rms_values)
     )
-    completed_moments = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves + tail))[1:]
-    np.testing.assert_allclose(completed_moments, moments, rtol=1e-9)
+    completed_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves + tail))[1:]
+    np.testing.assert_allclose(completed_rms, rms_values, rtol=1e-9)
 
 
 @pytest.mark.parametrize(
-    ("moments", "message"),
+    ("rms_values", "message"),
     [
         ((0.01, 6.32), "that a power law below .* can add, found 0.01 and 6.32"),
         ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
     ],
 )
-def test_a_tail_beyond_a_power_law_is_refused(longer_waves, moments, message):
+def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message):
     with pytest.raises(ValueError, match=message):
-        substitute_spectra.calibrate_tail(longer_waves, *moments)
+        substitute_spectra.calibrate_tail(longer_waves, *rms_values)
 
 
 def test_table1_is_turned_into_gradient_and_half_laplacian():
@@ -169,9 +169,9 @@ def test_default_spectra_meet_every_row_of_table_1_but_the_height_over_all_scale
     table1, default = default_spectrum(surface)
     calibrated = [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
     assert default.attrs["table1_rows_met"] == ",".join(calibrated)
-    moments = all_scales_rms(Spectrum(WAVEVECTORS, default.spectrum.values))
-    all_moments = [*default.attrs["expected_scan_moments"], *moments[1:]]
-    np.testing.assert_allclose(all_moments, table1.value[calibrated], rtol=1e-9)
+    rms_values = all_scales_rms(Spectrum(WAVEVECTORS, default.spectrum.values))
+    all_rms = [*default.attrs["expected_scan_rms"], *rms_values[1:]]
+    np.testing.assert_allclose(all_rms, table1.value[calibrated], rtol=1e-9)
 
 
 def test_default_uncd_is_near_the_public_measurements():
@@ -199,18 +199,18 @@ def test_a_band_that_cannot_be_made_is_named(write_description, band, message_pa
         substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
 
 
-MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")
+RMS_METRICS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 
 
-def test_expected_moments_agree_with_scans():
+def test_expected_rms_values_agree_with_scans():
     weights = substitute_spectra.transfer_weights(1024, PIXEL, 256)
-    moments = substitute_spectra.expected_moments(uncd, weights)
+    rms_values = substitute_spectra.expected_scan_rms(uncd, weights)
     squares = []
     for k in range(6):
         surface = random_surface(generator(4, k), 1024, PIXEL, uncd)
         for start in range(0, 1024, 256):
             strip = type(surface)(surface.heights[start:], PIXEL, True, "substitute")
             values = metrics(level(cut_scan(strip, 256)))
-            squares.append([values[name] ** 2 for name in MOMENTS])
+            squares.append([values[name] ** 2 for name in RMS_METRICS])
     error = np.std(squares, axis=0) / np.sqrt(len(squares))
-    assert (np.abs(np.mean(squares, axis=0) - moments**2) < 4 * error).all()
+    assert (np.abs(np.mean(squares, axis=0) - rms_values**2) < 4 * error).all()

@@ -40,8 +40,8 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
     """Return the rows of Table 1 as printed: a title, then the value for each surface.
 
     Computed values from scans are mean and standard deviation over the scans of a surface. Values
-    over all scales are moments of the joined spectrum, without a standard deviation. A dagger marks
-    the values that substitutes meet by construction.
+    over all scales are rms values of the joined spectrum, without a standard deviation. A dagger
+    marks the values that substitutes meet by construction.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def _print_published(values: pd.DataFrame, surface: str, quantity: _Quantity) ->
 
 
 def _print_computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> str:
-    """Return a computed value: mean over scans, or moment of the joined spectrum."""
+    """Return a computed value: mean over scans, or rms value of the joined spectrum."""
     mean = f"{variable}_mean"
     value = surface[mean if mean in surface else variable].item() / quantity.printed_unit
     spread = (

@@ -23,11 +23,11 @@ from hardcontact.surfaces.spectrum import (
     spectrum_of_dataset,
 )
 from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
-from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
+from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 
-#: Ratio of each metric of an isotropic surface to its moment: rms height, gradient or
+#: Ratio of each metric of an isotropic surface to its rms height, rms gradient or rms
 #: half-Laplacian.
-METRIC_PER_MOMENT = {
+METRIC_PER_RMS = {
     "rms_height": 1.0,
     "rms_gradient": 1.0,
     "rms_profile_slope": 1 / np.sqrt(2),
@@ -60,7 +60,7 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on this study's pixels.
 
-    On the paper's pixels and size the targets are the attribute ``expected_scan_moments`` of the
+    On the paper's pixels and size the targets are the attribute ``expected_scan_rms`` of the
     spectrum. On other pixels slope and curvature are computed from the spectrum for these pixels.
     With another size, all three are computed from the spectrum. The standard deviation relative to
     the rms height is the published one.
@@ -86,26 +86,26 @@ def scan_targets(
         return None
     pixels = int(constants["value"]["scan_pixels"])
     size = float(constants["value"]["scan_size"])
-    moments = np.array(spectrum_data.attrs["expected_scan_moments"])
+    rms_values = np.array(spectrum_data.attrs["expected_scan_rms"])
     same_size = math.isclose(grid.size, size)
     same_pixels = same_size and grid.pixels == pixels
-    is_published_moment = np.array([same_size, same_pixels, same_pixels])
-    if not is_published_moment.all():
+    is_published = np.array([same_size, same_pixels, same_pixels])
+    if not is_published.all():
         spectrum = spectrum_of_dataset(spectrum_data)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-        moments = np.where(is_published_moment, moments, expected_moments(spectrum, weights))
+        rms_values = np.where(is_published, rms_values, expected_scan_rms(spectrum, weights))
     height = table1.loc["afm_rms_height"]
     calibrated_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
         {
-            name: float(METRIC_PER_MOMENT[name] * moment)
-            for name, moment in zip(names, moments, strict=True)
+            name: float(METRIC_PER_RMS[name] * rms)
+            for name, rms in zip(names, rms_values, strict=True)
         },
-        float(moments[0] * height["uncertainty"] / height["value"]),
+        float(rms_values[0] * height["uncertainty"] / height["value"]),
         tuple(
             row
-            for row, is_kept in zip(AFM_ROWS, is_published_moment, strict=True)
+            for row, is_kept in zip(AFM_ROWS, is_published, strict=True)
             if is_kept and row in calibrated_rows
         ),
     )

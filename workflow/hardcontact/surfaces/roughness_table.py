@@ -141,10 +141,10 @@ def roughness_table(
 
 
 def _spectra(datasets: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
-    """Return spectra (surface, wavevector) and their moments over all scales."""
+    """Return spectra (surface, wavevector) and their rms values over all scales."""
     spectra = [spectrum_of_dataset(dataset) for dataset in datasets]
-    moments = np.array([all_scales_rms(spectrum) for spectrum in spectra])
-    height, gradient, half_laplacian = moments.T
+    rms_values = np.array([all_scales_rms(spectrum) for spectrum in spectra])
+    height, gradient, half_laplacian = rms_values.T
     density = np.array([spectrum(wavevector) for spectrum in spectra])
     return xr.Dataset(
         {

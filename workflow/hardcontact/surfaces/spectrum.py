@@ -1,4 +1,4 @@
-"""Power spectral densities: tables, their moments, models, and PSDs of scans.
+"""Power spectral densities: tables, their rms values, models, and PSDs of scans.
 
 C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq; C_1D = |h~|²/L in nm³ with h_rms² =
 (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol.

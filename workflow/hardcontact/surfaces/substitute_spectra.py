@@ -46,12 +46,11 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return wavevectors and the weights with which C_iso gives the moments of a scan.
+    """Return wavevectors and the weights with which C_iso gives the expected squares of a scan.
 
-    The moments are the expected squares of a scan: rms height², gradient² and half-Laplacian². The
-    scan is cut out of a larger periodic surface and levelled. Levelling removes the least-squares
-    plane, that is Legendre functions of degree 0 and 1, whose transforms are spherical Bessel
-    functions.
+    These are the squares of rms height, rms gradient and rms half-Laplacian. The scan is cut out of
+    a larger periodic surface and levelled. Levelling removes the least-squares plane, that is
+    Legendre functions of degree 0 and 1, whose transforms are spherical Bessel functions.
 
     Parameters
     ----------
@@ -65,7 +64,7 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     Returns
     -------
     tuple of numpy.ndarray
-        Wavevectors (bins,) in rad/nm, and weights (3, bins): moments = weights @ C_iso.
+        Wavevectors (bins,) in rad/nm, and weights (3, bins): squares = weights @ C_iso.
     """
     from scipy.special import spherical_jn
 
@@ -97,7 +96,7 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
-def expected_moments(density: SpectrumFunction, weights: Weights) -> Floats:
+def expected_scan_rms(density: SpectrumFunction, weights: Weights) -> Floats:
     """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
     wavevector, factors = weights
     return np.sqrt(factors @ density(wavevector))
@@ -155,7 +154,7 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         table = Spectrum(
             WAVEVECTORS, model(WAVEVECTORS, *(band_parameters[name] for name in names))
         )
-        return np.asarray(np.log(expected_moments(table, weights) / values))
+        return np.asarray(np.log(expected_scan_rms(table, weights) / values))
 
     start = {
         "plateau_nm4": 2 * np.log(values[0] * 1000),
@@ -204,10 +203,10 @@ def calibrate_tail(
     """
     from scipy.optimize import brentq
 
-    _, *longer_moments = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
+    _, *longer_rms = all_scales_rms(Spectrum(WAVEVECTORS, longer_waves))
     missing_squares = [
-        gradient**2 - longer_moments[0] ** 2,
-        half_laplacian**2 - longer_moments[1] ** 2,
+        gradient**2 - longer_rms[0] ** 2,
+        half_laplacian**2 - longer_rms[1] ** 2,
     ]
     ends = 2 * np.pi / WAVEVECTORS[longer_waves.nonzero()[0][-1] + 1 :]
     refusal = ValueError(
@@ -217,10 +216,10 @@ def calibrate_tail(
     if min(missing_squares) <= 0:
         raise refusal
 
-    def excess(moment: int, hurst: float, shortest: float) -> float:
+    def excess(index: int, hurst: float, shortest: float) -> float:
         tail = power_law_tail(longer_waves, hurst, shortest)
-        added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + moment]
-        return float(np.log(added**2 / missing_squares[moment]))
+        added = all_scales_rms(Spectrum(WAVEVECTORS, tail))[1 + index]
+        return float(np.log(added**2 / missing_squares[index]))
 
     def find_hurst(shortest: float) -> float:
         return float(
@@ -343,7 +342,8 @@ def substitute_spectrum(
     -------
     xarray.Dataset
         `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the segments, the rows of Table 1 to which
-        they were calibrated, and the expected moments of a scan with the paper's pixels and size.
+        they were calibrated, and the expected rms values of a scan with the paper's pixels and
+        size.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
@@ -352,5 +352,5 @@ def substitute_spectrum(
         basis="substitute",
         table1_rows_met=",".join(calibrated),
         segments=segments.to_csv(index=False),
-        expected_scan_moments=expected_moments(Spectrum(WAVEVECTORS, density), weights),
+        expected_scan_rms=expected_scan_rms(Spectrum(WAVEVECTORS, density), weights),
     )
