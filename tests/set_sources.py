@@ -1,4 +1,4 @@
-"""Small studies that sets are drawn from, with pools and masters of random numbers."""
+"""Small studies that sets are sampled from, with pools and masters of random numbers."""
 
 import json
 

@@ -22,7 +22,7 @@ SOURCES = PoolSources(uncd, TARGETS, HEIGHTS, SETTINGS)
 
 
 def raw_scan(number):
-    """Return a scan of the pool as it is drawn."""
+    """Return a scan of the pool as it is sampled."""
     rng = generator(7, "uncd", number, "pool")
     surface = random_surface(rng, GRID.realization_pixels, GRID.pixel_size, uncd)
     return level(cut_scan(surface, GRID.pixels))

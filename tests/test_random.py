@@ -7,7 +7,7 @@ import numpy as np
 from hardcontact.base.random import generator
 
 
-def draw_numbers(*arguments):
+def sample_numbers(*arguments):
     return generator(*arguments).random(4).tolist()
 
 
@@ -20,9 +20,9 @@ def test_another_seed_or_name_gives_other_numbers():
         (1, 3, "uncd"),
         (1,),
     ]
-    assert len({tuple(draw_numbers(*arguments)) for arguments in different}) == len(different)
+    assert len({tuple(sample_numbers(*arguments)) for arguments in different}) == len(different)
 
 
 def test_numbers_follow_from_the_seed_and_the_digest_of_the_names():
     words = np.frombuffer(hashlib.sha256(b"uncd/3").digest(), dtype="<u4").tolist()
-    assert draw_numbers(7, "uncd", 3) == np.random.default_rng([7, *words]).random(4).tolist()
+    assert sample_numbers(7, "uncd", 3) == np.random.default_rng([7, *words]).random(4).tolist()

@@ -30,8 +30,8 @@ from hardcontact.theory.prediction_errors import table_coordinates
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
 CONTACTS, CUTOFFS = 8, 12
-#: Limits of each input, drawn evenly in its logarithm except for the Hurst exponent; lengths in nm,
-#: the area of contact in nm².
+#: Limits of each input, sampled evenly in its logarithm except for the Hurst exponent; lengths in
+#: nm, the area of contact in nm².
 BOUNDS = {
     "rolloff": (200.0, 4000.0),
     "steepness": (1 / 300, 1 / 20),  # rms height over roll-off
@@ -60,15 +60,15 @@ LARGEST, GRIDS = 25e3, {1024: 4, 2048: 3}
 
 def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
-    first_rows = draw_inputs(BOUNDS, SEED, FIRST)
+    first_rows = sample_inputs(BOUNDS, SEED, FIRST)
     second_rows = [
         row | {"surface": FIRST + row["surface"], "kind": STEEP}
-        for row in draw_inputs(STEEP_BOUNDS, STEEP_SEED, SECOND)
+        for row in sample_inputs(STEEP_BOUNDS, STEEP_SEED, SECOND)
     ]
     return [row | grid(row) for row in [*first_rows, *second_rows][:surfaces]]
 
 
-def draw_inputs(
+def sample_inputs(
     bounds: dict[str, tuple[float, float]], seed: int, surfaces: int
 ) -> Iterator[dict[str, Any]]:
     """Yield the inputs of the first surfaces of a Sobol sequence (scrambled) within bounds."""

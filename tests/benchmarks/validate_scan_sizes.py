@@ -4,7 +4,7 @@
 
 A contact finds its peaks within some 2 sqrt(2 R sigma) of each other. A smaller scan, mirrored, has
 fewer peaks, so that the sphere misses the highest of them. The excess of the force may depend on
-this draw size and on the roll-off, both over the size of the scan, and on the heights over the
+this search size and on the roll-off, both over the size of the scan, and on the heights over the
 range of adhesion. The rule is a power law of these three ratios. It is fitted to random self-affine
 surfaces, which differ in rms height, roll-off, Hurst exponent and sphere, and tested on the
 substitutes of the paper's surfaces, which it was not fitted to.
@@ -58,10 +58,10 @@ SEED, CONFIDENCE, TOLERANCE = 2021, 0.95, 0.1
 ALLOWED_EXCESS = 1.1
 #: Range of adhesion (nm) of the long edges.
 RANGE = 5.6
-#: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.
+#: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are sampled.
 RMS_HEIGHTS, ROLL_OFFS, HURST = (2.0, 120.0), (300.0, 4000.0), (0.5, 1.2)
 #: The ratios that the rule is a power law of.
-RATIOS = ["draw size / scan size", "roll-off / scan size", "rms height / range"]
+RATIOS = ["search size / scan size", "roll-off / scan size", "rms height / range"]
 
 
 @dataclass(frozen=True)
@@ -107,8 +107,8 @@ class Case(NamedTuple):
     def ratios(self) -> Floats:
         """Return the logarithms (3, n) of the RATIOS."""
         size, height, roll_off, radius, rho = (np.asarray(length) for length in self)
-        draw_size = 2 * np.sqrt(2 * radius * height)
-        ratios = np.broadcast_arrays(draw_size / size, roll_off / size, height / rho)
+        search_size = 2 * np.sqrt(2 * radius * height)
+        ratios = np.broadcast_arrays(search_size / size, roll_off / size, height / rho)
         return np.asarray(np.log(np.stack(ratios)))
 
 

@@ -18,7 +18,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from scipy import special, stats
-from validate_prediction import HARDNESS, draw_inputs, spectrum_of
+from validate_prediction import HARDNESS, sample_inputs, spectrum_of
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -57,7 +57,7 @@ PIXELS, COUNTS = (512, 1024, 2048), (10, 8, 6, 5, 4)
 def design(surfaces: int) -> list[dict[str, Any]]:
     """Return the inputs of the first surfaces of the design."""
     rows = []
-    for row in draw_inputs(BOUNDS, SEED, surfaces):
+    for row in sample_inputs(BOUNDS, SEED, surfaces):
         row["rho"] = float(np.clip(row.pop("weibull_modulus") * row["rms_height"] / LEVEL, *RANGES))
         skewed = row["surface"] % EVERY == EVERY - 1
         row["skewed"] = (SKEWED if row["surface"] % 2 else -SKEWED) if skewed else 0.0

@@ -20,7 +20,7 @@ from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.theory.summits import draw_size, moment, spectrum_between
+from hardcontact.theory.summits import moment, search_size, spectrum_between
 
 RADIUS, PIXEL = 250e3, 10e3 / 256
 
@@ -53,7 +53,7 @@ def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height
         sampled_spectrum.wavevector,
         sampled_spectrum.density * rms_height**2 / moment(sampled_spectrum, 0),
     )
-    minimum, maximum = finite_scan_ratio(pixels * PIXEL, draw_size(scaled, RADIUS, 400.0))
+    minimum, maximum = finite_scan_ratio(pixels * PIXEL, search_size(scaled, RADIUS, 400.0))
     # Twenty windows, whose forces scatter by a factor of two about their mean.
     assert 0.75 * minimum < force_ratio(rms_height, pixels) < 1.25 * maximum
 

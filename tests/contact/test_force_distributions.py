@@ -1,4 +1,4 @@
-"""Statistics of forces drawn from a known log-normal."""
+"""Statistics of forces sampled from a known log-normal."""
 
 import numpy as np
 import pytest

@@ -13,7 +13,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.own.master_forces import Masters
 from hardcontact.own.open_edges import band_edges
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.substitute_scans import cut_scan
@@ -132,8 +132,8 @@ def interval_of_one_scan(density, number):
         return forces(((draw, LONG, master) for draw, master in enumerate(masters, 1)), WIDE)
 
     measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
-    drawn_scales = scales(draw_spectra(rngs, measurements, [None]))
-    edges = long_edges(with_spectrum_shifts(measured_scales, drawn_scales), 1)
+    sampled_scales = scales(sample_spectra(rngs, measurements, [None]))
+    edges = long_edges(with_spectrum_shifts(measured_scales, sampled_scales), 1)
     return edges.edge_interval.values.ravel()
 
 

@@ -10,7 +10,7 @@ from scipy import stats
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.extrapolated_spectrum import MAX_GRADIENT, MAX_HALF_LAPLACIAN
-from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
@@ -81,8 +81,8 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
         measured_forces = logarithms(spectrum_of_dataset(joined_spectrum(scans, radii)), edges)
         rngs = (generator(32, number, has_line, draw) for draw in range(DRAWS))
         shifts = [
-            logarithms(spectrum_drawn, edges) - measured_forces
-            for spectrum_drawn, _ in draw_spectra(rngs, scans, radii)
+            logarithms(sampled_spectrum, edges) - measured_forces
+            for sampled_spectrum, _ in sample_spectra(rngs, scans, radii)
         ]
         # As for own surfaces; the interval of an edge holds it if that of F_c/F there does.
         half = stats.t.ppf(0.975, DRAWS) * np.sqrt(np.mean(np.square(shifts), axis=0))

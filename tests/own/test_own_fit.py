@@ -43,7 +43,7 @@ def adhesion(rng, scans=5, spread=0.2, contact_spread=0.3):
     )
 
 
-def drawn_tests(rng, number=40, shape=0.6, surfaces="ab"):
+def sampled_tests(rng, number=40, shape=0.6, surfaces="ab"):
     """Single tests, log-normal about the forces of RHO and WORK."""
     scatter = [np.exp(shape * rng.standard_normal(number) - shape**2 / 2) for _ in surfaces]
     rows = [
@@ -60,9 +60,9 @@ def fitted(computed_forces, tests):
     return fit.sel(contact_model="plastic")
 
 
-def drawn_fit(seed, **options):
+def sampled_fit(seed, **options):
     rng = np.random.default_rng(seed)
-    return fitted(adhesion(rng, **options), drawn_tests(rng))
+    return fitted(adhesion(rng, **options), sampled_tests(rng))
 
 
 def holds(fit, rho=RHO, work=WORK):
@@ -73,7 +73,7 @@ def holds(fit, rho=RHO, work=WORK):
 def test_without_scatter_range_and_work_are_recovered():
     rng = np.random.default_rng(0)
     exact = adhesion(rng, spread=1e-4, contact_spread=1e-4)
-    fit = fitted(exact, drawn_tests(rng, number=400, shape=0.01))
+    fit = fitted(exact, sampled_tests(rng, number=400, shape=0.01))
     assert float(fit.best_range) == pytest.approx(RHO, rel=0.02)
     assert float(fit.best_work) == pytest.approx(WORK, rel=0.02)
     assert fit.region_status.values.tolist() == ["found", "found"]
@@ -85,7 +85,7 @@ def test_without_scatter_range_and_work_are_recovered():
 
 
 def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_distant_pair():
-    fits = [drawn_fit(seed) for seed in range(20)]
+    fits = [sampled_fit(seed) for seed in range(20)]
     assert sum(holds(fit) for fit in fits) >= 19
     assert not holds(fits[1], rho=1.0) and not holds(fits[1], work=0.2)
     low, high = fits[1].region_range.values
@@ -94,12 +94,12 @@ def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_di
 
 def test_the_region_from_one_scan_per_surface_contains_the_true_pair():
     # Quarters are all that differs here: with spread 0 no scan has a factor of its own.
-    assert sum(holds(drawn_fit(seed, scans=1, spread=0.0)) for seed in range(10)) >= 9
+    assert sum(holds(sampled_fit(seed, scans=1, spread=0.0)) for seed in range(10)) >= 9
 
 
 def test_two_forces_fit_two_unknowns_by_construction():
     rng = np.random.default_rng(0)
-    tests, fit = drawn_tests(rng), drawn_fit(0)
+    tests, fit = sampled_tests(rng), sampled_fit(0)
     assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.best_range.notnull()
     weak_tests = tests.assign(mean=tests["mean"] * np.where(tests.surface == "a", 1e4, 1))
     fit = fitted(adhesion(rng), weak_tests)
@@ -108,7 +108,7 @@ def test_two_forces_fit_two_unknowns_by_construction():
 
 def test_one_surface_gives_a_curve_of_works_and_no_range():
     rng = np.random.default_rng(5)
-    fit = fitted(adhesion(rng), drawn_tests(rng, surfaces="a"))
+    fit = fitted(adhesion(rng), sampled_tests(rng, surfaces="a"))
     true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho)
     low, high = fit.work_of_adhesion_interval.sel(surface="a").transpose("bound", "rho")
     assert ((low < true_work) & (true_work < high)).all()
@@ -126,7 +126,7 @@ def test_one_surface_gives_a_curve_of_works_and_no_range():
 def test_an_unknown_region_has_no_work(ranges, number, factor, status):
     rng = np.random.default_rng(8)
     computed_forces = adhesion(rng).sel(rho=RHOS[:ranges])
-    tests = drawn_tests(rng, number)
+    tests = sampled_tests(rng, number)
     tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
     fit = fitted(computed_forces, tests)
     assert fit.region_status.values.tolist() == status and fit.region_work.isnull().all()

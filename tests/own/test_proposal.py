@@ -15,7 +15,7 @@ from hardcontact.config.configuration import set_keys
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import Contact
-from hardcontact.own.contact_scans import contact_scans, draw_sizes
+from hardcontact.own.contact_scans import contact_scans, search_sizes
 from hardcontact.own.inventory import Entry
 from hardcontact.own.new import values_by_key
 from hardcontact.own.proposal import propose
@@ -91,7 +91,7 @@ BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
 )  # fmt: skip
 def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, size_counts):
     sphere = "sphere" if entries[-1].source.surface == "sphere" else None
-    sizes = draw_sizes(entries, sphere, probe(radius))
+    sizes = search_sizes(entries, sphere, probe(radius))
     selected_scans, _ = contact_scans(entries, sphere, probe(radius), sizes)
     assert Counter(round(scan.size) for scan in selected_scans) == size_counts
 

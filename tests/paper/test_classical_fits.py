@@ -37,7 +37,7 @@ def test_no_model_fits_the_published_forces():
         assert fit_classical_work(model, AFM, SPHERE, MEAN_FORCE)[1] > 0.4
 
 
-def test_drawn_roughness_is_positive_and_spreads_as_printed():
+def test_sampled_roughness_is_positive_and_spreads_as_printed():
     samples = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 4000)
     assert all((values > 0).all() and values.shape == (4000, 4) for values in samples)
     np.testing.assert_allclose(samples.height[:, 2].std(), 11.2, rtol=0.05)

@@ -12,9 +12,9 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.paper.inference import Pair, PublishedFit, infer
 from hardcontact.paper.judged_sets import (
     SetSettings,
-    draw_set_scans,
     gather_sources,
     judge_sets,
+    sample_set_scans,
     set_adhesion,
 )
 
@@ -54,13 +54,13 @@ def test_numbers_are_those_of_each_set(sets):
     models = ["rigid", "plastic"]
     for number in (1, 3):
         numbers = sets["value"].sel(set=number)
-        drawn_scans = draw_set_scans(sources, 1, number)
-        adhesion = set_adhesion(sources, drawn_scans, 1, number)
+        sampled_scans = sample_set_scans(sources, 1, number)
+        adhesion = set_adhesion(sources, sampled_scans, 1, number)
         inference = infer(adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE))
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=models)
         np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
         assert numbers.sel(claim="range_of_adhesion") == ranges.sel(contact_model="plastic")
-        gradient = drawn_scans["ncd"]["rms_gradient"].mean().item()
+        gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
         assert numbers.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
 
 

@@ -38,7 +38,7 @@ def test_a_variant_does_not_depend_on_the_other_variants(protruded_body):
 @pytest.mark.parametrize("protruded_body", ["uncd", "ruby"])
 def test_protrusions_without_height_change_no_force(protruded_body, monkeypatch):
     flat_protrusions = Protrusions(density=50.0, height=0.0, width=50.0)
-    monkeypatch.setattr(protruded_sets, "draw_protrusions", lambda *_: flat_protrusions)
+    monkeypatch.setattr(protruded_sets, "sample_protrusions", lambda *_: flat_protrusions)
     variant = compute_protruded_forces([1], 2, SOURCES, ROUGHNESS, protruded_body)
     np.testing.assert_allclose(variant["mean_force_ratio"], 1, rtol=1e-9)
 

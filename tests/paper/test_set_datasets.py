@@ -8,7 +8,7 @@ from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling
 from hardcontact.paper.judged_sets import (
-    draw_set_scans,
+    sample_set_scans,
     set_adhesion,
     set_band,
     set_topography,
@@ -21,16 +21,16 @@ NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
 CONTACTS = ["contact_y", "contact_x"]
 
 
-def test_topography_of_a_set_replaces_only_drawn_scans():
+def test_topography_of_a_set_replaces_only_sampled_scans():
     sources = make_sources(measured_surfaces=["mcd"])
-    drawn_scans = draw_set_scans(sources, *DRAW)
+    sampled_scans = sample_set_scans(sources, *DRAW)
     study = sources.topography
-    topography = set_topography(study, drawn_scans, CONFIDENCE)
+    topography = set_topography(study, sampled_scans, CONFIDENCE)
     for name in METRICS:
         uncd_metric = topography[name].sel(surface="uncd")
-        np.testing.assert_allclose(uncd_metric, drawn_scans["uncd"][name], rtol=1e-12)
+        np.testing.assert_allclose(uncd_metric, sampled_scans["uncd"][name], rtol=1e-12)
         mean = topography[f"{name}_mean"].sel(surface="uncd").item()
-        assert mean == pytest.approx(drawn_scans["uncd"][name].mean().item(), rel=1e-12)
+        assert mean == pytest.approx(sampled_scans["uncd"][name].mean().item(), rel=1e-12)
         for surface in ("mcd", "ruby"):
             np.testing.assert_array_equal(
                 topography[name].sel(surface=surface), study[name].sel(surface=surface)
@@ -42,13 +42,13 @@ def test_topography_of_a_set_replaces_only_drawn_scans():
     assert topography.attrs == study.attrs
 
 
-def test_forces_of_drawn_scans_are_scaled_to_the_rough_sphere():
+def test_forces_of_sampled_scans_are_scaled_to_the_rough_sphere():
     sources = make_sources()
-    drawn_scans = draw_set_scans(sources, *DRAW)
-    adhesion = set_adhesion(sources, drawn_scans, *DRAW)
+    sampled_scans = sample_set_scans(sources, *DRAW)
+    adhesion = set_adhesion(sources, sampled_scans, *DRAW)
     assert adhesion["pull_off_force"].dims == sources.adhesion["pull_off_force"].dims
     assert adhesion.attrs == sources.adhesion.attrs
-    for surface, scans in drawn_scans.items():
+    for surface, scans in sampled_scans.items():
         ratio = adhesion["pull_off_force"].sel(surface=surface) / scans["pull_off_force"]
         np.testing.assert_allclose(ratio.sel(contact_model="rigid"), 0.9, rtol=1e-12)
         np.testing.assert_allclose(ratio.sel(contact_model="plastic"), 0.95, rtol=1e-12)
@@ -56,14 +56,14 @@ def test_forces_of_drawn_scans_are_scaled_to_the_rough_sphere():
 
 def test_forces_on_measured_scans_change_by_one_factor_per_range():
     sources = make_sources(measured_surfaces=["mcd"])
-    adhesion = set_adhesion(sources, draw_set_scans(sources, *DRAW), *DRAW)
+    adhesion = set_adhesion(sources, sample_set_scans(sources, *DRAW), *DRAW)
     set_forces = adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     study_forces = sources.adhesion["pull_off_force"].transpose("contact_model", "rho", ...)
     ranges = study_forces.sizes["rho"]
     ratio = (set_forces / study_forces).sel(surface="mcd").values.reshape(2, ranges, -1)
     np.testing.assert_allclose(ratio, ratio[..., :1] * np.ones(ratio.shape[-1]), rtol=1e-12)
     assert not np.isclose(ratio, 1).any()
-    # Arrays of drawn scans have fewer contacts; they are padded with NaN.
+    # Arrays of sampled scans have fewer contacts; they are padded with NaN.
     uncd_forces = adhesion["pull_off_force"].sel(surface="uncd")
     assert np.isfinite(uncd_forces).sum() == SCANS * 2 * ranges * 9
 
@@ -77,7 +77,7 @@ def test_equal_masters_have_the_band_of_one():
         np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 
 
-def test_masters_are_drawn_again_for_every_set_and_surface():
+def test_masters_are_sampled_again_for_every_set_and_surface():
     masters = make_masters()
     bands = [set_band(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
     ratio = np.array([band["filtered_force_ratio"].values for band in bands])

@@ -11,7 +11,7 @@ from scipy.stats import binom
 
 from hardcontact.base.random import generator
 from hardcontact.paper.verdicts import (
-    REDRAWS,
+    RESAMPLINGS,
     VERDICTS,
     add_open_ends,
     is_accepted,
@@ -123,7 +123,7 @@ def test_an_interval_is_stretched_to_its_number(ends, value, stretched):
     np.testing.assert_array_equal(stretch_interval(ends, value), stretched)
 
 
-def redraw_stability(numbers, original_verdict):
+def stability_of_resamplings(numbers, original_verdict):
     """Return the stability of a verdict on the statement that a number is above five."""
 
     def judge(value, low, high):
@@ -147,10 +147,10 @@ def redraw_stability(numbers, original_verdict):
     ],
 )
 def test_the_stability_of_a_verdict_follows_binomial_statistics(numbers, original_verdict, share):
-    error = np.sqrt(share * (1 - share) / REDRAWS)
-    redrawn_share = redraw_stability(numbers, original_verdict)
-    assert redrawn_share == pytest.approx(share, abs=4 * error)
-    assert redrawn_share == redraw_stability(numbers, original_verdict)
+    error = np.sqrt(share * (1 - share) / RESAMPLINGS)
+    resampled_share = stability_of_resamplings(numbers, original_verdict)
+    assert resampled_share == pytest.approx(share, abs=4 * error)
+    assert resampled_share == stability_of_resamplings(numbers, original_verdict)
 
 
 # --- open ends --------------------------------------------------------------------------------

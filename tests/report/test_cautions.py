@@ -32,12 +32,12 @@ def grave_codes(**others):
 
 def test_finite_scans_have_their_numbers():
     small = force().assign(
-        finite_scan_ratio=(("surface", "bound"), [[2.0, 4.0]]), draw_size=("surface", [2560.0])
+        finite_scan_ratio=(("surface", "bound"), [[2.0, 4.0]]), search_size=("surface", [2560.0])
     )
     (caution,) = find_cautions("small_scan", force=small)
     assert caution["share"].value == 0.25 and np.isnan(caution["tried"].value)
     assert (caution["ratio"].low, caution["ratio"].high) == (2.0, 4.0)
-    tiny = small.assign(draw_size=("surface", [64e3]))
+    tiny = small.assign(search_size=("surface", [64e3]))
     assert find_cautions("small_scan", force=tiny)[0]["tried"].value == SMALLEST_TESTED
     assert not find_cautions("small_scan")
 

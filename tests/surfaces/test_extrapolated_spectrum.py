@@ -20,7 +20,7 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     levelled_share,
 )
 from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
-from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
@@ -70,13 +70,13 @@ def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
 
 @pytest.mark.study
 @pytest.mark.parametrize("rolloff", [SIZE / 3, 3 * SIZE])
-def test_the_rms_height_of_all_scales_is_among_those_of_drawn_spectra(rolloff):
+def test_the_rms_height_of_all_scales_is_among_those_of_sampled_spectra(rolloff):
     contained = 0
     for number in range(20):
         scan, density = scan_of(generator(2, number), rolloff)
         rngs = (generator(3, number, draw) for draw in range(20))
         rms_heights = [
-            rms_height(spectrum) for spectrum, _ in draw_spectra(rngs, [scan], KNOWN_TIP)
+            rms_height(spectrum) for spectrum, _ in sample_spectra(rngs, [scan], KNOWN_TIP)
         ]
         true_height = rms_height(Spectrum(WAVEVECTORS, density(WAVEVECTORS)))
         contained += min(rms_heights) < true_height < max(rms_heights)
@@ -95,10 +95,10 @@ def test_noise_does_not_lengthen_the_rolloff():
     assert noisy - clean < 0.02
 
 
-def test_a_draw_depends_on_its_generator_and_draws_unknown_tips():
+def test_a_draw_depends_on_its_generator_and_samples_unknown_tips():
     scan, _ = scan_of(generator(7), SIZE, level=1.0)
     spectra = [
-        next(draw_spectra([generator(8, draw)], [scan], radii))[0].density
+        next(sample_spectra([generator(8, draw)], [scan], radii))[0].density
         for draw, radii in ((1, [None]), (1, [None]), (2, [None]), (1, [1.0]))
     ]
     np.testing.assert_array_equal(spectra[0], spectra[1])
@@ -162,8 +162,8 @@ def test_intervals_from_coarse_maps_contain_exponent_and_force():
         force = log_force(spectrum_of_dataset(joined_data))
         rngs = (generator(52, number, draw) for draw in range(draws))
         shifts = [
-            log_force(drawn_spectrum) - force
-            for drawn_spectrum, _ in draw_spectra(rngs, scans, KNOWN_TIP)
+            log_force(sampled_spectrum) - force
+            for sampled_spectrum, _ in sample_spectra(rngs, scans, KNOWN_TIP)
         ]
         half_width = stats.t.ppf(0.975, draws) * np.sqrt(np.mean(np.square(shifts)))
         contained_forces += abs(log_force(surface) - force) < half_width

@@ -8,7 +8,7 @@ from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.hurst_exponent import HURST_SCATTER
-from hardcontact.surfaces.joined_spectrum import draw_spectra, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import WAVEVECTORS, smooth_rolloff
@@ -80,7 +80,7 @@ def test_a_noise_floor_is_not_extrapolated():
 def test_draws_scatter_by_calibration_and_exponent():
     scans = [map_of(generator(24), 128, 8.0, gentle), map_of(generator(25), 128, 40.0, gentle)]
     rngs = (generator(26, draw) for draw in range(100))
-    spectra, factors = zip(*draw_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
+    spectra, factors = zip(*sample_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
     # At 40 nm only the small map is reliable, with hundreds of waves.
     power = np.log([spectrum(2 * np.pi / 40) for spectrum in spectra]) - 2 * np.log(factors)[:, 0]
     assert power.std() < 0.1 and 2 * np.log(factors).std() == pytest.approx(

@@ -41,7 +41,7 @@ def test_a_joined_spectrum_keeps_the_variance_of_its_bins(kind):
             assert joined_power[peak] == pytest.approx(power[peak], rel=0.05)
 
 
-def test_drawn_curves_scatter_with_the_stated_variance():
+def test_sampled_curves_scatter_with_the_stated_variance():
     waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
     is_measured = (
         (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
@@ -51,11 +51,13 @@ def test_drawn_curves_scatter_with_the_stated_variance():
         np.where(is_measured, variance_of_log(waves), np.nan),
     )
     wavevector, mean, variance = smooth_curve(*points)
-    drawn_logs = np.log([smooth_curve(*points, generator(23, draw))[1] for draw in range(400)])
+    sampled_logs = np.log([smooth_curve(*points, generator(23, draw))[1] for draw in range(400)])
     np.testing.assert_allclose(
-        drawn_logs.std(axis=0), np.sqrt(variance - CALIBRATION_SCATTER**2), rtol=0.15
+        sampled_logs.std(axis=0), np.sqrt(variance - CALIBRATION_SCATTER**2), rtol=0.15
     )
-    assert (np.abs(drawn_logs.mean(axis=0) - np.log(mean)) < 0.25 * drawn_logs.std(axis=0)).all()
+    assert (
+        np.abs(sampled_logs.mean(axis=0) - np.log(mean)) < 0.25 * sampled_logs.std(axis=0)
+    ).all()
     # A power law has no bends: it is its own mean.
     slope = np.where(is_measured, BIN_CENTRES**-3.0, np.nan)
     np.testing.assert_allclose(smooth_curve(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)

@@ -17,7 +17,7 @@ from hardcontact.surfaces.protrusions import (
     Protrusions,
     PublishedRoughness,
     add_protrusions,
-    draw_protrusions,
+    sample_protrusions,
 )
 
 POLISHED = PublishedRoughness(3.2, 0.04, 0.05, 1.0)
@@ -51,9 +51,9 @@ def test_rms_height_and_slope_follow_campbells_theorem(density, width):
 
 
 @pytest.mark.parametrize("on_sphere", [False, True])
-def test_drawn_protrusions_keep_within_the_published_roughness(on_sphere):
+def test_sampled_protrusions_keep_within_the_published_roughness(on_sphere):
     rng = np.random.default_rng(2)
-    surfaces = [draw_protrusions(rng, POLISHED, on_sphere) for _ in range(2000)]
+    surfaces = [sample_protrusions(rng, POLISHED, on_sphere) for _ in range(2000)]
     densities = np.array([protrusions.density for protrusions in surfaces])
     assert (densities == 0).mean() == pytest.approx(SHARE_WITHOUT_PROTRUSIONS, abs=0.03)
     rms_heights = np.array([3.2 * protrusions.rms_height for protrusions in surfaces])

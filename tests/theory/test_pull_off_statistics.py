@@ -47,17 +47,17 @@ def flat_contact(modulus, clumps=0.0):
     return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
-def drawn_sums(modulus, places=4000, points=400):
+def sampled_sums(modulus, places=4000, points=400):
     """Return sums of clumps over places: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
     rng = generator(1, "clumps")
     arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
     level = apex_levels(spectrum_between(SURFACE, 0, np.inf), FLAT, 0.0).mean()
-    radii = rng.choice(drawn_radii(rng, level), (places, points))
+    radii = rng.choice(sampled_radii(rng, level), (places, points))
     return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
 
 
-def drawn_radii(rng, level, count=400000):
-    """Return 1/sqrt(K) of summits of SURFACE, drawn by the curvatures of points at a level."""
+def sampled_radii(rng, level, count=400000):
+    """Return 1/sqrt(K) of summits of SURFACE, sampled by the curvatures of points at a level."""
     # exp(-d²/2) has the fourth moment 3: h_xx and h_yy have the mean -t and the covariance
     # [[2, 0], [0, 2]] given the height t, h_xy the variance 1.
     xx, yy = -level + np.sqrt(2) * rng.standard_normal((2, count))
@@ -76,10 +76,10 @@ def test_the_mean_force_equals_the_closed_form(rho, low, high):
     assert low < force / closed_form(spectrum, contact, rough_below=False).force < high
 
 
-def test_radii_of_summits_scatter_like_drawn_radii():
+def test_radii_of_summits_scatter_like_sampled_radii():
     waves = spectrum_between(SURFACE, 0, np.inf)
     levels = apex_levels(waves, FLAT, 0.0)
-    radii = drawn_radii(generator(1, "radii"), levels.mean())
+    radii = sampled_radii(generator(1, "radii"), levels.mean())
     assert summit_variation(waves, levels) == pytest.approx(radii.std() / radii.mean(), rel=0.05)
 
 
@@ -128,7 +128,7 @@ def test_numbers_of_hard_discs_scatter_by_their_compressibility(cover):
 
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_like_sums_of_poisson_clumps(modulus):
-    law, sums = predict_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
+    law, sums = predict_statistics(SURFACE, flat_contact(modulus)), sampled_sums(modulus)
     assert law.spread == pytest.approx(np.log(sums).std(), rel=0.1)
     assert law.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
 

@@ -11,7 +11,7 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import summits
-from hardcontact.theory.summits import draw_size, moment, spectrum_between
+from hardcontact.theory.summits import moment, search_size, spectrum_between
 
 RADIUS = 250e3
 #: Radius of a sphere so flat that its highest summits obey the laws of high levels.
@@ -110,7 +110,7 @@ def test_a_sphere_follows_waves_flatter_than_itself():
 
 
 @pytest.mark.parametrize(("rms_height", "radius"), [(4.0, 50e3), (8.0, 20e3), (2.0, 100e3)])
-def test_the_highest_points_lie_within_the_draw_size_of_the_apex(rms_height, radius):
+def test_the_highest_points_lie_within_the_search_size_of_the_apex(rms_height, radius):
     pixels, pixel = 256, 40.0
     q = np.geomspace(2 * np.pi / (pixels * pixel), np.pi / pixel, 300)
     spectrum = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
@@ -124,5 +124,5 @@ def test_the_highest_points_lie_within_the_draw_size_of_the_apex(rms_height, rad
         for shift in product((0, 85, 170), repeat=2):  # the surface is periodic
             heights_above_sphere = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)
             distances.append(squares.flat[heights_above_sphere.argmax()])
-    reach = draw_size(spectrum, radius, 0.0) / 2
+    reach = search_size(spectrum, radius, 0.0) / 2
     assert np.sqrt(np.mean(distances)) == pytest.approx(reach, rel=0.15)

@@ -35,7 +35,7 @@ def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
 PAGE = {"answer_surfaces", "keep_configuration", "describe_crate"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_forces"}
 MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}
-SPECTRA = {"measure_spectrum", "draw_spectra", "aggregate_spectra"}
+SPECTRA = {"measure_spectrum", "sample_spectra", "aggregate_spectra"}
 #: The table of roughness of all surfaces, and its readers.
 TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_forces"}
 SCANS = {"prepare_scan"} | TOPOGRAPHY

@@ -52,7 +52,7 @@ FILTERED = {
     ),
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
-LEFT_OUT = {"substitutes", "stitched", "measurements", "measured_spectra", "drawn_spectra"}
+LEFT_OUT = {"substitutes", "stitched", "measurements", "measured_spectra", "sampled_spectra"}
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
 FOLDERS |= {f"filtered/{purpose}": keys for purpose, keys in FILTERED.items()}
 

@@ -2,7 +2,7 @@
 
 from hardcontact.config.model import NONE
 
-OF_ALL_REALIZATIONS = PATTERNS.drawn_spectrum.replace("/realization-{realization}", "")
+OF_ALL_REALIZATIONS = PATTERNS.sampled_spectrum.replace("/realization-{realization}", "")
 
 
 rule aggregate_spectra:
@@ -30,21 +30,21 @@ rule aggregate_spectra:
         "../scripts/aggregate_spectra.py"
 
 
-rule draw_spectra:
-    """Draw a spectrum for each realization, within what the measurements of a surface leave open."""
+rule sample_spectra:
+    """Sample a spectrum for each realization, within what the measurements of a surface leave open."""
     input:
         measurements=lambda w: FILES.measurements(w.surface),
-        code=code_inputs("draw_spectra.py"),
+        code=code_inputs("sample_spectra.py"),
     output:
         expand(
-            PATTERNS.drawn_spectrum,
+            PATTERNS.sampled_spectrum,
             realization=range(1, STUDY["scales"]["realizations"] + 1),
             allow_missing=True,
         ),
     log:
-        PATTERNS.log("draw_spectra", OF_ALL_REALIZATIONS),
+        PATTERNS.log("sample_spectra", OF_ALL_REALIZATIONS),
     benchmark:
-        PATTERNS.benchmark("draw_spectra", OF_ALL_REALIZATIONS)
+        PATTERNS.benchmark("sample_spectra", OF_ALL_REALIZATIONS)
     params:
         canonical=lambda w: canonical(
             {
@@ -55,7 +55,7 @@ rule draw_spectra:
             }
         ),
     script:
-        "../scripts/draw_spectra.py"
+        "../scripts/sample_spectra.py"
 
 
 rule predict_force:

@@ -5,7 +5,7 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: What random numbers of masters are for.
 PURPOSE_NAMES = {"sets": "variant", "enhancement": "variant", "scaling": "scaling"}
-DRAWN = [] if COMPARED else FILES.masters("drawn")
+SAMPLED = [] if COMPARED else FILES.masters("sampled")
 
 
 rule synthesize_masters:
@@ -80,7 +80,7 @@ rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
         masters=FILES.paths(PATTERNS.filtered, FILES.masters()),
-        drawn=FILES.paths(PATTERNS.filtered, DRAWN),
+        sampled=FILES.paths(PATTERNS.filtered, SAMPLED),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
@@ -92,7 +92,7 @@ rule aggregate_scales:
         canonical=canonical(
             {
                 "masters": [row.surface for row in FILES.masters()],
-                "drawn": [row.surface for row in DRAWN],
+                "sampled": [row.surface for row in SAMPLED],
                 "realizations": STUDY["scales"]["realizations"],
                 "load": FILES.contact.load,
                 **NAMED_SURFACES,

@@ -1,4 +1,4 @@
-# Sets: many equally good sets of substitute scans, drawn from pools, and the numbers of each.
+# Sets: many equally good sets of substitute scans, sampled from pools, and the numbers of each.
 
 from hardcontact.paper.evaluation import replicated_statements
 
@@ -50,7 +50,7 @@ rule compute_protruded:
 
 
 rule judge_sets:
-    """Draw all sets, and compute of each what the statements of the paper are about: sets.nc."""
+    """Sample all sets, and compute of each what the statements of the paper are about: sets.nc."""
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],

@@ -15,14 +15,14 @@ with job(snakemake) as job:
     master_forces = []
     for surfaces, paths in (
         (params["masters"], job.input.masters),
-        (params["drawn"], job.input.drawn),
+        (params["sampled"], job.input.sampled),
     ):
         files = [([surface], read(path)) for surface, path in zip(surfaces, paths, strict=True)]
         masters = single_masters(files, params["realizations"], params["load"])
         master_forces += [stacked_forces(masters)] if masters else []
-    forces, *drawn_spectrum_forces = master_forces
-    if drawn_spectrum_forces:  # There are none if all surfaces are substitutes.
-        forces = with_spectrum_shifts(forces, *drawn_spectrum_forces)
+    forces, *sampled_spectrum_forces = master_forces
+    if sampled_spectrum_forces:  # There are none if all surfaces are substitutes.
+        forces = with_spectrum_shifts(forces, *sampled_spectrum_forces)
     job.write(
         with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(
             {name: params[name] for name in ("rho", "sphere_radius")}

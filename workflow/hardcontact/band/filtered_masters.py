@@ -145,7 +145,7 @@ def varied_master(
     scan : str
         Path of a stitched scan.
     spectrum : str
-        Path of its spectrum. A spectrum drawn within its uncertainty has the attribute
+        Path of its spectrum. A spectrum sampled within its uncertainty has the attribute
         ``height_factor``, by which the heights of the scan are multiplied.
     scales : mapping
         Argument of `synthesize_master`.

@@ -103,13 +103,14 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 
 
 def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
-    """Draw means (samples, ...) of positive values of n independent scans (n, ...), in their unit.
+    """Return random means (samples, ...) of positive values of n independent scans (n, ...).
 
-    Their logarithms follow a multivariate Student's t distribution about the logarithm of the mean.
-    A sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)). Here d_i is ln x_i minus
-    the mean of ln x, z_i is normal, and c is chi-squared with n - 1 degrees of freedom. Elements
-    are distributed as in `student_log_interval`. They share z and c, which keeps their correlation.
-    NaN for fewer than two values.
+    They are in the unit of the values. Their logarithms follow a multivariate Student's t
+    distribution about the logarithm of the mean. A sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n -
+    1))/sqrt(c/(n - 1)). Here d_i is ln x_i minus the mean of ln x, z_i is normal, and c is
+    chi-squared with n - 1 degrees of freedom. Elements are distributed as in
+    `student_log_interval`. They share z and c, which keeps their correlation. NaN for fewer than
+    two values.
     """
     count = len(values)
     if count < 2:
@@ -201,7 +202,7 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
 class Sampling:
     """The number, seed and confidence of random samples from which intervals follow.
 
-    Samples are drawn by `student_log_samples` from means over scans or realizations, or from
+    Samples come from `student_log_samples` from means over scans or realizations, or from
     published numbers within their uncertainty.
     """
 

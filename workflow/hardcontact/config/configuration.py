@@ -27,7 +27,7 @@ REASONS = {
     "plasticity": "indents are computed for comparison with the paper's images of its sphere",
     "asperities": "patches are computed for comparison with statements of the paper",
     "classical": "classical models are fitted to the paper's forces",
-    "sets": "sets are drawn from substitutes for the paper's surfaces",
+    "sets": "sets are sampled from substitutes for the paper's surfaces",
     "robustness": "it varies how substitutes for the paper's surfaces are made",
     "claims": "claims are statements of the paper about its own surfaces",
     "figures": "the figures are the paper's; those of own surfaces are in the answer",

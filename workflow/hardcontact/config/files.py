@@ -297,7 +297,7 @@ class Files:
         self, purpose: str, surface: str, realizations: int, variant: str, probe: str
     ) -> list[FilteredMasters]:
         """Return the files of the first realizations of the masters of a surface."""
-        step = 1 if purpose in ("scales", "drawn") else MASTERS_CHUNK
+        step = 1 if purpose in ("scales", "sampled") else MASTERS_CHUNK
         names = self._grid_names(purpose, probe)
         settings = short_digest([self.filters(purpose), self._filter_values])
         return [
@@ -308,12 +308,12 @@ class Files:
     def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
         """Return the masters of the study on its own sphere.
 
-        Spectra are drawn only for measured surfaces.
+        Spectra are sampled only for measured surfaces.
         """
         surfaces = self._selection.substrates
         probe = self.probe
         count = self._configuration["scales"]["realizations"]
-        if purpose == "drawn":
+        if purpose == "sampled":
             surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
         if purpose == "scaling":
             count = self._configuration["insight"]["realizations"]
@@ -355,8 +355,8 @@ class Files:
                 for side in SIDES
             }
         spectra = [self.spectrum(surface, variant) for _ in realizations]
-        if row.purpose == "drawn":
-            pattern = self._patterns.drawn_spectrum
+        if row.purpose == "sampled":
+            pattern = self._patterns.sampled_spectrum
             spectra = [self.path(pattern, surface, realization=number) for number in realizations]
         return {
             "scans": [

@@ -198,7 +198,7 @@ class ElasticKeys(Keys):
     """
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, drawn at random; at most `contact.count` squared, all
+    """Contacts solved on each scan, sampled at random; at most `contact.count` squared, all
     contacts."""
 
 
@@ -215,7 +215,7 @@ class AsperitiesKeys(Keys):
     """Asperities."""
 
     contacts: ContactCount = 16
-    """Contacts examined on each scan, drawn at random; at most `contact.count` squared."""
+    """Contacts examined on each scan, sampled at random; at most `contact.count` squared."""
     ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
     """Ranges of adhesion, ascending."""
 
@@ -241,15 +241,15 @@ class SetLargeScaleKeys(Keys):
 class SetsKeys(Keys):
     """Sets.
 
-    Each set is as good as the substitute scans of the study. Sets are drawn from a pool. Each claim
-    reports the share of sets in which it holds. Robustness has the same contacts, pixels and
+    Each set is as good as the substitute scans of the study. Sets are sampled from a pool. Each
+    claim reports the share of sets in which it holds. Robustness has the same contacts, pixels and
     cutoffs. A larger `pool` and more realizations add scans and masters; existing ones stay.
     """
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
     """Number of sets."""
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
-    """Number of independent scans of each substrate from which sets are drawn."""
+    """Number of independent scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
     """Number of rms heights at which the forces of each scan of the pool are computed; between
     them forces are interpolated."""
@@ -259,7 +259,7 @@ class SetsKeys(Keys):
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20
-    """Masters of each substrate on each side, from which bands are drawn."""
+    """Masters of each substrate on each side, from which bands are sampled."""
     small: SetSmallScaleKeys = SetSmallScaleKeys()
     large: SetLargeScaleKeys = SetLargeScaleKeys()
 

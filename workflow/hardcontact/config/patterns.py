@@ -14,9 +14,9 @@ PUBLISHED_TABLES = {
 #: Name of the variant of a surface that the study itself is about.
 STUDY_VARIANT = "study"
 
-#: The purposes of filtered masters: the study, the study with drawn spectra, sets and robustness,
+#: The purposes of filtered masters: the study, the study with sampled spectra, sets and robustness,
 #: the scaling of the edges of the band, and how plasticity and range enhance each other.
-PURPOSES = ("scales", "drawn", "sets", "scaling", "enhancement")
+PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 
 _SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
 _REALIZATION = "{surface}/{variant}/realization-{realization}"
@@ -78,8 +78,8 @@ class Patterns:
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")
         self.large_master = self.master.replace("{side}", "large")
-        # A spectrum drawn within the uncertainty of the measurements.
-        self.drawn_spectrum = f"{folder['drawn_spectra']}/{_REALIZATION}.nc"
+        # A spectrum sampled within the uncertainty of the measurements.
+        self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
         grid = "{radii}/{loads}/{ranges}/{surface}/{variant}"
         self.mean_forces = f"{folder['mean_forces']}/{grid}/{{probe}}-sphere.nc"

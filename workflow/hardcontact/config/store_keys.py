@@ -26,7 +26,7 @@ _TRANSITIONS = ("scales.small.transition", "scales.large.transition")
 STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,
-    "drawn_spectra": (*_MEASURED, "seed"),
+    "sampled_spectra": (*_MEASURED, "seed"),
     "conditioning": _SUBSTITUTES,
     "substitutes": SCAN_KEYS,  # which are made with the scans
     "scans": SCAN_KEYS,

@@ -184,7 +184,7 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     scales : xarray.Dataset
         From `stacked_forces`, for masters with the most likely spectra.
     varied : xarray.Dataset
-        From `stacked_forces`, for masters with drawn spectra and the same random numbers.
+        From `stacked_forces`, for masters with sampled spectra and the same random numbers.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 """Whether scans and windows are large enough for the force, and pixels small enough.
 
-A sphere finds the summits that it touches within the draw size 2 sqrt(2 R sigma/t), where it comes
-to rest t rms heights sigma above the mean plane (`theory.summits`). A smaller scan, mirrored,
+A sphere finds the summits that it touches within the search size 2 sqrt(2 R sigma/t), where it
+comes to rest t rms heights sigma above the mean plane (`theory.summits`). A smaller scan, mirrored,
 shows the same summits everywhere, and the force on it is too large.
 """
 
@@ -13,44 +13,44 @@ from scipy.special import erf
 
 from hardcontact.contact.contact import Contact
 
-#: By the size of a window relative to the draw size: the smallest and the largest mean force on
+#: By the size of a window relative to the search size: the smallest and the largest mean force on
 #: mirrored windows up to this size, relative to the random surface of 20 µm from which they were
 #: cut. Measured on ten Gaussian surfaces of rms height 2 to 50 nm (roll-off 300 to 2000 nm, H = 0.5
 #: to 0.84), 24 each, R = 20 to 250 µm, rho = 2 and 5.6 nm, windows of 0.6 to 10 µm, each ratio
 #: within 1 to 10 %. Larger windows had 0.95 to 1.14.
 RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)}
-#: Size relative to the draw size from which a scan is large enough, and the smallest tested one.
+#: Size relative to the search size from which a scan is large enough, and the smallest tested one.
 LARGE_ENOUGH = max(RATIOS)
 SMALLEST_TESTED = 0.12
 
 
-def finite_scan_ratio(size: float, draw_size: float) -> tuple[float, float]:
+def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
     """Return the smallest and largest force on a scan relative to a large one, from RATIOS."""
-    ratios = (ratio for limit, ratio in RATIOS.items() if size < limit * draw_size)
+    ratios = (ratio for limit, ratio in RATIOS.items() if size < limit * search_size)
     return next(ratios, (1.0, 1.0))
 
 
 def with_sizes(
-    force: xr.Dataset, topography: xr.Dataset, contact: Contact, draw_sizes: Mapping[str, float]
+    force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
 ) -> xr.Dataset:
     """Return predicted forces (surface) with sizes of scans, window and pixels.
 
-    The topography has ``scan_size`` and ``pixel_size`` (surface) in nm; draw sizes (nm) are by
+    The topography has ``scan_size`` and ``pixel_size`` (surface) in nm; search sizes (nm) are by
     surface. The attraction of a smooth sphere is proportional to exp(-r²/(2 R rho)) at the distance
     r from its apex (Eq. 3 of the paper). A square window of the edge L therefore holds the share
     erf(L/sqrt(8 R rho))² of it.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
-    lengths = [draw_sizes[name] for name in force["surface"].values.tolist()]
+    lengths = [search_sizes[name] for name in force["surface"].values.tolist()]
     sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
-    ratios = [finite_scan_ratio(size, draw_size) for size, draw_size in sizes]
+    ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
     share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
     share_attributes = {
         "units": "1",
         "long_name": "share of the attraction of a smooth sphere within the window",
     }
     return force.assign(
-        draw_size=("surface", lengths, {"units": "nm"}),
+        search_size=("surface", lengths, {"units": "nm"}),
         finite_scan_ratio=(("surface", "bound"), ratios, {"units": "1"}),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
         window_share=("rho", share, share_attributes),

@@ -78,7 +78,7 @@ def contact_positions(pixels: int, contacts_per_side: int) -> NDArray[np.int_]:
 def sampled_contacts(
     rng: np.random.Generator, contacts_per_side: int, contacts: int
 ) -> NDArray[np.int_]:
-    """Draw places (contacts, 2) from the array of all contacts, each at most once.
+    """Sample places (contacts, 2) from the array of all contacts, each at most once.
 
     With the same generator a larger sample contains the smaller one.
     """

@@ -2,7 +2,7 @@
 
 At each contact, pixels of the softer sphere that penetrate the substrate are flattened, and stay
 flat. The model has no elastic recovery, hardening, pile-up beside an indent, wear or transfer.
-Places are drawn at random on a large random surface: in a mirrored scan every summit would press
+Places are sampled at random on a large random surface: in a mirrored scan every summit would press
 its indent into the points of a lattice.
 """
 

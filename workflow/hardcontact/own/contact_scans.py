@@ -12,7 +12,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH
 from hardcontact.own.inventory import Entry, entries_by_surface
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
-from hardcontact.theory.summits import draw_size
+from hardcontact.theory.summits import search_size
 
 #: Fewest pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
 MIN_RADIUS_PIXELS = 32
@@ -20,10 +20,10 @@ MIN_RADIUS_PIXELS = 32
 Group = list[Entry]
 
 
-def draw_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> dict[str, float]:
-    """Return the draw size (nm) of each surface but the sphere's.
+def search_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> dict[str, float]:
+    """Return the search size (nm) of each surface but the sphere's.
 
-    A contact finds its summits within the draw size. The largest of a surface's scans counts.
+    A contact finds its summits within the search size. The largest of a surface's scans counts.
     """
     sizes: dict[str, float] = {}
     for entry in entries:
@@ -31,18 +31,18 @@ def draw_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> 
         is_measured = np.isfinite(entry.density)
         if surface != sphere:
             spectrum = Spectrum(BIN_CENTRES[is_measured], entry.density[is_measured])
-            size = draw_size(spectrum, probe.radius, probe.area)
+            size = search_size(spectrum, probe.radius, probe.area)
             sizes[surface] = max(size, sizes.get(surface, 0.0))
     return sizes
 
 
 def contact_scans(
-    entries: Sequence[Entry], sphere: str | None, probe: Contact, draw_sizes: Mapping[str, float]
+    entries: Sequence[Entry], sphere: str | None, probe: Contact, search_sizes: Mapping[str, float]
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, those of a surface on one grid, and reasons.
 
     Grids that resolve the interaction radius come first. Among these, the smallest grid that is
-    large enough for the largest draw size of all surfaces is taken, or else the largest grid.
+    large enough for the largest search size of all surfaces is taken, or else the largest grid.
     Surfaces are therefore compared on scans of one size where possible.
 
     Parameters
@@ -53,8 +53,8 @@ def contact_scans(
         Id of the sphere's surface; None for a smooth sphere.
     probe : Contact
         The sphere, with its radius and range of adhesion in nm.
-    draw_sizes : mapping of str to float
-        The draw size (nm) of each surface, from `draw_sizes`.
+    search_sizes : mapping of str to float
+        The search size (nm) of each surface, from `search_sizes`.
 
     Returns
     -------
@@ -68,7 +68,7 @@ def contact_scans(
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []
-    large_enough = LARGE_ENOUGH * max(draw_sizes.values())
+    large_enough = LARGE_ENOUGH * max(search_sizes.values())
     selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():
@@ -78,7 +78,7 @@ def contact_scans(
         if len(surface_groups) > 1:
             is_small = group[0].size < large_enough
             reason = "they come nearest to" if is_small else "the smallest of at least"
-            reason += f" {format_length(large_enough)}, twice the draw size 2 sqrt(2 R sigma/t)"
+            reason += f" {format_length(large_enough)}, twice the search size 2 sqrt(2 R sigma/t)"
         selected += group
         reasons.append(f"{surface}: {_group_in_words(group)}: {reason}")
     if sphere is not None:

@@ -1,6 +1,6 @@
 """Forces on the masters of one surface, and the intervals of their means.
 
-A master is a scan with artificial roughness, and each realization draws its own roughness. The mean
+A master is a scan with artificial roughness, and each realization has its own roughness. The mean
 over realizations therefore varies with the scans and, on the same scans, with the random numbers.
 """
 
@@ -88,7 +88,7 @@ def half_width_over_masters(
     another seed moves all of them at once. The variance of a mean over realizations is therefore
     added. Since the quarters already contain a share of it, the interval is rather too wide.
     Another spectrum that the measurements also allow moves all realizations at once, too. If
-    spectra were drawn, the mean square of their shifts (realization, ...) is added.
+    spectra were sampled, the mean square of their shifts (realization, ...) is added.
     """
 
     def contact_statistic(kept_contacts: xr.DataArray) -> xr.DataArray:

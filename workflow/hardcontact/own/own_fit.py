@@ -57,7 +57,7 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
 
 
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Draw mean forces (samples,) in N of a log-normal distribution from a few tests.
+    """Sample mean forces (samples,) in N of a log-normal distribution from a few tests.
 
     The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
     with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
@@ -69,10 +69,10 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
         return np.full(samples, np.nan)
     freedom = tests.test_count - 1
     variance = tests.log_std**2
-    drawn_variance = variance * freedom / rng.chisquare(freedom, samples)
+    sampled_variance = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
-    deviation = (drawn_variance - variance) / 2 - normal * np.sqrt(
-        drawn_variance / tests.test_count
+    deviation = (sampled_variance - variance) / 2 - normal * np.sqrt(
+        sampled_variance / tests.test_count
     )
     return np.asarray(
         tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
@@ -165,7 +165,7 @@ def fit_measured(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
-    """Draw mean forces (sample, rho) of a surface, with the same random numbers at every range."""
+    """Sample mean forces (sample, rho) of a surface: the same random numbers at every range."""
     deviations = [
         sampled_deviations(
             sampling.generator("scans", surface), delete_one_log_means, scan_parts, sampling.samples

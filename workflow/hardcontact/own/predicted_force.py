@@ -34,7 +34,7 @@ from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.edge_scaling import regime_coordinates
 from hardcontact.theory.force_scatter import force_scatter
 from hardcontact.theory.hard_contact import tabor
-from hardcontact.theory.summits import draw_size
+from hardcontact.theory.summits import search_size
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
@@ -89,11 +89,11 @@ def own_force(
         name: spectrum_of_dataset(spectra.sel(surface=name))
         for name in force["surface"].values.tolist()
     }
-    draw_sizes = {
-        name: draw_size(spectrum, contact.radius, contact.area)
+    search_sizes = {
+        name: search_size(spectrum, contact.radius, contact.area)
         for name, spectrum in spectra_by_surface.items()
     }
-    force = with_sizes(force, topography, contact, draw_sizes)
+    force = with_sizes(force, topography, contact, search_sizes)
     scatter = force_scatter(
         spectra_by_surface,
         contact,

@@ -17,7 +17,7 @@ from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.own.contact_scans import contact_scans, draw_sizes
+from hardcontact.own.contact_scans import contact_scans, search_sizes
 from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_contradiction_lines
 from hardcontact.own.window_choice import choose_window, count_tiles
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
@@ -112,7 +112,7 @@ def propose(
     ValueError
         If surfaces have no height map, with a line for each, or scans too different for one study.
     """
-    sizes = draw_sizes(entries, sphere, probe)
+    sizes = search_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, sizes)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
@@ -185,7 +185,7 @@ def _contact_cautions(
     usual_range: float,
     contact: Contact,
     reasons: Mapping[str, str],
-    draw_size_of: Mapping[str, float],
+    search_size_of: Mapping[str, float],
 ) -> Iterator[str]:
     """Yield cautions about contacts on these scans, as sentences for the user."""
     if contact.range > usual_range:
@@ -206,14 +206,14 @@ def _contact_cautions(
             f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
             "on the scans"
         )
-    for surface, draw_size in draw_size_of.items():
+    for surface, search_size in search_size_of.items():
         size = min(scan.size for scan in substrates if scan.source.surface == surface)
-        low, high = finite_scan_ratio(size, draw_size)
+        low, high = finite_scan_ratio(size, search_size)
         if high > 1:
             yield (
                 f"{surface}: the sphere finds its highest summits within some "
-                f"{format_length(draw_size)}. Scans of {LARGE_ENOUGH:g} times this size are large "
-                f"enough, these are {format_length(size)} wide: forces come out {low:g} to "
+                f"{format_length(search_size)}. Scans of {LARGE_ENOUGH:g} times this size are "
+                f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
                 f"{high:g} times too high"
             )
 

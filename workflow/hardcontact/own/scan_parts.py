@@ -217,7 +217,7 @@ def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
 def sampled_deviations(
     rng: np.random.Generator, logarithms: np.ndarray, scan_parts: ScanParts, samples: int
 ) -> np.ndarray:
-    """Draw deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
+    """Sample deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
     They follow Student's t, as in `half_width`; `logarithms` (part, ...) come from
     `delete_one_logarithms`. With the same generator, parts that differ only in their correlation

@@ -27,12 +27,12 @@ MIN_FORCE_RATIO = 1e-3
 
 
 def sample_roughness(
-    rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, draws: int
+    rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, samples: int
 ) -> Roughness:
-    """Draw samples of the roughness within its uncertainty.
+    """Sample the roughness within its uncertainty.
 
-    Every number is drawn independently from a normal distribution, truncated at zero. The published
-    ± is its standard deviation.
+    Every number is sampled independently from a normal distribution, truncated at zero. The
+    published ± is its standard deviation.
 
     Parameters
     ----------
@@ -40,15 +40,15 @@ def sample_roughness(
         Random numbers.
     mean, uncertainty : Roughness
         Mean and standard deviation (surface,).
-    draws : int
+    samples : int
         Number of samples.
 
     Returns
     -------
     Roughness
-        Samples (draws, surface).
+        Samples (samples, surface).
     """
-    size = draws, len(mean.height)
+    size = samples, len(mean.height)
     return Roughness(
         *(
             truncnorm.rvs(-centre / spread, np.inf, centre, spread, size=size, random_state=rng)
@@ -142,7 +142,7 @@ def compare_models(
     Parameters
     ----------
     mean, samples : Roughness
-        Roughness (surface,), and its samples (draws, surface), which give the intervals.
+        Roughness (surface,), and its samples (samples, surface), which give the intervals.
     sphere : ElasticSphere
         The sphere and its materials.
     work : float
@@ -184,7 +184,7 @@ def power_laws(
     Parameters
     ----------
     mean, samples : Roughness
-        Roughness (surface,), and its samples (draws, surface), which give the intervals.
+        Roughness (surface,), and its samples (samples, surface), which give the intervals.
     works : mapping of str to numpy.ndarray
         Effective works of adhesion (surface,) in J/m², by the name of the forces.
     sampling : Sampling

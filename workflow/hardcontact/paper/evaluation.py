@@ -332,7 +332,7 @@ def _claim_interval(
 def _stability(
     claim: Any, row: Mapping[str, Any], sets: xr.Dataset, confidence: float, seed: int
 ) -> float:
-    """Return the share of redrawn sets that keep the verdict, NaN if it does not depend on sets."""
+    """Return the share of resamplings that keep the verdict, NaN if it does not depend on sets."""
     replicas = _claim_replicas(claim, sets)
     if not replicas_vary(replicas) or row["verdict"] in FIXED_VERDICTS:
         return np.nan

@@ -1,4 +1,4 @@
-"""Sets of scans, drawn from a pool and judged like the scans of the study.
+"""Sets of scans, sampled from a pool and judged like the scans of the study.
 
 A set consists of scans of a pool. Each scan gets a new rms height, from which its forces follow.
 """
@@ -25,10 +25,10 @@ from hardcontact.surfaces.roughness_table import scan_averages
 Floats = NDArray[np.float64]
 
 #: Scans of one set, by substrate.
-DrawnScans = Mapping[str, xr.Dataset]
+SampledScans = Mapping[str, xr.Dataset]
 
-#: Largest number of draws in search of a set with possible heights.
-MAX_DRAWS = 1000
+#: Largest number of tries to find a set with possible heights.
+MAX_TRIES = 1000
 #: Metrics that do not change with the height of a scan.
 HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
 #: Variables of the inference of a set that sets.nc contains.
@@ -52,7 +52,7 @@ class Sources(NamedTuple):
 
 
 class SetSettings(NamedTuple):
-    """Settings of the draws and of the judgement."""
+    """Settings of the sampling and of the judgement."""
 
     seed: int  #: Seed of the study.
     replicates: int  #: Number of sets.
@@ -106,11 +106,11 @@ def gather_sources(
     )
 
 
-def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
-    """Draw a set of scans of one substrate from its pool, without replacement.
+def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
+    """Sample a set of scans of one substrate from its pool, without replacement.
 
     The rms heights of the set get the mean and the deviation of the pool. With six scans or more a
-    height may be negative. A set with a height below all heights of the pool is therefore drawn
+    height may be negative. A set with a height below all heights of the pool is therefore sampled
     again.
 
     Parameters
@@ -136,14 +136,14 @@ def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dat
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]
     deviation = pool.attrs["rms_height_deviation"]
-    for _ in range(MAX_DRAWS):
+    for _ in range(MAX_TRIES):
         pool_scans = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
         heights = scale_rms_heights(pool_scans["rms_height"].values, mean, deviation)
         if heights.min() >= lowest * (1 - 1e-9):
             return _scale_scans(pool_scans, heights)
     raise ValueError(
         f"expected sets of {scans} scans with rms heights of {mean:.3g} +- {deviation:.3g} nm, "
-        f"found none above {lowest:.3g} nm in {MAX_DRAWS} tries"
+        f"found none above {lowest:.3g} nm in {MAX_TRIES} tries"
     )
 
 
@@ -195,19 +195,19 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
     return (forces * factor).transpose(*forces.dims)
 
 
-def draw_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Draw the scans of a set for every substrate with a pool; as many as the study has."""
+def sample_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, xr.Dataset]:
+    """Sample the scans of a set for every substrate with a pool; as many as the study has."""
     counts = sources.topography["rms_height"].count("scan").to_series()
     return {
-        name: draw_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
+        name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in sources.pools.items()
     }
 
 
-def set_topography(study: xr.Dataset, drawn_scans: DrawnScans, confidence: float) -> xr.Dataset:
+def set_topography(study: xr.Dataset, sampled_scans: SampledScans, confidence: float) -> xr.Dataset:
     """Return the topography of a set, as in topography.nc: METRICS, their averages and labels."""
     surface_scans = [
-        drawn_scans[name] if name in drawn_scans else study.sel(surface=name, drop=True)
+        sampled_scans[name] if name in sampled_scans else study.sel(surface=name, drop=True)
         for name in study["surface"].values
     ]
     metrics = [scans[list(METRICS)] for scans in surface_scans]
@@ -220,19 +220,21 @@ def set_topography(study: xr.Dataset, drawn_scans: DrawnScans, confidence: float
 
 
 def set_adhesion(
-    sources: Sources, drawn_scans: DrawnScans, seed: int, set_number: int
+    sources: Sources, sampled_scans: SampledScans, seed: int, set_number: int
 ) -> xr.Dataset:
     """Return the pull-off forces of a set, as in adhesion.nc.
 
-    Forces of drawn scans are their forces on a smooth sphere times the factor of the rough sphere.
-    Other substrates keep their scans and get another mean.
+    Forces of sampled scans are their forces on a smooth sphere times the factor of the rough
+    sphere. Other substrates keep their scans and get another mean.
     """
     study = sources.adhesion
     surface_forces = []
     for surface in study["surface"].values.tolist():
-        if surface in drawn_scans:
+        if surface in sampled_scans:
             factor = sources.sphere_factor.sel(surface=surface, drop=True)
-            forces = (drawn_scans[surface]["pull_off_force"] * factor).expand_dims(sphere_scan=[1])
+            forces = (sampled_scans[surface]["pull_off_force"] * factor).expand_dims(
+                sphere_scan=[1]
+            )
         else:
             study_forces = study["pull_off_force"].sel(surface=surface, drop=True)
             study_forces = study_forces.dropna("scan", how="all").dropna("sphere_scan", how="all")
@@ -248,15 +250,15 @@ def set_adhesion(
 def set_band(
     masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
-    """Return the critical band of masters of each substrate, drawn with replacement."""
+    """Return the critical band of masters of each substrate, sampled with replacement."""
     surface_ratios = []
     for surface in masters["surface"].values.tolist():
         study_ratio = (
             masters["filtered_force_ratio"].sel(surface=surface).dropna("realization", how="all")
         )
         rng = generator(sampling.seed, surface, set_number, "set", "masters")
-        drawn_masters = rng.choice(study_ratio.realization, realizations)
-        ratio = study_ratio.sel(realization=drawn_masters)
+        sampled_masters = rng.choice(study_ratio.realization, realizations)
+        ratio = study_ratio.sel(realization=sampled_masters)
         ratio = ratio.assign_coords(realization=range(realizations))
         surface_ratios.append(ratio.drop_vars("surface"))
     ratio = xr.concat(surface_ratios, masters["surface"])
@@ -272,7 +274,7 @@ def judge_sets(
     published: PublishedFit,
     settings: SetSettings,
 ) -> xr.Dataset:
-    """Draw all sets and compute the numbers of each.
+    """Sample all sets and compute the numbers of each.
 
     Parameters
     ----------
@@ -283,7 +285,7 @@ def judge_sets(
     published : PublishedFit
         Published forces, range and work of adhesion.
     settings : SetSettings
-        Settings of the draws and of the judgement.
+        Settings of the sampling and of the judgement.
 
     Returns
     -------
@@ -320,13 +322,13 @@ def _set_datasets(
 ) -> dict[str, xr.Dataset]:
     """Return the datasets of one set by the names that claims give them."""
     sampling = Sampling(settings.seed, 0, settings.confidence)
-    drawn_scans = draw_set_scans(sources, settings.seed, set_number)
-    adhesion = set_adhesion(sources, drawn_scans, settings.seed, set_number)
+    sampled_scans = sample_set_scans(sources, settings.seed, set_number)
+    adhesion = set_adhesion(sources, sampled_scans, settings.seed, set_number)
     band = set_band(
         sources.masters, settings.realizations, settings.tolerance, sampling, set_number
     )
     return {
-        "topography": set_topography(sources.topography, drawn_scans, settings.confidence),
+        "topography": set_topography(sources.topography, sampled_scans, settings.confidence),
         "adhesion": adhesion,
         "inference": infer(
             adhesion,

@@ -1,4 +1,4 @@
-"""Pool of substitute scans from which sets are drawn: forces of each scan at several rms heights.
+"""Pool of substitute scans from which sets are sampled: forces of each scan at several rms heights.
 
 A set multiplies the heights of each of its scans by a factor. Forces on a smooth sphere are
 computed at a few rms heights, which span all heights of sets, and are interpolated between them.
@@ -21,7 +21,7 @@ from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
 from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 #: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
@@ -174,7 +174,7 @@ def _pool_scan(number: int, sources: PoolSources) -> xr.Dataset:
     """Return the forces and the roughness of one scan."""
     spectrum, _, rms_heights, settings = sources
     rng = generator(settings["seed"], settings["surface"], number, "pool")
-    scan = level(draw_scan(rng, spectrum, settings["scan"]))
+    scan = level(sample_scan(rng, spectrum, settings["scan"]))
     return forces_at_heights(scan, rms_heights, settings["contact"], settings["ranges"])
 
 

@@ -23,8 +23,8 @@ from hardcontact.paper.leave_one_out import fitted_pairs
 from hardcontact.paper.pool import PoolSettings, PoolSources
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.protrusions import PublishedRoughness, add_protrusions, draw_protrusions
-from hardcontact.surfaces.substitute_scans import draw_scan
+from hardcontact.surfaces.protrusions import PublishedRoughness, add_protrusions, sample_protrusions
+from hardcontact.surfaces.substitute_scans import sample_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 #: Largest factor between computed and published force of a set that agrees. It holds for the mean
@@ -127,12 +127,12 @@ def _protruded_forces(
     coating = settings["surface"]
     sphere_is_protruded = protruded_body != coating
     protrusion_rng = generator(seed, protruded_body, draw_number, "protrusions")
-    protrusions = draw_protrusions(protrusion_rng, roughness, sphere_is_protruded)
+    protrusions = sample_protrusions(protrusion_rng, roughness, sphere_is_protruded)
     scan_rngs = [
         generator(seed, coating, draw_number, scan_number, "protruded scan")
         for scan_number in range(1, scan_count + 1)
     ]
-    unscaled_scans = [level(draw_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
+    unscaled_scans = [level(sample_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
     rms_heights = np.array([scan.heights.std() for scan in unscaled_scans])
     target_rms_heights = scale_rms_heights(
         rms_heights, targets.means["rms_height"], targets.rms_height_std

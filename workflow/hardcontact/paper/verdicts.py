@@ -24,9 +24,9 @@ VERDICTS = (
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
 ONE_SIDED = ("below", "above", "order")
-#: Number of redraws of all sets: a share near 0.9 has an error of 0.015.
-REDRAWS = 400
-#: Smallest share of the redraws that keeps a stable verdict.
+#: Number of resamplings of all sets: a share near 0.9 has an error of 0.015.
+RESAMPLINGS = 400
+#: Smallest share of the resamplings that keeps a stable verdict.
 MIN_STABILITY = 0.95
 
 
@@ -199,10 +199,10 @@ def stability(
     confidence: float,
     rng: np.random.Generator,
 ) -> float:
-    """Return the share of redraws of all sets that keep the verdict.
+    """Return the share of resamplings of all sets that keep the verdict.
 
     Another seed gives other sets, and the study is another set. Both are simulated from the present
-    sets: all sets are drawn again with replacement, and one of them is taken for the study (the
+    sets: all sets are sampled again with replacement, and one of them is taken for the study (the
     bootstrap: B. Efron, The Annals of Statistics 7, 1979, 1).
 
     Parameters
@@ -221,13 +221,13 @@ def stability(
     Returns
     -------
     float
-        Share of `REDRAWS` redraws.
+        Share of `RESAMPLINGS` resamplings.
     """
-    redrawn_sets = rng.choice(replicas, size=(len(replicas), REDRAWS))
-    study_numbers = rng.choice(replicas, size=REDRAWS)
-    low, high = stretch_interval(sets_interval(redrawn_sets, confidence), study_numbers)
-    redraws = zip(study_numbers.tolist(), low.tolist(), high.tolist(), strict=True)
-    return float(np.mean([judge(*redraw) == original_verdict for redraw in redraws]))
+    resampled_sets = rng.choice(replicas, size=(len(replicas), RESAMPLINGS))
+    study_numbers = rng.choice(replicas, size=RESAMPLINGS)
+    low, high = stretch_interval(sets_interval(resampled_sets, confidence), study_numbers)
+    numbers_and_ends = zip(study_numbers.tolist(), low.tolist(), high.tolist(), strict=True)
+    return float(np.mean([judge(*ends) == original_verdict for ends in numbers_and_ends]))
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:

@@ -145,16 +145,16 @@ def _small_scans(datasets: Datasets) -> list[dict[str, Any]]:
     if high == 1:
         return []
     size = datasets.topography["scan_size"].item()
-    draw_size = datasets.force["draw_size"].item()
+    search_size = datasets.force["search_size"].item()
     return [
         {
             "code": "small_scan",
             "size": Number("size", size, "nm"),
-            "draw_size": Number("draw_size", draw_size, "nm"),
-            "share": Number("share", size / draw_size),
+            "search_size": Number("search_size", search_size, "nm"),
+            "share": Number("share", size / search_size),
             "ratio": bounds_only("ratio", low, high),
             "tried": Number(
-                "tried", SMALLEST_TESTED if size / draw_size < SMALLEST_TESTED else np.nan
+                "tried", SMALLEST_TESTED if size / search_size < SMALLEST_TESTED else np.nan
             ),
         }
     ]

@@ -104,7 +104,7 @@ def _scatter(force: xr.Dataset) -> dict[str, Any]:
     """Return the modulus k of a surface, and the number and distance of contacts for a mean."""
     names = ("weibull_modulus", "contacts_needed")
     numbers = {name: number_of(force, name, "1", strict=False) for name in names}
-    return numbers | {"draw_size": number_of(force, "draw_size", "nm")}
+    return numbers | {"search_size": number_of(force, "search_size", "nm")}
 
 
 def _origin_of_force(data: Datasets) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     SpectrumFunction,
     spectrum_of_dataset,
 )
-from hardcontact.surfaces.substitute_scans import ScanGrid, draw_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 
 #: Ratio of each metric of an isotropic surface to its rms height, rms gradient or rms
@@ -264,7 +264,7 @@ def condition_group(
         matrices = []
         for make_generator in generator_functions.values():
             components = [
-                level(draw_scan(make_generator(), component_spectrum, grid))
+                level(sample_scan(make_generator(), component_spectrum, grid))
                 for component_spectrum in component_spectra
             ]
             matrices.append(metric_matrices(components, list(targets.means)))

@@ -141,12 +141,12 @@ def joined_spectrum(
     )
 
 
-def draw_spectra(
+def sample_spectra(
     rngs: Iterable[np.random.Generator],
     measurements: Sequence[Measurement],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Draw spectra of a surface within the uncertainty of its measurements.
+    """Sample spectra of a surface within the uncertainty of its measurements.
 
     Each draw varies the power in each bin, for its finite number of waves, and the bends between
     bins. It varies the calibrations, the Hurst exponent of the tail and the roll-off. Unknown tip

@@ -77,7 +77,7 @@ def smooth_curve(
     density, variance : numpy.ndarray
         (bins,) C_iso in nm⁴, NaN in gaps, and the variance of ln C from the number of waves.
     rng : numpy.random.Generator or None
-        Draws one curve of the posterior; None for its mean.
+        Samples one curve of the posterior; None for its mean.
 
     Returns
     -------

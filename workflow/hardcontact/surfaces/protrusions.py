@@ -48,12 +48,12 @@ class PublishedRoughness(NamedTuple):
     max_sphere_rms_height: float  #: Largest rms height of the sphere in nm.
 
 
-def draw_protrusions(
+def sample_protrusions(
     rng: np.random.Generator, roughness: PublishedRoughness, on_sphere: bool
 ) -> Protrusions:
-    """Draw the protrusions of a surface; density and height are 0 for a surface without any.
+    """Sample the protrusions of a surface; density and height are 0 for a surface without any.
 
-    Protrusions are drawn again until the published roughness permits them.
+    Protrusions are sampled again until the published roughness permits them.
     """
     while True:
         density = float(np.exp(rng.uniform(*np.log(DENSITY_BOUNDS))))

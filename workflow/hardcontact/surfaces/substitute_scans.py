@@ -32,8 +32,8 @@ def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
     return replace(surface, heights=heights, periodic=False)
 
 
-def draw_scan(rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid) -> HeightMap:
-    """Draw a scan: the corner of a random surface with C_iso `density` in nm⁴."""
+def sample_scan(rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid) -> HeightMap:
+    """Sample a scan: the corner of a random surface with C_iso `density` in nm⁴."""
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     return cut_scan(surface, grid.pixels)
 

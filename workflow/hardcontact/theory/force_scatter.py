@@ -16,7 +16,7 @@ from hardcontact.base.statistics import lognormal_shape
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.pull_off_statistics import over_scans, predict_statistics
-from hardcontact.theory.summits import draw_size
+from hardcontact.theory.summits import search_size
 
 #: Relative error of a mean force, for which contacts and scans are counted.
 MEAN_ERROR = 0.05
@@ -56,7 +56,7 @@ def force_scatter(
         ``log_force_std``, and over places and scans, ``total_log_force_std``, and the latter from
         mean and median as of published forces (`lognormal_shape`), ``total_lognormal_shape``;
         ``contacts_needed`` for the mean of a surface, and ``scans_needed``, of one contact each,
-        for that of all. Over surface ``draw_size`` (nm) between independent places.
+        for that of all. Over surface ``search_size`` (nm) between independent places.
     """
     quantile = special.ndtri((1 + confidence) / 2)
     rows = []
@@ -81,13 +81,13 @@ def force_scatter(
             )
     table = pd.DataFrame(rows)
     shape = (len(spectra), len(ranges))
-    sizes = [draw_size(spectrum, contact.radius, contact.area) for spectrum in spectra.values()]
+    sizes = [search_size(spectrum, contact.radius, contact.area) for spectrum in spectra.values()]
     return xr.Dataset(
         {
             name: (("surface", "rho"), table[name].to_numpy().reshape(shape), {"units": "1"})
             for name in table
         }
-        | {"draw_size": ("surface", sizes, {"units": "nm"})},
+        | {"search_size": ("surface", sizes, {"units": "nm"})},
         {
             "surface": list(spectra),
             "rho": ("rho", list(ranges), {"units": "nm", "long_name": "range of adhesion"}),

@@ -198,7 +198,7 @@ def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats
     )
 
 
-def draw_size(spectrum: Spectrum, radius: float, area: float) -> float:
+def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
     """Return the edge 2 sqrt(2 R sigma/t) (nm) of the area in which a sphere finds its summits.
 
     At the distance r from the apex heights touch if they are r²/2R above the level t. At high

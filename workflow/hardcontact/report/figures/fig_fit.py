@@ -23,7 +23,7 @@ of the study; rings: its other minima. Dashed: the published range. Black point:
 Contact is plastic, in (a) also rigid. Vertical line and brackets in (a):
 {{ inference.confidence | percent }} interval of the least error over scans. Grey dots: best fit of
 each of many sets of substitute scans; a set is as good as the study's scans. The verdicts take the
-spread of these fits as interval. White dots in (b): fits to samples of the mean forces, drawn from
+spread of these fits as interval. White dots in (b): fits to samples of the mean forces, from
 the scatter of the scans. White line: around errors below the paper's threshold, if there are any.
 Bars at the black point: published uncertainty. Drawn from inference.nc, sets.nc and
 resources/paper/parameters.csv.

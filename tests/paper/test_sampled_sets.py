@@ -1,4 +1,4 @@
-"""Draws of sets: exact heights, forces against direct computation, sampled means."""
+"""Sampled sets: exact heights, forces against direct computation, sampled means."""
 
 from dataclasses import replace
 
@@ -12,55 +12,57 @@ from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
-from hardcontact.paper.judged_sets import draw_scans, scale_to_sampled_mean
+from hardcontact.paper.judged_sets import sample_scans, scale_to_sampled_mean
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import metrics, mirror_stitch
 
 POOL = range(1, 7)
 
 
-def test_drawn_heights_have_the_exact_mean_and_deviation():
-    drawn_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
-    heights = scale_rms_heights(drawn_heights, 3.2, 1.6)
+def test_sampled_heights_have_the_exact_mean_and_deviation():
+    sampled_heights = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
+    heights = scale_rms_heights(sampled_heights, 3.2, 1.6)
     assert heights.mean() == pytest.approx(3.2, rel=1e-12)
     assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
-    np.testing.assert_array_equal(np.argsort(heights), np.argsort(drawn_heights))
-    np.testing.assert_array_equal(scale_rms_heights(drawn_heights[:1], 3.2, 1.6), [3.2])
+    np.testing.assert_array_equal(np.argsort(heights), np.argsort(sampled_heights))
+    np.testing.assert_array_equal(scale_rms_heights(sampled_heights[:1], 3.2, 1.6), [3.2])
 
 
-def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_drawn_heights():
-    drawn_set = draw_scans(pool_of(*POOL), generator(1, "draw"), 5)
-    assert len(set(drawn_set["number"].values)) == 5
-    assert drawn_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
-    assert drawn_set["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
-    for _, drawn_scan in drawn_set.groupby("scan"):
-        scan = raw_scan(drawn_scan["number"].item())
-        height = drawn_scan["rms_height"].item()
+def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights():
+    sampled_set = sample_scans(pool_of(*POOL), generator(1, "draw"), 5)
+    assert len(set(sampled_set["number"].values)) == 5
+    assert sampled_set["rms_height"].mean().item() == pytest.approx(10.0, rel=1e-12)
+    assert sampled_set["rms_height"].std(ddof=1).item() == pytest.approx(4.0, rel=1e-12)
+    for _, sampled_scan in sampled_set.groupby("scan"):
+        scan = raw_scan(sampled_scan["number"].item())
+        height = sampled_scan["rms_height"].item()
         scaled = replace(scan, heights=scan.heights * height / scan.heights.std())
         for name, value in metrics(scaled).items():
-            assert drawn_scan[name].item() == pytest.approx(value, rel=1e-9)
+            assert sampled_scan[name].item() == pytest.approx(value, rel=1e-9)
         pair = bodies(mirror_stitch(scaled), None, CONTACT)
         direct = pull_off_of_pair(pair, CONTACT, SETTINGS["ranges"])["pull_off_force"].values
-        np.testing.assert_allclose(drawn_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15)
-        means = drawn_scan["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
+        np.testing.assert_allclose(
+            sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
+        )
+        means = sampled_scan["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")
         np.testing.assert_allclose(means.sel(rho=5.6), direct[:, 2].mean(axis=(1, 2)), rtol=1e-3)
         np.testing.assert_allclose(means, direct.mean(axis=(2, 3)), rtol=0.03)
 
 
-def test_every_scan_of_the_pool_is_drawn_equally_often():
+def test_every_scan_of_the_pool_is_sampled_equally_often():
     pool, draws = pool_of(*POOL), 300
-    numbers = [draw_scans(pool, generator(2, n), 2)["number"].values for n in range(draws)]
+    numbers = [sample_scans(pool, generator(2, n), 2)["number"].values for n in range(draws)]
     _, counts = np.unique(numbers, return_counts=True)
     assert (np.abs(counts - draws / 3) < 4 * np.sqrt(draws * 2 / 9)).all()
 
 
-def test_sets_that_would_need_a_flatter_scan_are_drawn_again_or_refused():
+def test_sets_that_would_need_a_flatter_scan_are_sampled_again_or_refused():
     wide = pool_of(*POOL).assign_attrs(rms_height_deviation=6.5)
     lowest = wide["rms_height_of_force"].min().item()
-    heights = np.array([draw_scans(wide, generator(3, n), 3)["rms_height"] for n in range(20)])
+    heights = np.array([sample_scans(wide, generator(3, n), 3)["rms_height"] for n in range(20)])
     assert (heights >= lowest * (1 - 1e-9)).all()
     np.testing.assert_allclose(heights.std(axis=1, ddof=1), 6.5)
-    message = refusal(draw_scans, wide.assign_attrs(rms_height_deviation=30.0), generator(3), 5)
+    message = refusal(sample_scans, wide.assign_attrs(rms_height_deviation=30.0), generator(3), 5)
     assert_says(message, "expected sets of 5 scans", "10 +- 30 nm", "found none")
 
 

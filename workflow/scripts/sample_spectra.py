@@ -1,8 +1,8 @@
-"""Spectra drawn within the uncertainty of the measurements of a surface, one per realization."""
+"""Spectra sampled within the uncertainty of the measurements of a surface, one per realization."""
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
-from hardcontact.surfaces.joined_spectrum import draw_spectra
+from hardcontact.surfaces.joined_spectrum import sample_spectra
 from hardcontact.surfaces.scans import flatten, read_stored
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
@@ -10,7 +10,7 @@ with job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     contact_scan_indices = params["contact_scan_indices"]
-    spectra = draw_spectra(
+    spectra = sample_spectra(
         (
             generator(params["seed"], surface, realization, "drawn spectrum")
             for realization in range(1, len(job.output) + 1)
