@@ -168,7 +168,7 @@ def edges(count=1):
         edge_bound_is_lower=(("surface", "side"), [[0] * 2] * count),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
         edge_interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
-        conditional=("surface", [0] * count),
+        interval_is_conditional=("surface", [0] * count),
         interval_source=("surface", ["scans"] * count),
         interval_scans=("surface", [SCANS] * count),
         label=("surface", LABELS[:count]),
@@ -219,7 +219,7 @@ def open_edges(count=1):
         data[name] = values.astype(str)
     ratio = data["filtered_force_ratio"].sel(side="large")
     data["filtered_force_ratio"].loc[large_side] = ratio.where(ratio.isnull(), 1.2)
-    data["conditional"][:] = 1
+    data["interval_is_conditional"][:] = 1
     return data.assign(interval_source=("surface", ["quarters"] * count))
 
 
@@ -238,7 +238,7 @@ def force(count=1):
     data["label"] = "surface", LABELS[:count]
     data["interval_source"] = "surface", ["scans"] * count
     data["interval_scans"] = "surface", [SCANS] * count
-    data["conditional"] = "surface", [0] * count
+    data["interval_is_conditional"] = "surface", [0] * count
     data = data.merge(extrapolated_force(count))
     data["correlation_of_parts"] = "surface", [0.0] * count
     data["search_size"] = "surface", np.full(count, SIZE / 2)

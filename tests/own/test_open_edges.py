@@ -36,7 +36,7 @@ def test_intervals_surround_the_edge_within_the_cutoffs_of_their_side(scans):
     for side, ends in (("small", [10, 1000]), ("large", [1000, 4000])):
         bounds = band.edge_interval.sel(side=side).dropna("bound")
         assert ((bounds >= ends[0]) & (bounds <= ends[1])).all()
-    assert int(band.conditional) == (scans < 3)
+    assert int(band.interval_is_conditional) == (scans < 3)
 
 
 def test_the_interval_of_three_scans_comes_from_the_jackknife():

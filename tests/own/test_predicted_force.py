@@ -69,7 +69,7 @@ def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one()
         0.05 * student_interval(means, 0.9, "scan"),
         rtol=1e-4,
     )
-    assert prediction.conditional.values.tolist() == [0, 1]
+    assert prediction.interval_is_conditional.values.tolist() == [0, 1]
     assert prediction.interval_source.values.tolist() == ["scans", "quarters"]
     low, high = (prediction.force_interval.isel(bound=bound) for bound in (0, 1))
     assert (low < prediction.force).all() and (prediction.force < high).all()

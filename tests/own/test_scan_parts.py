@@ -33,10 +33,10 @@ QUARTERS = scan_parts.quarters_of_contacts(4, 1)
 
 def test_three_scans_are_independent_parts_and_fewer_are_divided_into_quarters():
     three = parts_of_scans(np.array([0, 1, 2, 0]), QUARTERS, 100.0, 50.0)
-    assert not three.conditional and three.part_of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
+    assert not three.are_quarters and three.part_of_contact[:, 0, 0].tolist() == [0, 1, 2, 0]
     np.testing.assert_array_equal(three.correlation, np.eye(3))
     two = parts_of_scans(np.array([0, 1, 0]), QUARTERS, 100.0, 50.0)
-    assert two.conditional and (two.correlation[:4, 4:] == 0).all()
+    assert two.are_quarters and (two.correlation[:4, 4:] == 0).all()
     np.testing.assert_array_equal(two.part_of_contact[1], QUARTERS + 4)
 
 
@@ -66,7 +66,7 @@ def test_intervals_contain_the_mean_with_their_confidence(scans):
     means = quarter_means(fields(np.random.default_rng(2), draws * scans, 16, reach * 16))
     means = means.reshape(draws, -1)
     scan_parts = parts_of_scans(np.arange(scans), QUARTERS, 1.0, reach)
-    if not scan_parts.conditional:
+    if not scan_parts.are_quarters:
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]
     left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)

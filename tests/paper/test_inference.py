@@ -80,12 +80,12 @@ def two_ranges():
 
 def test_ratios_met_at_two_ranges_give_two_minima():
     fits = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
-    assert sorted(fits.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
-    np.testing.assert_allclose(fits.minimum_work[:2], 0.05, rtol=0.02)
-    assert fits.minimum_error[0] <= fits.minimum_error[1] < 0.02
-    assert fits.minimum_error[0] == fits.best_error == fits.best_error_by_range.min()
-    assert fits.minimum_range[0] == fits.range_of_adhesion
-    assert fits.minimum_range.isnull().values.tolist() == [False, False, True]
+    assert sorted(fits.range_at_minimum.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
+    np.testing.assert_allclose(fits.work_at_minimum[:2], 0.05, rtol=0.02)
+    assert fits.error_at_minimum[0] <= fits.error_at_minimum[1] < 0.02
+    assert fits.error_at_minimum[0] == fits.best_error == fits.best_error_by_range.min()
+    assert fits.range_at_minimum[0] == fits.range_of_adhesion
+    assert fits.range_at_minimum.isnull().values.tolist() == [False, False, True]
 
 
 def test_an_end_of_the_sweep_is_a_minimum_if_the_error_falls_towards_it():

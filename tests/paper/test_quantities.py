@@ -252,14 +252,14 @@ def test_errors_are_read_at_short_ranges_and_at_the_second_minimum():
     errors = xr.Dataset(
         {
             "best_error": 0.05,
-            "minimum_error": ("minimum", [0.05, 0.3]),
+            "error_at_minimum": ("minimum", [0.05, 0.3]),
             "best_error_by_range": ("rho_fine", [0.5, 0.2, 0.05]),
         },
         {"minimum": [1, 2], "rho_fine": [0.3, 0.6, 5.6]},
     )
     near(inference.short_range_error(errors, PAPER), 0.2)
     near(inference.error_of_second_minimum(errors, PAPER), 0.3)
-    single = errors.assign(minimum_error=("minimum", [0.05, np.nan]))
+    single = errors.assign(error_at_minimum=("minimum", [0.05, np.nan]))
     assert inference.error_of_second_minimum(single, PAPER)["value"] == np.inf
     nothing_fits = errors.assign(best_error=0.15)
     assert np.isnan(inference.error_of_second_minimum(nothing_fits, PAPER)["value"])

@@ -99,19 +99,23 @@ def test_contacts_on_unreliable_scans_are_named():
 
 
 def test_intervals_of_few_scans_are_conditional():
-    assert not find_cautions("conditional")
-    quarters = force().assign(conditional=("surface", [1]), correlation_of_parts=("surface", [0.2]))
-    (caution,) = find_cautions("conditional", force=quarters)
+    assert not find_cautions("conditional_intervals")
+    quarters = force().assign(
+        interval_is_conditional=("surface", [1]), correlation_of_parts=("surface", [0.2])
+    )
+    (caution,) = find_cautions("conditional_intervals", force=quarters)
     assert caution["correlation"].value == 0.2 and caution["scans"] == 3
 
 
 def test_contacts_that_touch_few_places_are_named():
     counts = {"contacts": ("surface", [64]), "touched_places": ("surface", [3.0])}
     few_places = force().assign(counts | {"interval_source": ("surface", ["few_places"])})
-    few_places["conditional"][:] = 1
+    few_places["interval_is_conditional"][:] = 1
     (caution,) = find_cautions("few_places", force=few_places)
     assert (caution["contacts"], caution["touched_places"], caution["grave"]) == (64, 3, True)
-    assert not find_cautions("few_places") and not find_cautions("conditional", force=few_places)
+    assert not find_cautions("few_places") and not find_cautions(
+        "conditional_intervals", force=few_places
+    )
 
 
 def test_a_measurement_of_a_container_has_both_names():

@@ -51,5 +51,5 @@ def test_real_scans_give_plausible_roughness_edges_and_forces(folder):
     assert mean["low"] < mean["value"] < mean["high"]
     assert 20 < surface["short_edge"]["value"] < 100
     cautions = {row["status"] for name, row in surface.items() if name.startswith("caution")}
-    assert "conditional" in cautions
+    assert "conditional_intervals" in cautions
     assert surface["force_extrapolated_small"]["value"] < 0.7 * mean["value"]

@@ -89,8 +89,8 @@ rule judge_sets:
         "../scripts/judge_sets.py"
 
 
-rule judge_fit:
-    """Find what decides range and work: leave_one_out.nc, protruded(_sphere).nc, standoff.nc."""
+rule find_fit_influences:
+    """Find what decides the fit of range and work: leave_one_out.nc, protruded(_sphere).nc, standoff.nc."""
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
@@ -100,16 +100,16 @@ rule judge_fit:
         protruded_sphere=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(SPHERE)),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("judge_fit.py"),
+        code=code_inputs("find_fit_influences.py"),
     output:
         leave_one_out=PATTERNS.dataset("leave_one_out"),
         protruded=PATTERNS.dataset("protruded"),
         protruded_sphere=PATTERNS.dataset("protruded_sphere"),
         standoff=PATTERNS.dataset("standoff"),
     log:
-        PATTERNS.log("judge_fit"),
+        PATTERNS.log("find_fit_influences"),
     benchmark:
-        PATTERNS.benchmark("judge_fit")
+        PATTERNS.benchmark("find_fit_influences")
     params:
         canonical=canonical(
             {
@@ -119,4 +119,4 @@ rule judge_fit:
             }
         ),
     script:
-        "../scripts/judge_fit.py"
+        "../scripts/find_fit_influences.py"

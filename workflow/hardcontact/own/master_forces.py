@@ -106,7 +106,7 @@ def half_width_over_masters(
     )
     sources = [jackknife_variance(logarithms, masters.scan_parts)]
     count = masters.forces.sizes["realization"]
-    if masters.scan_parts.conditional and count > 1:
+    if masters.scan_parts.are_quarters and count > 1:
         logarithms = np.log(contact_statistic(xr.DataArray(True)).values)
         sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     shifts = masters.forces.get(shift)

@@ -56,12 +56,15 @@ def band_edges(
     xarray.Dataset
         ``filtered_force_ratio`` (surface, side, cutoff_wavelength), the mean over realizations,
         with its interval, which runs from zero to infinity if it is not bounded; the variables of
-        EDGE (surface, side); ``conditional`` (surface), 1 if the interval is conditional on one or
-        two scans; ``interval_source``, ``interval_scans``, label and basis (surface).
+        EDGE (surface, side); ``interval_is_conditional`` (surface), 1 if the interval is
+        conditional on one or two scans; ``interval_source``, ``interval_scans``, label and basis
+        (surface).
     """
     curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     curves = curves.transpose("surface", "side", ...)
-    sources = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
+    sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]].isel(
+        side=0, drop=True
+    )
     band = curves[["filtered_force_ratio", "filtered_force_ratio_interval"]].merge(sources)
     band = band.assign(edges_of_curves(curves, logarithmic_limits(tolerance)))
     band = band.assign(label=scales.label, basis=scales.basis)
@@ -89,7 +92,7 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
         | with_interval("logarithm", axis, *logarithms, unit, confidence)
         | {
             "cell": masters.cell,
-            "conditional": int(masters.scan_parts.conditional),
+            "interval_is_conditional": int(masters.scan_parts.are_quarters),
             "interval_source": masters.scan_parts.source,
             "interval_scans": masters.scan_parts.scans,
         },

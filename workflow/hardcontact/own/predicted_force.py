@@ -183,10 +183,10 @@ def predicted_force(
         ``force`` (surface, contact_model, rho) in N, the mean over contacts and scans. Its interval
         follows from Student's t on logarithms, over scans or over quarters of one or two scans, and
         runs from zero to infinity if it is not bounded. ``force_quantile`` (surface, contact_model,
-        rho, quantile) in N has quantiles of single contacts. Over surface: ``conditional`` (1 for
-        quarters), ``interval_source``, ``interval_scans``, ``contacts`` on a scan,
-        ``touched_places`` from `fewest_places`, label, basis, and ``correlation_of_parts`` at the
-        range ``rho``, which is the attribute ``range_of_adhesion``.
+        rho, quantile) in N has quantiles of single contacts. Over surface:
+        ``interval_is_conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
+        ``contacts`` on a scan, ``touched_places`` from `fewest_places`, label, basis, and
+        ``correlation_of_parts`` at the range ``rho``, which is the attribute ``range_of_adhesion``.
 
     Raises
     ------
@@ -247,7 +247,7 @@ def _surface_force(
         with_interval("force", dimensions, mean, interval, NEWTON, confidence)
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
-            "conditional": int(scan_parts.conditional),
+            "interval_is_conditional": int(scan_parts.are_quarters),
             "interval_source": scan_parts.source,
             "interval_scans": scan_parts.scans,
             "contacts": (

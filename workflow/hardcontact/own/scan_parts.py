@@ -45,14 +45,14 @@ class ScanParts:
     places: float = np.inf  #: The fewest places that the contacts of a scan touch.
 
     @property
-    def conditional(self) -> bool:
+    def are_quarters(self) -> bool:
         """Whether the parts are quarters, so that an interval is conditional on these scans."""
         return self.scans < ENOUGH_SCANS
 
     @property
     def touches_few_places(self) -> bool:
         """Whether the contacts of a scan touch fewer places than it has quarters."""
-        return self.conditional and self.places * self.scans < len(self.correlation)
+        return self.are_quarters and self.places * self.scans < len(self.correlation)
 
     @property
     def mean_correlation(self) -> float:
@@ -83,7 +83,7 @@ class ScanParts:
 
         A single part ("none") and parts that touch few places ("few_places") give no interval.
         """
-        if not self.conditional:
+        if not self.are_quarters:
             return "scans"
         if len(self.correlation) < 2 or self.mean_correlation > SAME_CORRELATION:
             return "none"

@@ -237,7 +237,7 @@ def _error_variables(
         "low_error_range": ("bound", ranges, NM),
         "low_error_work": ("bound", works, JOULE_PER_M2),
     } | {
-        f"minimum_{name}": (
+        f"{name}_at_minimum": (
             "minimum",
             np.pad(values[minima], padding, constant_values=np.nan),
             attributes,

@@ -44,7 +44,7 @@ def error_of_second_minimum(inference: xr.Dataset, paper: xr.Dataset) -> xr.Data
     It is infinite if there is no second minimum, and NaN if the best error is above the published
     threshold.
     """
-    second_error = inference["minimum_error"].sel(minimum=2, drop=True).fillna(np.inf)
+    second_error = inference["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
     return number_with_interval(
         second_error.where(inference["best_error"] < paper["error_threshold"])
     )

@@ -33,8 +33,8 @@ MAX_TRIES = 1000
 HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
 #: Variables of the inference of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
-    "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
-    "minimum_error", "mean_force", "force_ratio",
+    "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
+    "error_at_minimum", "mean_force", "force_ratio",
 ]  # fmt: skip
 #: Variables of the critical band of a set that sets.nc contains.
 SET_BAND_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge"]

@@ -20,7 +20,8 @@ from hardcontact.paper.inference import infer_model
 #: Variables inferred from every variant of the forces.
 INFERENCE_VARIABLES = [
     "range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
-    "work_of_adhesion_interval", "best_error", "minimum_range", "minimum_work", "minimum_error",
+    "work_of_adhesion_interval", "best_error", "range_at_minimum", "work_at_minimum",
+    "error_at_minimum",
 ]  # fmt: skip
 
 #: Variables computed for every variant of the filtered masters.

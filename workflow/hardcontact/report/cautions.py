@@ -179,11 +179,11 @@ def _few_pixels(force: xr.Dataset) -> list[dict[str, Any]]:
 def _conditional_intervals(force: xr.Dataset) -> list[dict[str, Any]]:
     """Return a caution if intervals are conditional on the scans at hand."""
     has_no_interval = force["interval_source"].item() in ("none", "few_places")
-    if not force["conditional"].item() or has_no_interval:
+    if not force["interval_is_conditional"].item() or has_no_interval:
         return []
     shared = number_of(force, "correlation_of_parts", name="correlation", strict=False)
     scans = int(force["interval_scans"].item())
-    return [{"code": "conditional", "scans": scans, "correlation": shared}]
+    return [{"code": "conditional_intervals", "scans": scans, "correlation": shared}]
 
 
 def _contradictions(spectra: xr.Dataset) -> list[dict[str, Any]]:

@@ -135,6 +135,6 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
 
 def _minimum_rows(fit: xr.Dataset, panel: str, height: str, unit: str) -> pd.DataFrame:
     """Return work or error at each local minimum of the error along the range."""
-    minima = fit.dropna("minimum", subset=["minimum_range"])
-    name = f"minimum_{height}"
-    return tables.quantity_rows(panel, name, unit, x=minima["minimum_range"], value=minima[name])
+    minima = fit.dropna("minimum", subset=["range_at_minimum"])
+    name = f"{height}_at_minimum"
+    return tables.quantity_rows(panel, name, unit, x=minima["range_at_minimum"], value=minima[name])

@@ -52,7 +52,7 @@ QUANTITIES = {
     "edge_large": ("nm", 1000, "long edge", "$λ_L$ (µm)"),
 }
 #: Values of a quantity at all local minima of the error of the fit.
-MINIMUM_VARIABLES = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}
+MINIMUM_VARIABLES = {"range_of_adhesion": "range_at_minimum", "work_of_adhesion": "work_at_minimum"}
 
 
 def draw(

@@ -35,7 +35,12 @@ MODEL_LOOKS: dict[str, style.Look] = {
 }
 BINS_PER_DECADE = 8
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
-FIT_UNITS = {"minimum_range": "nm", "minimum_work": "J/m2", "minimum_error": "1", **FITTED_UNITS}
+FIT_UNITS = {
+    "range_at_minimum": "nm",
+    "work_at_minimum": "J/m2",
+    "error_at_minimum": "1",
+    **FITTED_UNITS,
+}
 COLUMNS = [
     "panel", "group", "label", "basis", "origin", "quantity", "contact_model", "set", "minimum",
     "range_low", "range_high", "side", "cutoff_wavelength", *tables.VALUE_COLUMNS,
@@ -116,9 +121,9 @@ def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataF
 def _draw_best_fits(axes: Axes, set_fits: xr.Dataset) -> pd.DataFrame:
     """Mark the best range (nm) and work of adhesion (mJ/m2) of each set, and its other minima."""
     best = set_fits["range_of_adhesion"]
-    other_ranges = set_fits["minimum_range"].where(set_fits["minimum_range"] != best)
-    works = set_fits[["minimum_work", "work_of_adhesion"]] / style.MILLIJOULE
-    minima = other_ranges.values.ravel(), works["minimum_work"].values.ravel()
+    other_ranges = set_fits["range_at_minimum"].where(set_fits["range_at_minimum"] != best)
+    works = set_fits[["work_at_minimum", "work_of_adhesion"]] / style.MILLIJOULE
+    minima = other_ranges.values.ravel(), works["work_at_minimum"].values.ravel()
     ring: style.Look = {"mfc": "none", "mec": "0.6", "mew": 0.5, "ms": 3.5}
     axes.plot(*minima, "o", zorder=1, label="other minimum of a set", **ring)
     axes.plot(best, works["work_of_adhesion"], "o", color="0.4", ms=4, mec="white", mew=0.3)

@@ -235,9 +235,9 @@ def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
     The `height` over the range of adhesion (nm) is the "work" or the "error", in `unit`.
     """
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
-    is_other = fit["minimum_range"].values != fit["range_of_adhesion"].item()
-    ranges = fit["minimum_range"][is_other]
-    heights = fit[f"minimum_{height}"][is_other]
+    is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()
+    ranges = fit["range_at_minimum"][is_other]
+    heights = fit[f"{height}_at_minimum"][is_other]
     best_look: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
     other_look: Look = best_look | {"label": "other minimum of it"}
     axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
