@@ -334,7 +334,7 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     pandas.DataFrame
         The claims with the column, from the function `open_end`; ``""`` for other claims.
     """
-    sides = claims["id"].str.extract("^(?:edge|critical_wavelength)_(small|large)_", expand=False)
+    sides = claims["id"].str.extract("^edge_(small|large)_", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)
     ends = [open_end(*row, bands) if isinstance(row[0], str) else "" for row in rows]
     return claims.assign(open_end=ends)
