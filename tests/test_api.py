@@ -26,6 +26,7 @@ from hardcontact.base.number import Number, plain
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.surfaces.spectrum import smooth_rolloff
 
 DOCS = ROOT / "resources/docs"
 FUNCTIONS = [name for name in hc.API if inspect.isfunction(getattr(hc, name))]
@@ -263,6 +264,32 @@ def test_a_scan_is_predicted_like_its_file(files):
     heights = 100.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
     withheld = hc.predict(hc.HeightMap(heights, PIXEL), **contact)["pull_off_force"]
     assert np.isnan(withheld.value) and withheld.status == "steep_edges"
+
+
+def test_the_spectrum_of_scans_is_predicted_like_the_scans(files):
+    """Measured or extrapolated, it has the numbers, the intervals and the status of the command."""
+    contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD
+    wide = map_of(
+        generator(3), 256, 40.0, partial(smooth_rolloff, plateau=3e5, rolloff=1000.0, hurst=0.8)
+    )
+    scan_files.scan(files / "wide.nc", wide.heights.T, (10240.0, 10240.0))
+    statuses = set()
+    for path in ("scan.nc", "wide.nc"):
+        written = json.loads(predict(predict_arguments([path, "--json", "-"])))
+        measured = hc.predict(hc.read_spectrum(path), **contact)
+        extrapolated = hc.predict(hc.read_spectrum(path, extrapolated=True), **contact)
+        for name, numbers in {"": measured, "extrapolated_": extrapolated}.items():
+            for end, number in {
+                "force": numbers["pull_off_force"],
+                "short_edge": numbers["short_edge"],
+                "long_edge": numbers["long_edge"],
+            }.items():
+                command = written["pull_off_force" if name + end == "force" else name + end]
+                assert number.value == pytest.approx(command["value"])
+                assert number.status == command["status"]
+                assert np.isfinite(number.low) == ("interval" in command)
+        statuses.add(extrapolated["pull_off_force"].status)
+    assert statuses == {"inside", "outside"}
 
 
 def test_faulty_arguments_are_refused_in_one_line(files):

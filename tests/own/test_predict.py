@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from refusals import assert_says, refusal
 
 import hardcontact as hc
 from hardcontact.base.random import generator
+from hardcontact.base.units import parse_quantity
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
@@ -202,6 +204,21 @@ def test_short_waves_missing_from_the_table_are_extrapolated(table):
         assert numbers["extrapolated_change"]["status"] == "negligible"
 
 
+def test_the_force_to_use_comes_first(table):
+    """If unmeasured waves change the force, the extrapolated force leads; else the other one."""
+    for shortest, first_name in ((1500, "extrapolated_force"), (20, "pull_off_force")):
+        path = table(*rows_of(rough(17, 4000 if shortest > 100 else 1000, 0.8, shortest)))
+        numbers, report = numbers_of(path), printed(path)
+        used, _, compared = report.partition("Numbers to use")[2].partition("For comparison")
+        (first,), (second,) = (
+            re.findall("pull-off force: (.*?) [(]", text) for text in (used, compared)
+        )
+        names = {"extrapolated_force", "pull_off_force"}
+        for name, text in {first_name: first, (names - {first_name}).pop(): second}.items():
+            assert parse_quantity(text, "N") == pytest.approx(numbers[name]["value"], rel=0.05)
+        assert ("extrapolated spectrum" in used) == (first_name == "extrapolated_force")
+
+
 def remove_bins(spectrum, kept_bins):
     """Return a spectrum without some of its wavelengths."""
     return Spectrum(spectrum.wavevector[kept_bins], spectrum.density[kept_bins])
@@ -280,6 +297,11 @@ def test_a_profile_under_headings_is_a_scan(tmp_path):
     )
     (scan_note,) = own_spectrum([path], unit="mm,nm").notes
     assert_says(scan_note, "reliable from 2 µm (4 pixels)")
+    # The range of the spectrum differs from that of the scan, and says why.
+    assert_says(
+        printed(str(path), "--unit", "mm,nm"),
+        "spectrum used: 2.24 µm to 89.1 µm (the bins, ten a decade, with centres at reliable",
+    )
 
 
 @pytest.mark.parametrize("kind", ["map", "line"])

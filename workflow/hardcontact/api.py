@@ -27,7 +27,7 @@ from hardcontact.config.arguments import (
 )
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE
-from hardcontact.config.own_spectrum import own_spectrum, reliable_spectrum
+from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
@@ -38,6 +38,7 @@ from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
+from hardcontact.surfaces.scan_spectrum import ScanSpectrum, reliable_spectrum
 from hardcontact.surfaces.scans import (
     Measurement,
     examine,
@@ -45,7 +46,7 @@ from hardcontact.surfaces.scans import (
     height_map,
     read_measurement,
 )
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.theory.hard_contact import wide_contact_message
 from hardcontact.theory.prediction import prediction
@@ -197,7 +198,7 @@ def read_spectrum(
         tip_radius=tip_radius,
         sphere_radius=sphere_radius,
     )
-    user_spectrum = own_spectrum(
+    spectrum = own_spectrum(
         files,
         dataset=dataset,
         tip_radius=tip_radius,
@@ -206,11 +207,9 @@ def read_spectrum(
         map_size=map_size,
         levelling=levelling,
         sphere_radius=sphere_radius,
-    )
+    ).spectrum
     return (
-        spectrum_of_dataset(user_spectrum.joined)
-        if extrapolated and user_spectrum.joined is not None
-        else user_spectrum.spectrum
+        spectrum.extrapolated() if extrapolated and isinstance(spectrum, ScanSpectrum) else spectrum
     )
 
 
@@ -377,7 +376,7 @@ def predict(
     ----------
     spectrum : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
-        spectrum is measured at its reliable wavelengths, and whose steep edges leave the force
+        spectrum is measured at its reliable wavelengths. Steep edges of scans leave the force
         unanswered.
     radius, preload, hardness, work, rho, tolerance : float
         As for `pull_off_forces` and `force_ratios`.
@@ -387,8 +386,9 @@ def predict(
     dict of str to Number
         By name, such as ``pull_off_force``, ``short_edge`` and ``long_edge``: ``value``, ``unit``,
         ``low`` and ``high`` of its interval, and ``status``: the numbers of ``--json`` except the
-        Tabor parameter. The status of a force with unknown error is ``"outside"``. An artificial
-        end of an extrapolated spectrum does not change the status.
+        Tabor parameter. The status of a force with unknown error is ``"outside"``. If the status
+        of ``extrapolated_change`` is ``"matters"``, use ``extrapolated_force`` and its edges. An
+        extrapolated spectrum gives these as ``pull_off_force`` and edges, with the same status.
 
     Examples
     --------
@@ -401,13 +401,10 @@ def predict(
     check_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
-    joined_scans = None
-    skewness = 0.0
     if isinstance(spectrum, HeightMap):
-        skewness = metrics(spectrum)["skewness"]
         scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
-        joined_scans = joined_spectrum([scan], [None])
-        spectrum = reliable_spectrum(joined_scans)
+        joined = joined_spectrum([scan], [None])
+        spectrum = reliable_spectrum(joined, metrics(spectrum)["skewness"])
     if not isinstance(spectrum, Spectrum):
         raise ValueError(
             "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
@@ -415,4 +412,4 @@ def predict(
         )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [wide_contact_message(contact)]))
-    return prediction(spectrum, contact, tolerance, joined=joined_scans, skewness=skewness)
+    return prediction(spectrum, contact, tolerance)

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import xarray as xr
 
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
@@ -24,6 +23,7 @@ from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
+from hardcontact.surfaces.scan_spectrum import reliable_spectrum
 from hardcontact.surfaces.scans import (
     examine,
     height_map,
@@ -62,10 +62,8 @@ WAVES_OF_A_BIN = 20.0
 class OwnSpectrum(NamedTuple):
     """C_iso of the user's files, with notes in words on changes and omissions in reading them."""
 
-    spectrum: Spectrum
+    spectrum: Spectrum  #: Of scans a `ScanSpectrum`.
     notes: tuple[str, ...]
-    joined: xr.Dataset | None  #: The spectrum from `joined_spectrum`; None for a table.
-    skewness: float  #: The largest skewness of the heights of a map; 0 without a map.
 
 
 def own_spectrum(
@@ -121,7 +119,7 @@ def own_spectrum(
         spectrum = table_spectrum(tables[0])
         zeros = np.count_nonzero(spectrum.density == 0)
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
-        return OwnSpectrum(spectrum, (note,) if zeros else (), None, 0.0)
+        return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
         examine(
             read_measurement(path, member, undefined_pixels, unit, map_size),
@@ -147,7 +145,6 @@ def own_spectrum(
     except ValueError as error:  # Spikes, for example, look like a noise floor.
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
-    reliable = reliable_spectrum(joined)
     limits = ("shortest_reliable", "longest_reliable", "limited_by")
     notes = []
     for name, scan, *band in zip(
@@ -161,15 +158,8 @@ def own_spectrum(
     notes += [f"{TAKE_CARE}{line}" for line in differing]
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
     skewnesses = [metrics(height_map(scan))["skewness"] for scan in scans if scan.kind == "map"]
-    return OwnSpectrum(reliable, tuple(notes), joined, max(skewnesses, key=abs, default=0.0))
-
-
-def reliable_spectrum(joined: xr.Dataset) -> Spectrum:
-    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans."""
-    is_measured = np.isfinite(joined.joined_psd.values)
-    return Spectrum(
-        joined.bin_wavevector.values[is_measured], joined.joined_psd.values[is_measured]
-    )
+    spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))
+    return OwnSpectrum(spectrum, tuple(notes))
 
 
 def _is_table(path: str | Path) -> bool:

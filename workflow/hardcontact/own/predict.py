@@ -25,6 +25,7 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
+from hardcontact.surfaces.scan_spectrum import ScanSpectrum
 from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 from hardcontact.theory.prediction import prediction
 
@@ -107,14 +108,7 @@ def predict(arguments: Namespace) -> str:
         if name in QUANTITY_OPTIONS
     }
     tolerance = Study().scales.tolerance
-    numbers |= prediction(
-        user_spectrum.spectrum,
-        contact,
-        tolerance,
-        arguments.file,
-        user_spectrum.joined,
-        user_spectrum.skewness,
-    )
+    numbers |= prediction(user_spectrum.spectrum, contact, tolerance, arguments.file)
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
     if "modulus" in quantities:
@@ -124,7 +118,8 @@ def predict(arguments: Namespace) -> str:
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITY_OPTIONS}
     cautions = [f"take care: {line}" for line in implausible_quantities(quantities)]
-    report = "\n".join([*user_spectrum.notes, _report(numbers, texts), *cautions])
+    of_scans = isinstance(user_spectrum.spectrum, ScanSpectrum)
+    report = "\n".join([*user_spectrum.notes, _report(numbers, texts, of_scans), *cautions])
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":
@@ -163,8 +158,11 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
 
 
-def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
-    """Return the prediction in words; `texts` has the quantities as the user wrote them."""
+def _report(numbers: Mapping[str, Number], texts: Mapping[str, str], of_scans: bool) -> str:
+    """Return the prediction in words; `texts` has the quantities as the user wrote them.
+
+    The spectrum comes from scans or from a table.
+    """
     # Imported here: it takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -178,6 +176,10 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in QUANTITY_OPTIONS.items()}
     report = environment.get_template("prediction.txt").render(
-        numbers=numbers, texts=texts, meanings=meanings, change_that_matters=MAX_NEGLIGIBLE_CHANGE
+        numbers=numbers,
+        texts=texts,
+        of_scans=of_scans,
+        meanings=meanings,
+        change_that_matters=MAX_NEGLIGIBLE_CHANGE,
     )
     return report.rstrip()

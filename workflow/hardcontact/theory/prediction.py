@@ -9,7 +9,6 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number
@@ -17,6 +16,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
 from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
+from hardcontact.surfaces.scan_spectrum import ScanSpectrum
 from hardcontact.surfaces.spectrum import (
     MIN_BINS,
     WAVEVECTORS,
@@ -51,6 +51,8 @@ MAX_WAVELENGTH_RATIO = 4.0
 #: to four times their size, none had 0.7. On bumps with a skewness of 1 the closed form was 7 to 15
 #: times too high, on pores with -3 it was 3 times too low.
 MAX_SKEWNESS = 1.0
+#: The edges of the band among the predicted quantities.
+EDGE_NAMES = VALIDATED_QUANTITIES[1:]
 MATTERS, NEGLIGIBLE = "matters", "negligible"
 #: Of a force that is withheld: heights with steep edges are not Gaussian.
 STEEP_EDGES = "steep_edges"
@@ -61,35 +63,30 @@ def prediction(
     contact: Contact,
     tolerance: float,
     name: str = "spectrum",
-    joined: xr.Dataset | None = None,
-    skewness: float = 0.0,
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
     Parameters
     ----------
     spectrum : Spectrum
-        C_iso in nm⁴ of the surface.
+        C_iso in nm⁴ of the surface. That of scans rises above its longest wavelength, where it is
+        extrapolated, as the rms height of the scans requires. A table is level there. It is not
+        extrapolated below a density of zero at its end.
     contact : Contact
         The sphere, the attraction and the area in contact.
     tolerance : float
         Relative change of the force that defines an edge.
     name : str
         Name of the spectrum in messages.
-    joined : xarray.Dataset or None
-        From `joined_spectrum`, for a spectrum of scans. Its extrapolation rises above the longest
-        wavelength as the rms height of the scans requires. None for a table: its extrapolation is
-        level there, and ends at a density of zero at the end of the table.
-    skewness : float
-        Skewness of the heights; the closed form takes them to be Gaussian.
 
     Returns
     -------
     dict of str to Number
         By name. Intervals follow from `nearest_errors` if the table covers contact and spectrum.
         Otherwise they are NaN, and the force has the status ``"outside"``. ``extrapolated_force``
-        is the force with the extrapolated spectrum. For scans with steep edges the force has no
-        value and the status ``"steep_edges"``, and numbers that follow from it are left out.
+        is the force with the extrapolated spectrum. Its status is also that of ``pull_off_force``
+        if the spectrum is extrapolated already. For scans with steep edges the force has no value
+        and the status ``"steep_edges"``, and numbers that follow from it are left out.
 
     Raises
     ------
@@ -108,10 +105,12 @@ def prediction(
         Number("smooth_force", smooth, "N"),
         Number("tolerance", tolerance),
     ]
-    if joined is not None and joined["edge_slope_share"].notnull().any():
+    scans = spectrum if isinstance(spectrum, ScanSpectrum) else None
+    if scans is not None and scans.joined["edge_slope_share"].notnull().any():
         force = Number("pull_off_force", math.nan, "N", status=STEEP_EDGES)
         return {number.name: number for number in (*inputs, force)}
     form = closed_form(waves, contact)
+    skewness = 0.0 if scans is None else scans.skewness
     widest_gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
     checks = [
         _longest_octave(waves, contact, form),
@@ -124,14 +123,18 @@ def prediction(
             "skewness", skewness, status=MATTERS if abs(skewness) > MAX_SKEWNESS else NEGLIGIBLE
         ),
     ]
-    enough_waves = all(number.status == NEGLIGIBLE for number in checks)
+    is_known_inside = all(number.status == NEGLIGIBLE for number in checks)
+    if scans is not None and scans.is_extrapolated:
+        of_measured = prediction(scans.measured(), contact, tolerance, name)
+        extrapolated_force = of_measured.get("extrapolated_force", of_measured["pull_off_force"])
+        is_known_inside = is_known_inside and extrapolated_force.status == INSIDE
     *extrapolated, change = _extrapolated_numbers(
-        spectrum, joined, contact, form.force, tolerance, enough_waves
+        spectrum, contact, form.force, tolerance, is_known_inside
     )
     checks += [change, *validated_ranges(waves, contact, form)]
-    validated = all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
+    validated = is_known_inside and all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
     point = table_coordinates(waves, contact, form)
-    ends = zip(VALIDATED_QUANTITIES[1:], edges(waves, contact, tolerance), strict=True)
+    ends = zip(EDGE_NAMES, edges(waves, contact, tolerance), strict=True)
     numbers = [
         *inputs,
         _force_number("pull_off_force", form, point, validated),
@@ -140,18 +143,7 @@ def prediction(
         Number("force_ratio", form.force / smooth),
         Number("apex_height", form.apex_height, "nm"),
         Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),
-        *(
-            Number(
-                end,
-                edge,
-                "nm",
-                *_validated_interval(end, edge, point, validated),
-                status=EDGE_FOUND,
-            )
-            if math.isfinite(edge)
-            else Number(end, edge, "nm", status=NO_EDGE)
-            for end, edge in ends
-        ),
+        *(_edge_number(end, end, edge, point, validated) for end, edge in ends),
         *checks,
     ]
     return {number.name: number for number in numbers}
@@ -223,9 +215,18 @@ def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validat
     return Number(name, form.force, "N", *interval, INSIDE if validated else OUTSIDE)
 
 
+def _edge_number(
+    name: str, end: str, edge: float, point: Mapping[str, Any], validated: bool
+) -> Number:
+    """Return an edge (nm) with its interval; `end` is the name in VALIDATED_QUANTITIES."""
+    if not math.isfinite(edge):
+        return Number(name, edge, "nm", status=NO_EDGE)
+    interval = _validated_interval(end, edge, point, validated)
+    return Number(name, edge, "nm", *interval, EDGE_FOUND)
+
+
 def _extrapolated_numbers(
     spectrum: Spectrum,
-    joined: xr.Dataset | None,
     contact: Contact,
     force: float,
     tolerance: float,
@@ -237,6 +238,7 @@ def _extrapolated_numbers(
     A spectrum is not extrapolated below a density of zero at its end, nor if it has a zero within.
     The error of the force is known only if it is known inside the spectrum.
     """
+    joined = spectrum.joined if isinstance(spectrum, ScanSpectrum) else None
     rough = trim_spectrum(spectrum)
     change = hurst = math.nan
     status = NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
@@ -266,15 +268,10 @@ def _extrapolated_numbers(
         extrapolated = trim_spectrum(Spectrum(WAVEVECTORS, density))
         form = closed_form(extrapolated, contact)
         validated = is_known_inside and is_validated(extrapolated, contact, form)
-        yield _force_number(
-            "extrapolated_force", form, table_coordinates(extrapolated, contact, form), validated
-        )
-        for end, edge in zip(
-            VALIDATED_QUANTITIES[1:], edges(extrapolated, contact, tolerance), strict=True
-        ):
-            yield Number(
-                f"extrapolated_{end}", edge, "nm", status=EDGE_FOUND if edge > 0 else NO_EDGE
-            )
+        point = table_coordinates(extrapolated, contact, form)
+        yield _force_number("extrapolated_force", form, point, validated)
+        for end, edge in zip(EDGE_NAMES, edges(extrapolated, contact, tolerance), strict=True):
+            yield _edge_number(f"extrapolated_{end}", end, edge, point, validated)
         yield Number("extrapolated_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
         yield Number("extrapolated_rolloff", rolloff, "nm")
         yield Number("extrapolated_hurst", hurst, status=ended_by)
