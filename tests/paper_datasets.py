@@ -108,7 +108,12 @@ def sets() -> xr.Dataset:
 def scales(contacts: int = 20) -> xr.Dataset:
     """Return forces on filtered surfaces, with a number of contacts and realizations."""
     forces = ("contact_y", "realization"), np.ones((contacts, 5))
-    return xr.Dataset({"pull_off_force": forces}, attrs={"rho": 5.6})
+    transitions = ("side", [20.0, 1000.0])
+    return xr.Dataset(
+        {"pull_off_force": forces, "transition": transitions},
+        {"side": ["small", "large"]},
+        attrs={"rho": 5.6},
+    )
 
 
 def scan_size() -> xr.Dataset:

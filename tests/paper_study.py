@@ -21,7 +21,7 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_answer import paper_answer, paper_head, paper_headline, paper_page
+from hardcontact.report.paper_answer import paper_answer, paper_head, paper_page
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 
@@ -84,5 +84,5 @@ def captions():
 def make_page(page_answer=None):
     """The page."""
     page_answer = answer() if page_answer is None else page_answer
-    head = paper_head(PAPER, CITATION["version"], paper_headline(page_answer))
+    head = paper_head(page_answer, PAPER, CITATION["version"])
     return paper_page(page_answer, head, figures(), captions(), CITATION)

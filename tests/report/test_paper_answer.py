@@ -14,7 +14,6 @@ from hardcontact.base.number import Number
 from hardcontact.report.paper_answer import (
     ANSWER_CLAIMS,
     paper_head,
-    paper_headline,
     paper_quantities,
 )
 from hardcontact.report.quantities import answer_json
@@ -47,7 +46,7 @@ def replace_fits(ranges, works):
 
 
 def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
-    head = paper_head(PAPER, CITATION["version"], paper_headline(answer()))
+    head = paper_head(answer(), PAPER, CITATION["version"])
     text = answer_json(head, paper_quantities(answer()))
     content = json.loads(text)
     Draft202012Validator(SCHEMA).validate(content)
@@ -64,8 +63,14 @@ def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
 
 
 def test_grids_coarser_than_the_paper_s_are_recognized():
-    assert not answer().coarse
-    assert answer(**datasets(contacts=6)).coarse and answer(**datasets(pixels=128)).coarse
+    cases = {
+        "full": [answer()],
+        "quick": [answer(**datasets(contacts=6)), answer(**datasets(pixels=128))],
+    }
+    for effort, answers in cases.items():
+        for paper_answer in answers:
+            assert paper_answer.coarse == (effort == "quick")
+            assert paper_head(paper_answer, PAPER, CITATION["version"])["effort"] == effort
 
 
 def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
@@ -104,6 +109,22 @@ def test_an_end_at_the_last_cutoff_is_open(name, end, end_cutoff, closed_end):
     open_answer = answer(change_claim(name, **{end: end_cutoff}), sets=fewer)
     assert open_answer.numbers[name].status == f"interval_open_{end}"
     assert answer(change_claim(name, **{end: closed_end}), sets=fewer).numbers[name].status == ""
+
+
+def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
+    """Roughness is artificial below the small transition and above the large one."""
+    sources = {}
+    for small, large in ((20.0, 5000.0), (80.0, 1000.0)):
+        moved = datasets()["scales"].assign(transition=("side", [small, large]))
+        rows = change_claim("first_short_edge", computed=50.0)
+        rows.loc[rows["id"] == ANSWER_CLAIMS["first_long_edge"], "computed"] = 2000.0
+        artificial_answer = answer(rows, scales=moved)
+        sources[small] = [
+            artificial_answer.numbers[name].source
+            for name in ("first_short_edge", "first_long_edge")
+        ]
+        assert artificial_answer.surfaces["mcd"]["short_edge"].source == sources[small][0]
+    assert sources == {20.0: ["computed"] * 2, 80.0: ["artificial"] * 2}
 
 
 @pytest.mark.parametrize("name", ANSWER_CLAIMS)

@@ -10,6 +10,8 @@ from paper_study import CITATION, answer, captions, claims, datasets, figures, m
 from refusals import assert_says
 
 from hardcontact.base.formatting import format_as_paper
+from hardcontact.paper.selection import LARGER_PIXELS
+from hardcontact.paper.verdicts import UNTESTABLE, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_answer import MAIN_FINDINGS
 
@@ -61,6 +63,35 @@ def test_the_page_says_first_whether_the_paper_holds(page):
 def test_the_page_warns_of_coarse_grids_first():
     coarse_page = Page(make_page(answer(**datasets(pixels=128))))
     assert plain(coarse_page.texts["div"][0]).startswith("Coarse grids: ")
+
+
+def test_findings_that_only_larger_pixels_leave_untested_are_told_apart():
+    """Studies on smaller grids have more independent findings; the page says which."""
+    table = claims()
+    slopes = table["id"].str.fullmatch("afm_rms_(slope|curvature)_.*")
+    table.loc[slopes, ["verdict", "note"]] = [UNTESTABLE, f"A note. {LARGER_PIXELS}"]
+    count = summary(table)["independent"].sum()
+    expected = f"{count} independent findings ({count - 8} without slopes and curvatures"
+    assert slopes.sum() == 8
+    assert expected in plain(Page(make_page(answer(table))).texts["div"][0])
+    assert "without slopes" not in plain(Page(make_page()).texts["div"][0])
+
+
+def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
+    """The small transition, 20 nm or 80 nm, is shorter or longer than the edge."""
+    table = claims()
+    table.loc[table["id"] == "edge_small_first", ["computed", "low", "high"]] = [50.0, 45.0, 55.0]
+    for transition, is_artificial in ((20.0, False), (80.0, True)):
+        scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
+        page = Page(make_page(answer(table, scales=scales)))
+        (line,) = re.findall("on the first coating to change.*?;", plain(page.texts["div"][0]))
+        assert ("from artificial roughness" in line.split(" to ")[1]) == is_artificial, line
+        (row,) = [
+            row
+            for row in page.rows
+            if "on the coating whose force changes first" in row[0] and "short-wave" in row[0]
+        ]
+        assert ("from artificial roughness" in plain(" ".join(row))) == is_artificial, row
 
 
 def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(page):

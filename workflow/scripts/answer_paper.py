@@ -12,7 +12,6 @@ from hardcontact.report.captions import caption
 from hardcontact.report.paper_answer import (
     paper_answer,
     paper_head,
-    paper_headline,
     paper_page,
     paper_quantities,
 )
@@ -33,6 +32,6 @@ with job(snakemake) as job:
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    head = paper_head(job.parameters, citation["version"], paper_headline(answer))
+    head = paper_head(answer, job.parameters, citation["version"])
     job.write_text(paper_page(answer, head, figures, captions, citation), "page")
     job.write_text(answer_json(head, paper_quantities(answer)), "json")

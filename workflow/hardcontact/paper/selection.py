@@ -164,6 +164,8 @@ def _are_substitutes(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
 
 #: Quantities of Table 1 that depend on the size of a pixel.
 PIXEL_QUANTITIES = ("afm_rms_slope", "afm_rms_curvature", "slope_growth")
+#: Why such a quantity is not testable.
+LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the paper's."
 
 
 def fixed_verdict(
@@ -203,7 +205,7 @@ def fixed_verdict(
     if surfaces and all(meets_by_construction):
         return BY_CONSTRUCTION, "The substitute scans are made to meet this."
     if claim.quantity in PIXEL_QUANTITIES and _has_larger_pixels(topography, constants["value"]):
-        return UNTESTABLE, "It depends on the size of a pixel, which is larger than the paper's."
+        return UNTESTABLE, LARGER_PIXELS
     return "", ""
 
 

@@ -1,7 +1,7 @@
 """The answer of the paper's study: its numbers, from claims and datasets, and its page."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -110,12 +110,13 @@ def paper_answer(
     topography = datasets["topography"]
     band = datasets["band"]
     sets = datasets["sets"]
+    transitions = datasets["scales"]["transition"]
     claims = add_open_ends(claims, [band, sets])
     rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
     numbers: list[Number] = []
     for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
-            numbers += _numbers_of_claim(name, rows[claim], band)
+            numbers += _numbers_of_claim(name, rows[claim], band, transitions)
     numbers += _fit_numbers(sets, rows.get(ANSWER_CLAIMS["range_exceeds"]))
     fits = datasets["leave_one_out"]
     protruded = {name: datasets[name] for name in ("protruded", "protruded_sphere")}
@@ -133,7 +134,8 @@ def paper_answer(
         claims,
         {number.name: number for number in numbers},
         {
-            name: surface_descriptions[name] | _numbers_of_surface(name, band, sets, forces)
+            name: surface_descriptions[name]
+            | _numbers_of_surface(name, band, sets, forces, transitions)
             for name in map(str, band["surface"].values)
         },
         surface_descriptions[sphere],
@@ -143,22 +145,42 @@ def paper_answer(
     )
 
 
-def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
+def edge_source(transitions: xr.DataArray, side: str, edge: float) -> str:
+    """Return the source of an edge (nm): whether the roughness beyond it is artificial.
+
+    `transitions` (side) are the wavelengths in nm from which masters have artificial roughness.
+    """
+    transition = transitions.sel(side=side).item()
+    is_artificial = edge < transition if side == "small" else edge > transition
+    return "artificial" if is_artificial else "computed"
+
+
+def _numbers_of_claim(
+    name: str, row: Any, band: xr.Dataset, transitions: xr.DataArray
+) -> list[Number]:
     """Return the computed and the published number of a claim, and its frequency over sets."""
+    source = "computed"
+    for edge, (side, _) in EDGE_SIDES.items():
+        if name in (edge, f"first_{edge}"):
+            source = edge_source(transitions, side, row.computed)
     status = f"interval_open_{row.open_end}" if row.open_end else ""
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
         if np.isnan(band["edge"].sel(side=side, group=POOLED).item()):
             status = open_status
     return [
-        Number(name, row.computed, row.unit, row.low, row.high, status),
+        Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
         Number(f"{name}_frequency", row.frequency),
     ]
 
 
 def _numbers_of_surface(
-    name: str, band: xr.Dataset, sets: xr.Dataset, forces: xr.Dataset
+    name: str,
+    band: xr.Dataset,
+    sets: xr.Dataset,
+    forces: xr.Dataset,
+    transitions: xr.DataArray,
 ) -> dict[str, Number]:
     """Return both edges of one substrate, and its force on scans relative to large surfaces."""
     numbers = {}
@@ -170,7 +192,8 @@ def _numbers_of_surface(
         low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
-        numbers[edge] = Number(edge, value, "nm", low, high, status)
+        source = edge_source(transitions, side, value)
+        numbers[edge] = Number(edge, value, "nm", low, high, status, source)
     if name in forces["surface"].values:
         force = number_of(forces.sel(surface=name), "force_over_largest")
         numbers["force_on_scans"] = force._replace(name="force_on_scans")
@@ -276,32 +299,32 @@ def paper_headline(answer: PaperAnswer) -> list[str]:
 
 
 def paper_head(
-    configuration: Mapping[str, Any], version: str, headline: Sequence[str]
+    answer: PaperAnswer, configuration: Mapping[str, Any], version: str
 ) -> dict[str, Any]:
     """Return the head of answer.json.
 
     Parameters
     ----------
+    answer : PaperAnswer
+        From `paper_answer`; coarse grids make its effort quick.
     configuration : mapping
         The user's configuration.
     version : str
         Version of the software.
-    headline : sequence of str
-        The first sentences of the page.
 
     Returns
     -------
     dict
-        The entries before the list of quantities.
+        The entries before the list of quantities. `headline` is from `paper_headline`.
     """
     contact = {"radius of the sphere": configuration["sphere"]["radius"]}
     contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
     return {
         "study": configuration["study"],
         "version": version,
-        "effort": configuration["effort"],
+        "effort": "quick" if answer.coarse else configuration["effort"],
         "kind": "paper",
-        "headline": list(headline),
+        "headline": paper_headline(answer),
         "contact": contact,
     }
 
@@ -360,6 +383,11 @@ def paper_page(
         head=head,
         numbers=answer.numbers,
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
+        artificial=[
+            claim
+            for name, claim in ANSWER_CLAIMS.items()
+            if name in answer.numbers and answer.numbers[name].source == "artificial"
+        ],
         chapters=[
             (heading, list(names))
             for heading, names in groupby(

@@ -12,7 +12,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from hardcontact.base.formatting import format_as_paper, is_boundless
-from hardcontact.paper.selection import WITHOUT_SCAN
+from hardcontact.paper.selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, MIN_STABILITY, summary
 from hardcontact.report.quantities import NO_INTERVAL
 from hardcontact.report.templates import rendered
@@ -78,6 +78,7 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         `claims` are rows by their ids, with printed numbers; `counts` are rows of
         `verdicts.summary`. `unstable` is the number of verdicts that may change with the seed.
         `without_scan` is the number of independent findings reproduced without any scan.
+        `larger_pixels` is that of findings which only scans with the paper's pixels can test.
     """
     pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
@@ -88,6 +89,10 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "without_scan": sum(
             (row["kind"], row["verdict"], row["basis"])
             == ("independent", "reproduced", WITHOUT_SCAN)
+            for row in facts.values()
+        ),
+        "larger_pixels": sum(
+            row["kind"] == "independent" and LARGER_PIXELS in (row["note"] or "")
             for row in facts.values()
         ),
     }
