@@ -16,7 +16,9 @@ from answer_inputs import (
     edges,
     fit,
     force,
+    move_edge,
     open_edges,
+    scale_extrapolated_force,
     setting,
     spectra,
     topography,
@@ -104,6 +106,42 @@ def test_the_page_begins_with_the_headline():
     assert headline and not any("<" in line or "&" in line for line in headline)
     first_words = " ".join(page("one").texts["div"][0].replace("\u00a0", " ").split())
     assert first_words.startswith(" ".join(headline))
+
+
+def headline_of(**changed):
+    (line,) = own_headline(own_answer(datasets(**changed), setting()))
+    return line.replace("\u00a0", " ")
+
+
+def test_the_headline_says_which_force_is_which():
+    """Forces with roughness extrapolated at either side stand beside the force on the scans."""
+    line = headline_of(force=scale_extrapolated_force(force(), small=0.25, large=0.5))
+    assert (
+        "640 [512, 800] nN on the scans, 160 [128, 200] nN with roughness extrapolated below"
+        in line
+    )
+    assert "20 nm, 320 [256, 400] nN with roughness extrapolated above 1 µm" in line
+    assert "on the scans" not in headline_of()
+
+
+@pytest.mark.parametrize(
+    ("edge", "interval", "words_on_edges"),
+    [
+        (120.0, (90.0, 150.0), ""),
+        (70.0, (40.0, 90.0), "µm (short edge partly extrapolated)"),
+        (37.0, (20.0, 90.0), "µm (short edge extrapolated)"),
+    ],
+)
+def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_edges):
+    line = headline_of(edges=move_edge(edge, *interval))
+    assert words_on_edges in line and ("extrapolated" in line) == bool(words_on_edges)
+
+
+def test_a_band_that_is_none_says_which_edge_is_extrapolated():
+    """The short edge is the longer one, at wavelengths that no scan shows."""
+    blind = spectra(scans={"fine.spm": ("map", 640, 10, 55, 320, "tip", 10)})
+    line = headline_of(edges=move_edge(3000.0, 2000.0, 4000.0), spectra=blind)
+    assert re.search(r"or above .* \(.*extrapolated\), the force hardly changes", line), line
 
 
 def test_names_of_the_user_are_escaped():

@@ -202,16 +202,16 @@ def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
     assert row.fact.value == pytest.approx(0.16e-6) and row.fact.source == "extrapolated"
     assert row.about["side"] == "small" and row.about["start"].value == 20.0
     assert row.about["end"].value == 5.0
-    scan_force, extrapolated = facts.surface_verdict(list(row_by_name.values()))["forces"]
+    forces = facts.surface_verdict(list(row_by_name.values()))["forces"]
+    scan_force, extrapolated = (row.fact for row in forces)
     assert (scan_force.value, extrapolated.value) == pytest.approx((0.64e-6, 0.16e-6))
     assert scan_force.low == pytest.approx(0.512e-6)
     unknown = spectra().assign(tail_known=("surface", [0]))
     partial = facts.surface_verdict(
         list(rows(force=scale_extrapolated_force(force(), small=0.25), spectra=unknown).values())
     )
-    assert [fact.name for fact in partial["forces"]] == ["force_mean"] and partial[
-        "answer"
-    ] == "partly"
+    assert [row.fact.name for row in partial["forces"]] == ["force_mean"]
+    assert partial["answer"] == "partly"
     alike = facts.surface_verdict(list(rows().values()))
     assert len(alike["forces"]) == 1 and alike["edges"][0].value == 37.0
 

@@ -144,16 +144,18 @@ def surface_verdict(rows: Sequence[AnswerRow]) -> dict[str, Any]:
     none of them does, if contacts touch too few places, or if there is no band. Otherwise it is
     "partly". `band` is "few_places" if contacts touch too few places, "none" if no resolved
     wavelength changes the force, "overlapping" if the short edge is the longer one, and otherwise
-    "found". `edges` are the short and the long edge. `forces` begin with the force on the scans;
-    forces with extrapolated roughness follow if they matter and are known.
+    "found". `edges` are the short and the long edge. `forces` are rows, first that of the force on
+    the scans; forces with extrapolated roughness follow if they matter and are known.
     """
-    facts = [
-        fact if np.isfinite([fact.low, fact.high]).all() else bare(fact)
-        for fact in (row.fact for row in rows)
+    short_rows = [
+        row
+        if np.isfinite([row.fact.low, row.fact.high]).all()
+        else row._replace(fact=bare(row.fact))
+        for row in rows
     ]
-    on_scans = [fact for fact in facts if fact.name == "force_mean"]
-    extrapolated = [fact for fact in facts if fact.name == "force_extrapolated"]
-    edges = [fact for fact in facts if fact.name in EDGES.values()]
+    on_scans = [row for row in short_rows if row.fact.name == "force_mean"]
+    extrapolated = [row for row in short_rows if row.fact.name == "force_extrapolated"]
+    edges = [row.fact for row in short_rows if row.fact.name in EDGES.values()]
     short, long = edges
     origins = {row.about["origin"] for row in rows if "origin" in row.about}
     origins |= {fact.source for fact in edges}
@@ -166,5 +168,5 @@ def surface_verdict(rows: Sequence[AnswerRow]) -> dict[str, Any]:
         band = "few_places"
     if band in ("few_places", "none") or origins == {"artificial"}:
         answer = "no"
-    forces = on_scans + [force for force in extrapolated if np.isfinite(force.value)]
+    forces = on_scans + [row for row in extrapolated if np.isfinite(row.fact.value)]
     return {"answer": answer, "band": band, "edges": edges, "forces": forces}
