@@ -92,7 +92,7 @@ def test_the_example_scan_is_reproduced_by_its_code(tmp_path, monkeypatch):
 def test_other_objects_than_spectra_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
-    call = partial(hc.predict, radius=1, preload=1, hardness=1, rho=1, work=1)
+    call = partial(hc.predict, rho=1, work=1, **SPHERE, **LOAD)
     assert_says(refusal(call, scan.heights), "hc.read_spectrum(FILE)", "hc.read_scan", "ndarray")
 
 
@@ -201,7 +201,12 @@ WRONG = [
     ({"scan": np.zeros((64, 64))}, ["scan: expected a scan of hc.read_scan", "found ndarray"]),
     ({"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan", "found str"]),
     ({"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
-    ({"preload": 1.0}, ["preload: expected at most", "found 1 N"]),
+    ({"preload": 9e-3, "hardness": 5e9}, ["preload: expected at most", "found 9 mN"]),
+    ({"hardness": 25}, ["hardness: expected 1000 to 1e+13 Pa, found 25 Pa: is the unit right?"]),
+    (
+        {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
+        ["scan: expected pixels of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
+    ),
     ({"count": 999}, ["count: expected at most the 256 pixels", "found 999"]),
     (
         {"scan": hc.HeightMap(np.zeros((16, 32)), PIXEL, False, "measured")},
@@ -292,6 +297,17 @@ def test_the_spectrum_of_scans_is_predicted_like_the_scans(files):
     assert statuses == {"inside", "outside"}
 
 
+def test_unusual_quantities_are_questioned(files):
+    """A hardness of 25 kPa was meant to be 25 GPa."""
+    scan, contact = hc.read_scan("scan.nc"), SPHERE | {"preload": 1e-9, "hardness": 25e3}
+    with pytest.warns(UserWarning, match="^hardness 25000 Pa: is the unit right?"):
+        hc.predict(scan, rho=5.6, work=0.05, **contact)
+    with pytest.warns(UserWarning, match="^hardness 25000 Pa: is the unit right?"):
+        hc.pull_off_forces(scan, ranges=[5.6], work=0.05, **contact, **ARRAY)
+    with pytest.warns(UserWarning, match="^rho 56 nm: is the unit right?"):
+        hc.force_ratios(scan, {"small": [50, 100]}, rho=56.0, **SPHERE, **LOAD, **ARRAY)
+
+
 def test_faulty_arguments_are_refused_in_one_line(files):
     scan = hc.read_scan("scan.nc")
     valid = {"scan": scan, "ranges": [5.6], "work": 0.05} | SPHERE | LOAD | ARRAY
@@ -312,6 +328,7 @@ def test_faulty_arguments_are_refused_in_one_line(files):
     cases += [
         (hc.predict, valid | {"spectrum": gaps}, ["spectrum: expected growing wavevectors"]),
         (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
+        (hc.predict, valid | {"hardness": 25}, ["hardness: expected 1000 to 1e+13 Pa, found 25"]),
         (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
         (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
         (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),

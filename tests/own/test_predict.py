@@ -131,6 +131,8 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
         (["--range", "5", "--work", "1 nm"], ["--range", "--work"]),
         # A contact wider than the attraction of a smooth sphere.
         (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
+        # Both are suspected: the hardness was meant to be in GPa.
+        (["--hardness", "25kPa"], ["like a smooth sphere; --hardness 25kPa: is the unit right?"]),
         (["--json", "-", "--csv", "-"], ["--csv: expected a file"]),
         (["--json", str(tmp_path / "new/x.json")], ["--json: expected a file in a folder"]),
     ):
@@ -410,6 +412,7 @@ def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
     for name in ("line.txt", "map.nc"):
         message = refusal(printed, str(tmp_path / name), "--unit", "um")
         assert_says(message, "from 0.1 nm to 100 µm", "found 0", f"{name} from 200 µm (4 pixels)")
+        assert message.endswith("is the unit of length right?")
         assert len(message.splitlines()) == 1, message
     message = refusal(own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
     assert_says(message, "none.csv: expected one table, or scans alone")

@@ -2,7 +2,8 @@
 
 Each function calls the functions of the study's jobs and commands.
 Lengths and heights are in nm, wavevectors in rad/nm, forces in N, works of adhesion in J/m²,
-pressures in Pa. All raise ValueError with a line for each fault of their input.
+pressures in Pa. All raise ValueError with a line for each fault of their input. They warn of
+quantities of a contact that are so unusual that their unit may be wrong.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,6 +23,7 @@ from hardcontact.config.arguments import (
     check_optional_lengths,
     check_positive,
     check_positive_numbers,
+    check_quantities,
     check_read_arguments,
     make_periodic,
 )
@@ -259,7 +261,7 @@ def pull_off_forces(
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
     contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
-    check_positive(work=work)
+    check_quantities(radius=radius, preload=preload, hardness=hardness, work=work)
     check_positive_numbers("ranges", ranges)
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
@@ -331,6 +333,7 @@ def force_ratios(
     contact = Contact(
         radius=radius, preload=preload, hardness=hardness, window=window, count=count, range=rho
     )
+    check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho)
     check_positive(tolerance=tolerance)
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
@@ -398,9 +401,8 @@ def predict(
     ... )
     >>> force = numbers["pull_off_force"].value  # N
     """
-    check_positive(
-        radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
-    )
+    check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
+    check_positive(tolerance=tolerance)
     if isinstance(spectrum, HeightMap):
         scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
         joined = joined_spectrum([scan], [None])

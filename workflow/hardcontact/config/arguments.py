@@ -1,6 +1,7 @@
 """Checks of the arguments of the Python functions, in the words of the study."""
 
 import math
+import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -8,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from hardcontact.config.faults import refuse_lines, shorten
-from hardcontact.config.grids import Grid
+from hardcontact.config.grids import PIXEL_SIZES, Grid
 from hardcontact.config.limits import scan_limits
-from hardcontact.config.model import NONE
+from hardcontact.config.model import NONE, quantity_type
+from hardcontact.config.plausible import QUANTITY_KEYS, unit_question
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.synthesis import SIDES
@@ -54,12 +56,47 @@ def check_positive(**numbers: object) -> None:
     )
 
 
+def check_quantities(**numbers: Any) -> None:
+    """Refuse quantities of a contact beyond the limits of their keys, and question unusual ones.
+
+    A question is a UserWarning.
+
+    Parameters
+    ----------
+    **numbers : float
+        `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
+
+    Raises
+    ------
+    ValueError
+        If numbers are not positive, or beyond the limits; with a line for each.
+    """
+    check_positive(**numbers)
+    quantities = {name: "range" if name == "rho" else name for name in numbers}
+    kinds = {name: quantity_type(QUANTITY_KEYS[key]) for name, key in quantities.items()}
+    refuse_lines(
+        f"{name}: expected {kind.expects}, found {numbers[name]:g} {kind.unit}: is the unit right?"
+        for name, kind in kinds.items()
+        if not kind.low <= numbers[name] <= kind.high
+    )
+    for name, kind in kinds.items():
+        question = unit_question(quantities[name], numbers[name])
+        if question:
+            warnings.warn(f"{name} {numbers[name]:g} {kind.unit}: {question}", stacklevel=3)
+
+
 def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
     """Refuse values that a study of this periodic surface would refuse, with the same messages."""
+    low, high = PIXEL_SIZES
+    if not low <= surface.pixel_size <= high:
+        raise ValueError(
+            f"scan: expected pixels of {low:g} to {high:g} nm, found {surface.pixel_size:g} nm: is "
+            "the unit right?"
+        )
     keys = ("preload", "hardness", "window", "count")
     section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
     shortest_range = min(ranges, default=math.nan)
-    check_positive(radius=contact.radius, **section, ranges=shortest_range)
+    check_positive(window=contact.window, count=contact.count, ranges=shortest_range)
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.

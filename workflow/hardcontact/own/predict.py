@@ -82,8 +82,9 @@ def predict(arguments: Namespace) -> str:
         hardness=quantities["hardness"].number,
     )
     wide = wide_contact_message(contact)
+    cautions = [*implausible_quantities(quantities)]
     if wide and not faults:
-        faults.append(f"--{wide}")
+        faults.append("; ".join([f"--{wide}", *cautions]))
     if arguments.json == arguments.csv == "-":
         faults.append("--csv: expected a file, as --json goes to stdout, found -")
     for name in WRITERS:
@@ -117,7 +118,7 @@ def predict(arguments: Namespace) -> str:
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in QUANTITY_OPTIONS}
-    cautions = [f"take care: {line}" for line in implausible_quantities(quantities)]
+    cautions = [f"take care: {line}" for line in cautions]
     of_scans = isinstance(user_spectrum.spectrum, ScanSpectrum)
     report = "\n".join([*user_spectrum.notes, _report(numbers, texts, of_scans), *cautions])
     for name, write in WRITERS.items():

@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
-from hardcontact.base.units import parse_quantity
 from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import QUICK_SUFFIX, quantity_type
+from hardcontact.config.plausible import QUANTITY_KEYS, unit_question
 from hardcontact.config.selection import LABEL, TIP_RADIUS
-from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import LEVELLING
 
 #: The top folder, whose paths studies are named relative to.
@@ -25,22 +24,14 @@ SPHERE = "sphere"
 RESERVED_NAMES = ("config", "paper", "quick", "surfaces")
 #: Options that are quantities: the key of the configuration, and their meaning.
 QUANTITY_OPTIONS = {
-    "radius": ("sphere.radius", "radius of the sphere"),
-    "hardness": ("contact.hardness", "hardness of the softer body"),
-    "preload": ("contact.preload", "load on a contact"),
-    "range": ("scales.range", "range of adhesion"),
-    "work": ("adhesion.work", "work of adhesion of the predicted force"),
-}
-#: The usual values of quantities; beyond them the unit may be wrong. Sources: spheres and loads of
-#: microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59 (2005) 1;
-#: diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al., Nature Mater. 4
-#: (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces (2011).
-PLAUSIBLE_BOUNDS = {
-    "radius": ("1 um", "50 mm", "spheres in pull-off tests, from colloidal probes to lenses"),
-    "hardness": ("1 MPa", "150 GPa", "solids that yield, from soft plastics to diamond"),
-    "preload": ("100 pN", "10 mN", "loads of microscopes and of microtesters"),
-    "range": ("0.2 nm", "40 nm", "ranges from atomic bonds to long dispersion forces"),
-    "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
+    name: (QUANTITY_KEYS[name], meaning)
+    for name, meaning in {
+        "radius": "radius of the sphere",
+        "hardness": "hardness of the softer body",
+        "preload": "load on a contact",
+        "range": "range of adhesion",
+        "work": "work of adhesion of the predicted force",
+    }.items()
 }
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
@@ -173,13 +164,12 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
 
 
 def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
-    """Yield a line for each quantity of the user outside of PLAUSIBLE_BOUNDS."""
-    for name, (low, high, kind) in PLAUSIBLE_BOUNDS.items():
+    """Yield a question for each quantity of the user that is not usual."""
+    for name in QUANTITY_OPTIONS:
         option = quantities[name]
-        lowest = parse_quantity(low, option.unit)
-        highest = parse_quantity(high, option.unit)
-        if option.is_given and not lowest <= option.number <= highest:
-            yield f"--{name} {option.text}: is the unit right? {low} to {high} are usual for {kind}"
+        question = unit_question(name, option.number)
+        if option.is_given and question:
+            yield f"--{name} {option.text}: {question}"
 
 
 def name_faults(arguments: Namespace) -> Iterator[str]:

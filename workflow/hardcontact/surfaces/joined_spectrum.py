@@ -81,9 +81,11 @@ def _measured_spectra(
             f"{measurement.path} {measurement.dataset}".strip() + f" {band}"
             for measurement, band in zip(measurements, bands, strict=True)
         )
+        is_too_large = min(band.shortest for band in bands) > 2 * np.pi / BIN_CENTRES[0]
+        remedy = ": is the unit of length right?" if is_too_large else ""
         raise ValueError(
             f"expected measurements that are reliable in at least {MIN_BINS} bins of wavelengths "
-            f"(ten a decade from 0.1 nm to 100 µm), found {count}: {listing}"
+            f"(ten a decade from 0.1 nm to 100 µm), found {count}: {listing}{remedy}"
         )
     return spectra
 
