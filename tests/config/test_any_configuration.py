@@ -22,7 +22,7 @@ BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
 
 #: Plain runs of pytest are short; the marker asks for more.
-bulk = pytest.mark.parametrize("examples", [30, pytest.param(300, marks=pytest.mark.study)])
+bulk = pytest.mark.parametrize("examples", [30, pytest.param(150, marks=pytest.mark.study)])
 
 
 def example_settings(examples):

@@ -154,7 +154,7 @@ def check_refusal(line, scan, settings):
         ), line
 
 
-@pytest.mark.parametrize("examples", [20, pytest.param(1000, marks=pytest.mark.study)])
+@pytest.mark.parametrize("examples", [20, pytest.param(300, marks=pytest.mark.study)])
 def test_any_scan_gives_a_valid_study_or_a_justified_refusal(examples):
     @settings(
         max_examples=examples,

@@ -174,17 +174,20 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
 
 
 def test_a_study_continues_after_a_full_disk(empty, own_study):
+    (scan,) = (own_study / STORE / "stitched").glob("*/twin/study/scan-1-flat.nc")
+    target = str(scan.relative_to(own_study))
     with disk(empty / "results", "20M") as folder:
-        filler = fill(folder, 500_000)
-        full = run(empty, "topography")
+        filler = fill(folder, 50_000)
+        full = run(empty, target)
         assert full.returncode != 0
         assert errors(full.stdout) and "free" in full.stdout, full.stdout
         assert damaged(folder) == []
         filler.unlink()
-        done = run(empty, "topography", "--cores", "1")
+        done = run(empty, target)
         assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
         lines = differences(folder, own_study / "results")
         assert [line for line in lines if "missing" not in line] == []
+        assert (empty / target).is_file()
 
 
 @contextmanager
