@@ -64,7 +64,7 @@ onsuccess:
 
 
 onerror:
-    start.log_how_to_resume()
+    start.log_how_to_resume(workflow)
 
 
 rule all:

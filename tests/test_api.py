@@ -7,6 +7,7 @@ import json
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from functools import partial
 
 import matplotlib
@@ -94,6 +95,14 @@ def test_other_objects_than_spectra_are_refused_in_one_line(files):
     assert_says(refusal(hc.read_spectrum, ["scan.nc"]), "expected a path", "['scan.nc']")
     call = partial(hc.predict, rho=1, work=1, **SPHERE, **LOAD)
     assert_says(refusal(call, scan.heights), "hc.read_spectrum(FILE)", "hc.read_scan", "ndarray")
+    undefined = np.where(scan.heights == scan.heights.max(), np.nan, scan.heights)
+    for heights, found in (
+        (scan.heights[1:], "127 x 128 pixels"),
+        (undefined, "1 undefined heights"),
+        (scan.heights.tolist(), "list"),
+    ):
+        message = refusal(call, replace(scan, heights=heights))
+        assert_says(message, "expected a square map of finite heights", f"found {found}")
 
 
 def test_the_page_runs_in_order(files):

@@ -54,7 +54,9 @@ CASES = {
 def content(case):
     answer = own_answer(CASES[case], setting())
     return json.loads(
-        answer_json(own_head(setting(), own_headline(answer)), own_quantities(answer))
+        answer_json(
+            own_head(setting(), own_headline(answer)), own_quantities(answer, {"work of adhesion"})
+        )
     )
 
 
@@ -75,6 +77,8 @@ def test_the_answer_has_the_numbers_of_the_datasets():
     assert (study_rows["range_of_adhesion"]["value"], study_rows["work_of_adhesion"]["value"]) == (
         RANGE, WORK,
     )  # fmt: skip
+    assert study_rows["range_of_adhesion"]["source"] == "given"
+    assert study_rows["work_of_adhesion"]["source"] == "assumed"
     long = edges().sel(surface="my_coating", side="large")
     assert surface_rows["long_edge"]["value"] == long["edge"]
     ends = [surface_rows["long_edge"][end] for end in ("low", "high")]

@@ -20,6 +20,7 @@ from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
     check_contact,
     check_cutoffs,
+    check_heights,
     check_optional_lengths,
     check_positive,
     check_positive_numbers,
@@ -404,6 +405,7 @@ def predict(
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
     check_positive(tolerance=tolerance)
     if isinstance(spectrum, HeightMap):
+        check_heights(spectrum.heights, "spectrum")
         scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
         joined = joined_spectrum([scan], [None])
         spectrum = reliable_spectrum(joined, metrics(spectrum)["skewness"])

@@ -30,4 +30,4 @@ with job(snakemake) as job:
     pictures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
     job.write_text(own_page(answer, headline, warnings, pictures), "page")
     head = own_head(setting, [*headline, *warnings])
-    job.write_text(answer_json(head, own_quantities(answer)), "json")
+    job.write_text(answer_json(head, own_quantities(answer, setting.of_paper)), "json")

@@ -139,8 +139,18 @@ def make_periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
             f"{name}: expected a scan of hc.read_scan(FILE), or hc.HeightMap(heights, pixel_size) "
             f"in nm, found {type(surface).__name__}"
         )
-    heights = surface.heights
-    if heights.ndim != 2 or len(set(heights.shape)) > 1 or not np.isfinite(heights).all():
-        shape = " x ".join(map(str, heights.shape))
-        raise ValueError(f"{name}: expected a square map of finite heights, found {shape} pixels")
+    check_heights(surface.heights, name)
     return surface if surface.periodic else mirror_stitch(surface)
+
+
+def check_heights(heights: np.ndarray, name: str) -> None:
+    """Refuse heights that are not a square array of finite numbers."""
+    if not isinstance(heights, np.ndarray):
+        found = type(heights).__name__
+    elif heights.ndim != 2 or len(set(heights.shape)) > 1:
+        found = " x ".join(map(str, heights.shape)) + " pixels"
+    elif not np.isfinite(heights).all():
+        found = f"{np.count_nonzero(~np.isfinite(heights))} undefined heights"
+    else:
+        return
+    raise ValueError(f"{name}: expected a square map of finite heights, found {found}")

@@ -171,9 +171,10 @@ def log_answer(workflow: Any, *pages: str) -> None:
     _stop_looking()
 
 
-def log_how_to_resume() -> None:
-    """Log, at the end of a run that failed or was stopped, that the same command resumes it."""
-    logger.error("Not all is made: the same command goes on from here.")
+def log_how_to_resume(workflow: Any) -> None:
+    """Log, at the end of a failed or stopped run that makes files, that its command resumes it."""
+    if any(job.output for job in workflow.dag.jobs):
+        logger.error("Not all is made: the same command goes on from here.")
     _stop_looking()
 
 

@@ -100,7 +100,11 @@ def new_study(arguments: Namespace) -> str:
     ]
     if not faults:  # Faults of the input can cause faults of the proposal.
         checks.append(partial(_propose_study, arguments, quantities, entries))
-    results = refuse_all(checks)
+    try:
+        results = refuse_all(checks)
+    except ValueError as error:
+        lines = [str(error), *implausible_quantities(quantities)]
+        raise ValueError("\n".join(lines)) from None
     # With faults, `refuse_all` raises. The last result is therefore that of `_propose_study`.
     proposal, choices = results[-1]
     overlay = f"config/{arguments.name}.yaml"

@@ -1,6 +1,6 @@
 """The answer of a study of own surfaces: its page, and its numbers for answer.json."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -192,13 +192,15 @@ def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
     }
 
 
-def own_quantities(answer: OwnAnswer) -> Iterator[QuantityMapping]:
+def own_quantities(answer: OwnAnswer, of_paper: Collection[str]) -> Iterator[QuantityMapping]:
     """Yield every number of the page, those of the whole study first.
 
     Parameters
     ----------
     answer : OwnAnswer
         From `own_answer`.
+    of_paper : collection of str
+        The quantities of the contact that are the paper's: assumed.
 
     Yields
     ------
@@ -207,7 +209,8 @@ def own_quantities(answer: OwnAnswer) -> Iterator[QuantityMapping]:
     """
     datasets, _, surfaces = answer
     for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
-        yield quantity_mapping(Number(name, datasets.force.attrs[name], unit, source="given"))
+        source = "assumed" if name.replace("_", " ") in of_paper else "given"
+        yield quantity_mapping(Number(name, datasets.force.attrs[name], unit, source=source))
     for name in ("tolerance", "confidence"):
         yield quantity_mapping(Number(name, datasets.edges.attrs[name], source="given"))
     yield quantity_mapping(tabor_number(datasets.force))
