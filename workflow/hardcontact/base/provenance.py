@@ -64,6 +64,13 @@ def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], 
     current = cache(digest)
     faults = list[str]()
     absent = set[str]()
+    written = dict(described) | {path: record["sha256"] for path, record in records.items()}
+    for path, expected in sorted(written.items()):
+        if not Path(path).is_file():
+            if Path(path).is_relative_to(folder):
+                faults.append(f"{path}: expected a file of the study, found none")
+        elif current(path) != expected:
+            faults.append(f"{path}: is not the file that the study wrote")
     for path, record in sorted(records.items()):
         inputs = record["input_digests"]
         missing = {name for name in inputs if not Path(name).is_file()}
@@ -72,13 +79,6 @@ def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], 
         absent |= missing
         if changed and Path(path).is_file():
             faults.append(f"{path}: does not match its input {', '.join(changed)}")
-    written = dict(described) | {path: record["sha256"] for path, record in records.items()}
-    for path, expected in sorted(written.items()):
-        if not Path(path).is_file():
-            if Path(path).is_relative_to(folder):
-                faults.append(f"{path}: expected a file of the study, found none")
-        elif current(path) != expected:
-            faults.append(f"{path}: is not the file that the study wrote")
     return faults, (
         f"{folder}: {len(written)} files checked, {len(faults)} faults, "
         f"{len(absent)} inputs not at hand"
