@@ -21,7 +21,8 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_answer import paper_answer, paper_head, paper_page
+from hardcontact.report.paper_answer import paper_answer
+from hardcontact.report.paper_page import paper_head, paper_page
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 

@@ -11,11 +11,8 @@ from paper_study import CITATION, answer, claims, datasets
 from repository import PAPER, ROOT
 
 from hardcontact.base.number import Number
-from hardcontact.report.paper_answer import (
-    ANSWER_CLAIMS,
-    paper_head,
-    paper_quantities,
-)
+from hardcontact.report.paper_answer import ANSWER_CLAIMS, paper_quantities
+from hardcontact.report.paper_page import paper_head
 from hardcontact.report.quantities import answer_json
 from hardcontact.report.table1 import decimals_of, table1_rows
 

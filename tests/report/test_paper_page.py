@@ -13,7 +13,7 @@ from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.selection import LARGER_PIXELS
 from hardcontact.paper.verdicts import UNTESTABLE, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_answer import MAIN_FINDINGS
+from hardcontact.report.paper_page import MAIN_FINDINGS
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 

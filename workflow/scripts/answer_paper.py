@@ -9,12 +9,8 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.verdicts import read_verdicts
 from hardcontact.report.captions import caption
-from hardcontact.report.paper_answer import (
-    paper_answer,
-    paper_head,
-    paper_page,
-    paper_quantities,
-)
+from hardcontact.report.paper_answer import paper_answer, paper_quantities
+from hardcontact.report.paper_page import paper_head, paper_page
 from hardcontact.report.quantities import answer_json
 
 DATASETS = (

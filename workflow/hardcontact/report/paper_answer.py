@@ -1,8 +1,7 @@
-"""The answer of the paper's study: its numbers, from claims and datasets, and its page."""
+"""The numbers of the answer of the paper's study, from claims and datasets."""
 
 import math
 from collections.abc import Iterator, Mapping
-from itertools import groupby
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,12 +14,8 @@ from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
 from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
-from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
 from hardcontact.report.quantities import QuantityMapping, number_of, on_scans, quantity_mapping
-from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.table1 import table1_rows
-from hardcontact.report.templates import rendered, rendered_lines
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
@@ -34,23 +29,6 @@ ANSWER_CLAIMS = {
     "rigid_over_plastic_error": "plasticity_is_crucial",
     "range_exceeds": "range_exceeds_5_nm",
 }
-#: Claims of the most important findings, in the order of the page.
-MAIN_FINDINGS = (
-    "edge_small_first",
-    "edge_large_first",
-    "edge_small_pooled",
-    "edge_large_pooled",
-    "plasticity_moves_short_edge",
-    "range_moves_short_edge",
-    "interaction_radius_is_critical",
-    "range_of_adhesion",
-    "work_of_adhesion",
-    "plastic_fits",
-    "plasticity_is_crucial",
-    "elastic_pressure_exceeds_hardness",
-    "numerical_beats_classical",
-    "few_asperities_ncd",
-)
 #: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
 EDGE_SIDES = {
     "short_edge": ("small", "open_above"),
@@ -145,7 +123,7 @@ def paper_answer(
     )
 
 
-def edge_source(transitions: xr.DataArray, side: str, edge: float) -> str:
+def _edge_source(transitions: xr.DataArray, side: str, edge: float) -> str:
     """Return the source of an edge (nm): whether the roughness beyond it is artificial.
 
     `transitions` (side) are the wavelengths in nm from which masters have artificial roughness.
@@ -159,10 +137,10 @@ def _numbers_of_claim(
     name: str, row: Any, band: xr.Dataset, transitions: xr.DataArray
 ) -> list[Number]:
     """Return the computed and the published number of a claim, and its frequency over sets."""
+    edge = name.removeprefix("first_")
     source = "computed"
-    for edge, (side, _) in EDGE_SIDES.items():
-        if name in (edge, f"first_{edge}"):
-            source = edge_source(transitions, side, row.computed)
+    if edge in EDGE_SIDES:
+        source = _edge_source(transitions, EDGE_SIDES[edge][0], row.computed)
     status = f"interval_open_{row.open_end}" if row.open_end else ""
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
@@ -192,7 +170,7 @@ def _numbers_of_surface(
         low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
-        source = edge_source(transitions, side, value)
+        source = _edge_source(transitions, side, value)
         numbers[edge] = Number(edge, value, "nm", low, high, status, source)
     if name in forces["surface"].values:
         force = number_of(forces.sel(surface=name), "force_over_largest")
@@ -281,54 +259,6 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
         yield Number(name, float(map_size), "nm", source="given")
 
 
-def paper_headline(answer: PaperAnswer) -> list[str]:
-    """Return the first sentences of the page, which the terminal also shows.
-
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`.
-
-    Returns
-    -------
-    list of str
-        Sentences.
-    """
-    facts = claim_facts(answer.claims)
-    return rendered_lines("paper_headline.txt", answer=answer, numbers=answer.numbers, **facts)
-
-
-def paper_head(
-    answer: PaperAnswer, configuration: Mapping[str, Any], version: str
-) -> dict[str, Any]:
-    """Return the head of answer.json.
-
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`; coarse grids make its effort quick.
-    configuration : mapping
-        The user's configuration.
-    version : str
-        Version of the software.
-
-    Returns
-    -------
-    dict
-        The entries before the list of quantities. `headline` is from `paper_headline`.
-    """
-    contact = {"radius of the sphere": configuration["sphere"]["radius"]}
-    contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
-    return {
-        "study": configuration["study"],
-        "version": version,
-        "effort": "quick" if answer.coarse else configuration["effort"],
-        "kind": "paper",
-        "headline": paper_headline(answer),
-        "contact": contact,
-    }
-
-
 def paper_quantities(answer: PaperAnswer) -> Iterator[QuantityMapping]:
     """Yield the numbers of the whole study, then the numbers of each substrate.
 
@@ -348,54 +278,3 @@ def paper_quantities(answer: PaperAnswer) -> Iterator[QuantityMapping]:
         for number in surface.values():
             if isinstance(number, Number):
                 yield quantity_mapping(number, name)
-
-
-def paper_page(
-    answer: PaperAnswer,
-    head: Mapping[str, Any],
-    figures: Mapping[str, bytes],
-    captions: Mapping[str, Caption],
-    citation: Mapping[str, Any],
-) -> str:
-    """Return the page of the paper's study.
-
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`.
-    head : mapping
-        From `paper_head`.
-    figures : mapping of str to bytes
-        SVG by the name of the figure.
-    captions : mapping of str to Caption
-        Captions by the name of the figure.
-    citation : mapping
-        CITATION.cff.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
-    return rendered(
-        "paper.html",
-        answer=answer,
-        head=head,
-        numbers=answer.numbers,
-        main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
-        artificial=[
-            claim
-            for name, claim in ANSWER_CLAIMS.items()
-            if name in answer.numbers and answer.numbers[name].source == "artificial"
-        ],
-        chapters=[
-            (heading, list(names))
-            for heading, names in groupby(
-                PAPER_FIGURES, key=lambda name: describe_figure(name).chapter
-            )
-        ],
-        figures=figures,
-        captions=captions,
-        citation=citation,
-        **claim_facts(answer.claims),
-    )

@@ -125,9 +125,9 @@ def prediction(
     ]
     is_known_inside = all(number.status == NEGLIGIBLE for number in checks)
     if scans is not None and scans.is_extrapolated:
-        of_measured = prediction(scans.measured(), contact, tolerance, name)
-        extrapolated_force = of_measured.get("extrapolated_force", of_measured["pull_off_force"])
-        is_known_inside = is_known_inside and extrapolated_force.status == INSIDE
+        measured_numbers = prediction(scans.measured(), contact, tolerance, name)
+        force = measured_numbers.get("extrapolated_force", measured_numbers["pull_off_force"])
+        is_known_inside = is_known_inside and force.status == INSIDE
     *extrapolated, change = _extrapolated_numbers(
         spectrum, contact, form.force, tolerance, is_known_inside
     )
@@ -216,12 +216,12 @@ def _force_number(name: str, form: ClosedForm, point: Mapping[str, Any], validat
 
 
 def _edge_number(
-    name: str, end: str, edge: float, point: Mapping[str, Any], validated: bool
+    name: str, edge_name: str, edge: float, point: Mapping[str, Any], validated: bool
 ) -> Number:
-    """Return an edge (nm) with its interval; `end` is the name in VALIDATED_QUANTITIES."""
+    """Return an edge (nm) with its interval; `edge_name` is that in EDGE_NAMES."""
     if not math.isfinite(edge):
         return Number(name, edge, "nm", status=NO_EDGE)
-    interval = _validated_interval(end, edge, point, validated)
+    interval = _validated_interval(edge_name, edge, point, validated)
     return Number(name, edge, "nm", *interval, EDGE_FOUND)
 
 
