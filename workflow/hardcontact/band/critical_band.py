@@ -23,17 +23,9 @@ def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
 def last_cutoff(values: xr.DataArray, side: str) -> float:
     """Return the cutoff (nm) of a side that removes most of the roughness.
 
-    Parameters
-    ----------
-    values : xarray.DataArray
-        Any values (..., cutoff_wavelength) of this side, NaN at the cutoffs of the other side.
-    side : str
-        ``"small"`` or ``"large"``.
-
-    Returns
-    -------
-    float
-        The longest cutoff of the small side, the shortest cutoff of the large side.
+    values: any values (..., cutoff_wavelength) of this side, NaN at the cutoffs of the other side.
+    side: ``"small"`` or ``"large"``.
+    Returns the longest cutoff of the small side, the shortest cutoff of the large side.
     """
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
@@ -41,15 +33,8 @@ def last_cutoff(values: xr.DataArray, side: str) -> float:
 def edges_or_last_cutoffs(band: xr.Dataset) -> xr.DataArray:
     """Return the edges, with the last cutoff of a side in place of NaN.
 
-    Parameters
-    ----------
-    band : xarray.Dataset
-        ``edge`` and ``filtered_force_change`` of `critical_band`.
-
-    Returns
-    -------
-    xarray.DataArray
-        Edges (..., side, group) in nm.
+    band: ``edge`` and ``filtered_force_change`` of `critical_band`.
+    Returns edges (..., side, group) in nm.
     """
     cutoffs = band["cutoff_wavelength"].where(band["filtered_force_change"].notnull())
     last_cutoffs = cutoffs.max("cutoff_wavelength").where(
@@ -65,21 +50,12 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     leaves the tolerance where ln(ratio) does. A sample whose force never leaves the tolerance gets
     the last cutoff of its side.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), the filtered force
-        relative to the unfiltered force, NaN at cutoffs of the other side;
+    scales: ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), the filtered
+        force relative to the unfiltered force, NaN at cutoffs of the other side;
         ``unfiltered_wavelength`` (surface, side) in nm.
-    tolerance : float
-        Relative change of the force that counts.
-    sampling : Sampling
-        Random numbers and confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        With intervals: ``filtered_force_ratio`` (side, surface, cutoff_wavelength);
+    tolerance: relative change of the force that counts.
+    sampling: random numbers and confidence of the intervals.
+    Returns with intervals: ``filtered_force_ratio`` (side, surface, cutoff_wavelength);
         ``filtered_force_change`` (side, group, cutoff_wavelength), |ratio - 1|, and its mean over
         surfaces for the group POOLED; and ``edge`` (side, group) in nm.
     """
@@ -101,19 +77,10 @@ def add_intervals(
 ) -> xr.Dataset:
     """Return a dataset of the variables of `sampled_band` with their intervals.
 
-    Parameters
-    ----------
-    variables : mapping of str to SampledVariable
-        Variables of `sampled_band`.
-    scales : xarray.Dataset
-        The scales from which they were computed; their coordinates become those of the dataset.
-    sampling : Sampling
-        Its confidence is the confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        As from `critical_band`.
+    variables: variables of `sampled_band`.
+    scales: the scales from which they were computed; their coordinates become those of the dataset.
+    sampling: its confidence is the confidence of the intervals.
+    Returns as from `critical_band`.
     """
     bands: dict[str, Any] = {}
     for name, variable in variables.items():
@@ -207,19 +174,10 @@ def interpolate_edge(cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float
     surface is ln(ratio), which passes through zero where the ratio crosses one; |ratio - 1| does
     not. The curve of several surfaces is the mean of |ratio - 1|.
 
-    Parameters
-    ----------
-    cutoffs : numpy.ndarray
-        Cutoffs (k,) in nm, in the order of growing effect.
-    curve : numpy.ndarray
-        Change (k,) of the force; the first value is within the limits.
-    limits : tuple of float
-        Lower and upper limit of the curve.
-
-    Returns
-    -------
-    float
-        The cutoff in nm, NaN if the curve never leaves its limits.
+    cutoffs: cutoffs (k,) in nm, in the order of growing effect.
+    curve: change (k,) of the force; the first value is within the limits.
+    limits: lower and upper limit of the curve.
+    Returns the cutoff in nm, NaN if the curve never leaves its limits.
     """
     lower, upper = limits
     is_outside = (curve < lower) | (curve > upper)
@@ -275,15 +233,8 @@ def describe_edge(curve: RatioCurve) -> dict[str, Any]:
     cutoff at which all values have left the limits. The only assumption is that the curve does not
     cross its limits twice between two cutoffs.
 
-    Parameters
-    ----------
-    curve : Curve
-        The change of the force by cutoff, with its interval.
-
-    Returns
-    -------
-    dict
-        ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
+    curve: the change of the force by cutoff, with its interval.
+    Returns ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
         ``edge_bound_is_lower``, 1 if the edge is longer than its bound, else 0; ``edge_status`` and
         ``edge_interval_status`` (2,), ``"found"`` or the end of the cutoffs that the edge lies
         beyond.

@@ -19,23 +19,14 @@ CONTACT_MODELS = ["rigid", "plastic"]
 def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the critical band of plastic and rigid contact at each range of adhesion.
 
-    Parameters
-    ----------
-    forces : xarray.Dataset
-        From `stacked_forces`, with a single radius, two loads and rho. A single pixel carries the
-        load of rigid contact.
-    tolerance : float
-        Relative change of the force that counts.
-    sampling : Sampling
-        Random numbers and confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        `critical_band` by contact_model (CONTACT_MODELS) and rho. ``edge_ratio`` (without, side,
-        group) with its interval: the edge in plastic contact at the longest range, relative to the
-        edge in rigid contact at this range (``"plasticity"``) or to the edge in plastic contact at
-        the shortest range (``"long_range"``).
+    forces: from `stacked_forces`, with a single radius, two loads and rho. A single pixel carries
+        the load of rigid contact.
+    tolerance: relative change of the force that counts.
+    sampling: random numbers and confidence of the intervals.
+    Returns `critical_band` by contact_model (CONTACT_MODELS) and rho. ``edge_ratio`` (without,
+        side, group) with its interval: the edge in plastic contact at the longest range, relative
+        to the edge in rigid contact at this range (``"plasticity"``) or to the edge in plastic
+        contact at the shortest range (``"long_range"``).
     """
     sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
     models = []

@@ -46,22 +46,10 @@ def forces_at_cutoffs(
 ) -> xr.Dataset:
     """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
 
-    Parameters
-    ----------
-    master : HeightMap
-        A periodic surface.
-    filters : Filters
-        The cutoffs.
-    forces : callable
-        Takes a filtered surface and returns its forces (...) in N at 1 J/m².
-    axes : mapping of str to Axis
-        Dimensions and coordinates of the forces.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (cutoff_wavelength, ...) and ``unfiltered_pull_off_force`` (...) in N;
-        ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
+    forces: takes a filtered surface and returns its forces (...) in N at 1 J/m².
+    axes: dimensions and coordinates of the forces.
+    Returns ``pull_off_force`` (cutoff_wavelength, ...) and ``unfiltered_pull_off_force`` (...) in
+        N; ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
@@ -91,25 +79,12 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
 
-    Parameters
-    ----------
-    master : HeightMap
-        A periodic surface.
-    filters : Filters
-        The cutoffs.
-    contacts : sequence of Contact
-        Contacts that differ only in their load.
-    sphere : HeightMap or None
-        Roughness of the sphere; None for a smooth sphere.
-    radii, ranges : sequence of float or None
-        In nm; None for the radius and the range of the first contact.
-
-    Returns
-    -------
-    xarray.Dataset
-        Forces at 1 J/m² by cutoff_wavelength, radius, load, rho, contact_y and contact_x; the last
-        two number the contacts. ``contact_area`` (load) is the area of the touching pixels, and the
-        coordinate ``area`` (load) is the preload divided by the hardness, both in nm².
+    contacts: contacts that differ only in their load.
+    sphere: roughness of the sphere; None for a smooth sphere.
+    radii, ranges: in nm; None for the radius and the range of the first contact.
+    Returns forces at 1 J/m² by cutoff_wavelength, radius, load, rho, contact_y and contact_x; the
+        last two number the contacts. ``contact_area`` (load) is the area of the touching pixels,
+        and the coordinate ``area`` (load) is the preload divided by the hardness, both in nm².
     """
     contact = contacts[0]
     pixel_size = master.size / filters.pixels
@@ -136,24 +111,11 @@ def varied_master(
 ) -> HeightMap:
     """Return the master of one side, from the files of a scan and of its spectrum.
 
-    Parameters
-    ----------
-    side : str
-        ``"small"`` or ``"large"``.
-    key : tuple
-        Selects the random numbers.
-    scan : str
-        Path of a stitched scan.
-    spectrum : str
-        Path of its spectrum. A spectrum sampled within its uncertainty has the attribute
+    side: ``"small"`` or ``"large"``.
+    spectrum: path of its spectrum. A spectrum sampled within its uncertainty has the attribute
         ``height_factor``, by which the heights of the scan are multiplied.
-    scales : mapping
-        Argument of `synthesize_master`.
-
-    Returns
-    -------
-    HeightMap
-        The periodic master.
+    scales: argument of `synthesize_master`.
+    Returns the periodic master.
     """
     density = dataset.read(spectrum)
     stitched = read_height_map(scan)

@@ -29,26 +29,9 @@ def crate_text(
     crate itself and ``report.html``. Inputs are named by their paths in the repository. Equal files
     give an equal text.
 
-    Parameters
-    ----------
-    folder : str or Path
-        ``results/<study>``.
-    study : str
-        Name of the study.
-    citation : str or Path
-        The citation file of the repository.
-    versions : mapping of str to str
-        The version of each package.
-
-    Returns
-    -------
-    str
-        JSON.
-
-    Raises
-    ------
-    ValueError
-        If a record of a result is damaged.
+    folder: ``results/<study>``.
+    versions: the version of each package.
+    Raises ValueError if a record of a result is damaged.
     """
     citation_data = yaml.safe_load(Path(citation).read_text("utf-8"))
     crate = ROCrate(version="1.1")
@@ -80,20 +63,9 @@ def crate_text(
 def described_files(folder: str | Path) -> dict[str, str]:
     """Return the files that the RO-Crate of ``results/<study>`` describes.
 
-    Parameters
-    ----------
-    folder : str or Path
-        ``results/<study>``.
-
-    Returns
-    -------
-    dict of str to str
-        Path and SHA-256; empty if there is no crate.
-
-    Raises
-    ------
-    ValueError
-        If the crate is damaged.
+    folder: ``results/<study>``.
+    Returns path and SHA-256; empty if there is no crate.
+    Raises ValueError if the crate is damaged.
     """
     path = Path(folder, CRATE_FILE)
     try:

@@ -16,19 +16,9 @@ FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETCDF4") -> None:
     """Write a dataset whole or not at all.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        What to write.
-    path : str or Path
-        File in an existing folder; it is replaced.
-    file_format : str
-        Format of netCDF.
-
-    Raises
-    ------
-    ValueError
-        If the file cannot be written.
+    dataset: what to write.
+    path: file in an existing folder; it is replaced.
+    Raises ValueError if the file cannot be written.
     """
     with whole_file(path) as temporary:
         try:
@@ -42,20 +32,8 @@ def read(path: str | Path) -> xr.Dataset:
 
     The encoding fixes the length of texts: longer texts that are joined to them would be cut.
 
-    Parameters
-    ----------
-    path : str or Path
-        A netCDF file.
-
-    Returns
-    -------
-    xarray.Dataset
-        All variables, in memory.
-
-    Raises
-    ------
-    ValueError
-        If the file is missing, damaged or truncated.
+    Returns all variables, in memory.
+    Raises ValueError if the file is missing, damaged or truncated.
     """
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
@@ -72,22 +50,10 @@ def read_all(
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Read one dataset for each key, for `stack`.
 
-    Parameters
-    ----------
-    keys : iterable of sequences
-        Labels of each dataset, one for each dimension along which they are stacked.
-    paths : iterable of str or Path
-        Files in the order of the keys.
-
-    Returns
-    -------
-    dict
-        The dataset of each key, in the same order.
-
-    Raises
-    ------
-    ValueError
-        If there are not as many keys as paths, or `read` fails.
+    keys: labels of each dataset, one for each dimension along which they are stacked.
+    paths: files in the order of the keys.
+    Returns the dataset of each key, in the same order.
+    Raises ValueError if there are not as many keys as paths, or `read` fails.
     """
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
@@ -98,17 +64,9 @@ def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[s
     Labels keep the order of the keys; the labels of an inner dimension are sorted if they differ
     between outer labels.
 
-    Parameters
-    ----------
-    datasets : mapping
-        By key: a tuple with a label for each dimension.
-    dimensions : sequence of str
-        Names of the new dimensions.
-
-    Returns
-    -------
-    xarray.Dataset
-        Values are NaN where a combination of labels is missing.
+    datasets: by key: a tuple with a label for each dimension.
+    dimensions: names of the new dimensions.
+    Returns values are NaN where a combination of labels is missing.
     """
     if not dimensions:
         return datasets[()]

@@ -68,20 +68,9 @@ class Job(NamedTuple):
 def job(snakemake: Any) -> Iterator[Job]:
     """Keep the log of a script and yield its `Job`.
 
-    Parameters
-    ----------
-    snakemake : Snakemake
-        The object that Snakemake gives to a script.
-
-    Yields
-    ------
-    Job
-        Inputs, outputs and parameters.
-
-    Raises
-    ------
-    ValueError
-        Before anything is computed, if an input is not as the study wrote it.
+    snakemake: the object that Snakemake gives to a script.
+    Yields inputs, outputs and parameters.
+    Raises ValueError before anything is computed, if an input is not as the study wrote it.
     """
     with job_log(snakemake.log[0]):
         inputs = snakemake.input
@@ -135,19 +124,8 @@ def job_log(path: str | Path) -> Iterator[None]:
 def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
     """Pass on steps, and log how many are done, about ten times in all.
 
-    Parameters
-    ----------
-    steps : iterable
-        The steps.
-    total : int
-        Their number.
-    name : str
-        What the steps are, in the plural.
-
-    Yields
-    ------
-    object
-        Each step.
+    name: what the steps are, in the plural.
+    Yields object: each step.
     """
     for done, step in enumerate(steps, start=1):
         yield step

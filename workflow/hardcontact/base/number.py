@@ -7,22 +7,15 @@ from typing import Any, NamedTuple
 class Number(NamedTuple):
     """A number with its interval; value and ends that are not known are not finite.
 
-    Attributes
-    ----------
-    name : str
-        Name of the quantity.
-    value, low, high : float
-        The number and the ends of its interval, in `unit`.
-    unit : str
-        Of the datasets: "nm", "N", "J m-2", "1".
-    status : str
-        A code, whose words are in templates. "open_above", "open_below": `value` is a bound.
+    name: name of the quantity.
+    value, low, high: the number and the ends of its interval, in `unit`.
+    unit: of the datasets: "nm", "N", "J m-2", "1".
+    status: a code, whose words are in templates. "open_above", "open_below": `value` is a bound.
         "not_bounded": there are too few scans for an interval. "interval_open_low",
         "interval_open_high": an end of the interval is a bound. "no_interval": the number should
         have an interval. "between", "more_than", "at_most": only ends are known. Other codes give
         the reason for a missing value.
-    source : str
-        A code for the origin: "computed", "measured", "extrapolated", "artificial", "given",
+    source: a code for the origin: "computed", "measured", "extrapolated", "artificial", "given",
         "file", "assumed".
     """
 

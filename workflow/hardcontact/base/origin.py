@@ -112,15 +112,8 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
 def pinned_versions(environment: str | Path) -> dict[str, str]:
     """Return the installed versions of the packages that requirements of pip pin.
 
-    Parameters
-    ----------
-    environment : str or Path
-        Requirements of pip; only lines ``package==version`` count.
-
-    Returns
-    -------
-    dict of str to str
-        Version by package, in the order of the file.
+    environment: requirements of pip; only lines ``package==version`` count.
+    Returns version by package, in the order of the file.
     """
     names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
     return {name: version(name) for name in names}

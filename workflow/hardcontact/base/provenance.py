@@ -40,23 +40,11 @@ def sources(records: Mapping[str, Record]) -> dict[str, str]:
 def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], str]:
     """Compare every file that led to ``results/<study>`` with its record.
 
-    Parameters
-    ----------
-    folder : str or Path
-        The results of a study.
-    described : mapping of str to str
-        SHA-256, by path, of the files that the RO-Crate describes. It counts for files without a
-        record, as in an archive.
-
-    Returns
-    -------
-    faults, counts
-        One line for each file that is missing or does not match; one line of counts.
-
-    Raises
-    ------
-    ValueError
-        If there is nothing to compare or a record is damaged, with one line.
+    described: SHA-256, by path, of the files that the RO-Crate describes. It counts for files
+        without a record, as in an archive.
+    Returns faults, counts: one line for each file that is missing or does not match; one line of
+        counts.
+    Raises ValueError if there is nothing to compare or a record is damaged, with one line.
     """
     records = traced_records(folder)
     if not records and not described:

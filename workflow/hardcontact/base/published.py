@@ -8,15 +8,8 @@ import pandas as pd
 def constants(path: str | Path) -> pd.DataFrame:
     """Read `parameters.csv`: single numbers of the paper.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    pandas.DataFrame
-        By quantity: value and uncertainty (NaN if none is printed), both in `unit`; basis; source.
+    Returns by quantity: value and uncertainty (NaN if none is printed), both in `unit`; basis;
+        source.
     """
     return pd.read_csv(path, index_col="quantity")
 
@@ -24,16 +17,8 @@ def constants(path: str | Path) -> pd.DataFrame:
 def pull_off(path: str | Path) -> pd.DataFrame:
     """Read `pull_off.csv`: statistics of the measured pull-off forces.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    pandas.DataFrame
-        By surface: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN if the
-        paper has none.
+    Returns by surface: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN if
+        the paper has none.
     """
     return pd.read_csv(path).pivot(index="surface", columns="quantity", values="value")
 
@@ -41,15 +26,7 @@ def pull_off(path: str | Path) -> pd.DataFrame:
 def printed_pull_off(path: str | Path) -> pd.DataFrame:
     """Read the table of `pull_off` as text with the printed digits.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    pandas.DataFrame
-        As from `pull_off`, as text.
+    Returns as from `pull_off`, as text.
     """
     rows = pd.read_csv(path, dtype=str)
     return rows.pivot(index="surface", columns="quantity", values="value")
@@ -58,15 +35,7 @@ def printed_pull_off(path: str | Path) -> pd.DataFrame:
 def table1(path: str | Path) -> pd.DataFrame:
     """Read `table1.csv`: the roughness metrics of Table 1, one row per number.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Columns surface; quantity; value and uncertainty, both in `unit`; basis; source.
+    Returns columns surface; quantity; value and uncertainty, both in `unit`; basis; source.
     """
     return pd.read_csv(path)
 

@@ -8,18 +8,9 @@ import numpy as np
 def generator(seed: int, *names: object) -> np.random.Generator:
     """Return the random generator for one purpose, e.g. ``generator(seed, "uncd", 3, "scan")``.
 
-    Parameters
-    ----------
-    seed : int
-        Seed of the study.
-    *names : object
-        Names of the purpose. The generator depends on their text and the seed alone, never on the
-        order of execution or the machine.
-
-    Returns
-    -------
-    numpy.random.Generator
-        A new generator.
+    *names: names of the purpose. The generator depends on their text and the seed alone, never on
+        the order of execution or the machine.
+    Returns a new generator.
     """
     text = "/".join(str(name) for name in names).encode()
     words = np.frombuffer(hashlib.sha256(text).digest(), dtype="<u4")

@@ -61,15 +61,8 @@ def check_quantities(**numbers: Any) -> None:
 
     A question is a UserWarning.
 
-    Parameters
-    ----------
-    **numbers : float
-        `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
-
-    Raises
-    ------
-    ValueError
-        If numbers are not positive, or beyond the limits; with a line for each.
+    **numbers: `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
+    Raises ValueError if numbers are not positive, or beyond the limits; with a line for each.
     """
     check_positive(**numbers)
     quantities = {name: "range" if name == "rho" else name for name in numbers}

@@ -81,34 +81,15 @@ def own_spectrum(
 
     Scans are read by `read_measurement`, checked by `examine` and joined by `joined_spectrum`.
 
-    Parameters
-    ----------
-    files : sequence of str or Path
-        One table for `table_spectrum`, or scans. A CSV of a scan begins with numbers.
-    dataset : str
-        The only member of a container to read; empty: all members.
-    tip_radius : float or None
-        Radius of the tip in nm for files that do not state it.
-    undefined_pixels : str
-        ``"refuse"``, or the interpolation that fills undefined pixels.
-    unit : str
-        The unit of length for files that do not state it, or ``"none"``.
-    map_size : float or str
-        The longer side in nm for files that do not state it, or ``"none"``.
-    levelling : str
-        One of LEVELLING.
-    sphere_radius : float or None
-        Radius in nm of the sphere on the scans; None for a flat surface.
-
-    Returns
-    -------
-    OwnSpectrum
-        The spectrum of a table, or of scans at their reliable wavelengths.
-
-    Raises
-    ------
-    ValueError
-        If a file is invalid, with a line for each fault.
+    files: one table for `table_spectrum`, or scans. A CSV of a scan begins with numbers.
+    dataset: the only member of a container to read; empty: all members.
+    tip_radius: radius of the tip in nm for files that do not state it.
+    undefined_pixels: ``"refuse"``, or the interpolation that fills undefined pixels.
+    unit: the unit of length for files that do not state it, or ``"none"``.
+    map_size: the longer side in nm for files that do not state it, or ``"none"``.
+    sphere_radius: radius in nm of the sphere on the scans; None for a flat surface.
+    Returns the spectrum of a table, or of scans at their reliable wavelengths.
+    Raises ValueError if a file is invalid, with a line for each fault.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")

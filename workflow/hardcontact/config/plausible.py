@@ -28,17 +28,8 @@ PLAUSIBLE_BOUNDS = {
 def unit_question(quantity: str, number: float) -> str:
     """Return a question if a number is not usual for a quantity of a contact, else no text.
 
-    Parameters
-    ----------
-    quantity : str
-        A name in QUANTITY_KEYS.
-    number : float
-        The value in the unit of the key.
-
-    Returns
-    -------
-    str
-        The question, with the usual values.
+    number: the value in the unit of the key.
+    Returns the question, with the usual values.
     """
     low, high, kind = PLAUSIBLE_BOUNDS[quantity]
     unit = quantity_type(QUANTITY_KEYS[quantity]).unit

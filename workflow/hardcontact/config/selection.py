@@ -191,21 +191,9 @@ class Selection:
 def surface_table(path: str | Path) -> pd.DataFrame:
     """Read the table of surfaces, which is tab-separated, and check that its rows agree.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a scan, indexed by the line of the file, with the columns of `SurfaceRow`; `scan` is
-        an int. Missing optional columns are empty, and an empty `use` becomes CONTACT.
-
-    Raises
-    ------
-    ValueError
-        With a line for each fault, which names the file and the line or the surface.
+    Returns one row a scan, indexed by the line of the file, with the columns of `SurfaceRow`;
+        `scan` is an int. Missing optional columns are empty, and an empty `use` becomes CONTACT.
+    Raises ValueError with a line for each fault, which names the file and the line or the surface.
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")

@@ -145,26 +145,12 @@ def measured_forces(
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 
-    Parameters
-    ----------
-    path : str or Path
-        A CSV with a header: surface, value, unit, one row per test; or surface, mean, median,
+    path: a CSV with a header: surface, value, unit, one row per test; or surface, mean, median,
         count, unit, one row per surface.
-    surfaces : collection of str
-        The surfaces of the study.
-    given_as : str
-        The option or key that names the table, for messages.
-
-    Returns
-    -------
-    pandas.DataFrame
-        By line of the file: surface; mean and median in N, positive; and count, the number of
+    given_as: the option or key that names the table, for messages.
+    Returns by line of the file: surface; mean and median in N, positive; and count, the number of
         tests. A single test is its own mean and median.
-
-    Raises
-    ------
-    ValueError
-        With a line for each faulty row.
+    Raises ValueError with a line for each faulty row.
     """
     table = user_table(path, f"a table of forces ({given_as})")
     columns = SUMMARIES if "mean" in table.header else TESTS

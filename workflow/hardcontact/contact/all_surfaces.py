@@ -23,17 +23,8 @@ class Described(TypedDict):
 def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
     """Return a dataset with the label and the basis of each of its surfaces.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Over surface.
-    described : Described
-        Label and basis by surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        The dataset with ``label`` (surface) and ``basis`` (surface).
+    described: label and basis by surface.
+    Returns the dataset with ``label`` (surface) and ``basis`` (surface).
     """
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
@@ -45,15 +36,8 @@ def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
 def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
     """Return the forces of one scan on all scans of the sphere, with contacts by number.
 
-    Parameters
-    ----------
-    pairs : mapping of int to xarray.Dataset
-        By number of the sphere scan: the dataset of `pull_off_of_pair`.
-
-    Returns
-    -------
-    xarray.Dataset
-        The same variables over (sphere_scan, ...).
+    pairs: by number of the sphere scan: the dataset of `pull_off_of_pair`.
+    Returns the same variables over (sphere_scan, ...).
     """
     # Positions of contacts differ between pixel sizes.
     numbered = {
@@ -66,18 +50,10 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
 def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    Parameters
-    ----------
-    scans : mapping
-        By (surface, scan): the dataset of `over_sphere_scans`, with `wider_window_change`.
-    described : Described
-        Label and basis by surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        The same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is the
-        largest of all pairs.
+    scans: by (surface, scan): the dataset of `over_sphere_scans`, with `wider_window_change`.
+    described: label and basis by surface.
+    Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
+        the largest of all pairs.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
@@ -90,20 +66,11 @@ def single_masters(
 ) -> Parts:
     """Return the forces on each master.
 
-    Parameters
-    ----------
-    files : iterable of tuple
-        Key of a file, beginning with the surface, and its dataset from
+    files: key of a file, beginning with the surface, and its dataset from
         `filtered_masters.filtered_pull_off`.
-    realizations : int
-        Number of realizations; further ones are left out.
-    load : str or None
-        The only load, at the single radius and range of the file; None for all loads.
-
-    Returns
-    -------
-    dict
-        By key of the file, realization and side: the dataset of one master.
+    realizations: number of realizations; further ones are left out.
+    load: the only load, at the single radius and range of the file; None for all loads.
+    Returns by key of the file, realization and side: the dataset of one master.
     """
     masters: dict[tuple[Any, ...], xr.Dataset] = {}
     for key, file in files:
@@ -122,18 +89,10 @@ def single_masters(
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     """Return the elastic contacts of all surfaces and scans.
 
-    Parameters
-    ----------
-    scans : mapping
-        By (surface, scan): the dataset of `elastic_contacts_of_pair`.
-    described : Described
-        Label and basis by surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        The same variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows one
-        contact on the first scan of each surface.
+    scans: by (surface, scan): the dataset of `elastic_contacts_of_pair`.
+    described: label and basis by surface.
+    Returns the same variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows
+        one contact on the first scan of each surface.
     """
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
@@ -149,17 +108,10 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
 def stacked_forces(masters: Parts) -> xr.Dataset:
     """Return the forces on all filtered masters, and their ratios to the unfiltered forces.
 
-    Parameters
-    ----------
-    masters : mapping
-        By (surface, realization, side): the dataset of `forces_at_cutoffs`.
-
-    Returns
-    -------
-    xarray.Dataset
-        The same variables over (surface, realization, side, ...), NaN at cutoffs of the other side.
-        ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, ...) compares means
-        over contacts; ``unfiltered_wavelength`` (surface, side) is in nm.
+    masters: by (surface, realization, side): the dataset of `forces_at_cutoffs`.
+    Returns the same variables over (surface, realization, side, ...), NaN at cutoffs of the other
+        side. ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, ...) compares
+        means over contacts; ``unfiltered_wavelength`` (surface, side) is in nm.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -179,17 +131,9 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
 def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with the changes that another spectrum makes.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        From `stacked_forces`, for masters with the most likely spectra.
-    varied : xarray.Dataset
-        From `stacked_forces`, for masters with sampled spectra and the same random numbers.
-
-    Returns
-    -------
-    xarray.Dataset
-        `scales` with ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the changes of the
+    scales: from `stacked_forces`, for masters with the most likely spectra.
+    varied: from `stacked_forces`, for masters with sampled spectra and the same random numbers.
+    Returns `scales` with ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the changes of the
         logarithms of ``filtered_force_ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if
         there is no varied master.
     """
@@ -207,17 +151,9 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
     """Return forces of masters with the wavelengths at which artificial roughness begins.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Over side.
-    transitions : mapping of str to float
-        Wavelength in nm by side.
-
-    Returns
-    -------
-    xarray.Dataset
-        The forces with ``transition`` (side) in nm.
+    scales: over side.
+    transitions: wavelength in nm by side.
+    Returns the forces with ``transition`` (side) in nm.
     """
     attributes = {"units": "nm", "long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]

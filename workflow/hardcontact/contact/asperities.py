@@ -81,23 +81,12 @@ def asperities_of_pair(
 ) -> xr.Dataset:
     """Return which asperities carry the force of some plastic contacts.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    contact : Contact
-        Load and hardness.
-    contact_indices : numpy.ndarray
-        (contact, 2) Row and column of each contact in the array of contacts.
-    share : float
-        Share of the force, between 0 and 1.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of ASPERITY_UNITS (contact, rho).
+    bodies: substrate and sphere on common pixels.
+    contact: load and hardness.
+    contact_indices: (contact, 2) Row and column of each contact in the array of contacts.
+    share: share of the force, between 0 and 1.
+    ranges: ranges of adhesion in nm.
+    Returns the variables of ASPERITY_UNITS (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)

@@ -50,18 +50,9 @@ class Contact:
 def contact_of_area(radius: float, rho: float, work: float, area: float) -> Contact:
     """Return a contact whose preload an area carries, at a hardness of 1 N/nm².
 
-    Parameters
-    ----------
-    radius, rho : float
-        Radius of the sphere and range of adhesion in nm.
-    work : float
-        Work of adhesion in J/m².
-    area : float
-        Area of contact in nm².
-
-    Returns
-    -------
-    Contact
-        A single contact.
+    radius, rho: radius of the sphere and range of adhesion in nm.
+    work: work of adhesion in J/m².
+    area: area of contact in nm².
+    Returns a single contact.
     """
     return Contact(radius=radius, range=rho, work=work, preload=area, hardness=1e18)

@@ -167,30 +167,15 @@ def elastic_contacts_of_pair(
 ) -> xr.Dataset:
     """Solve some contacts of a pair of scans with elasticity, without plasticity.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    contact : Contact
-        Load, hardness, range and work of adhesion.
-    contact_indices : numpy.ndarray
-        (contact, 2) Row and column of each contact in the array of contacts.
-    modulus : float
-        Effective modulus in Pa.
-    pull_off_window : float
-        Side in nm of the window around the lowest gap in which pull-off is solved.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of ELASTIC_UNITS (contact); ``share_above_hardness`` is the share of the
+    bodies: substrate and sphere on common pixels.
+    contact: load, hardness, range and work of adhesion.
+    contact_indices: (contact, 2) Row and column of each contact in the array of contacts.
+    modulus: effective modulus in Pa.
+    pull_off_window: side in nm of the window around the lowest gap in which pull-off is solved.
+    Returns the variables of ELASTIC_UNITS (contact); ``share_above_hardness`` is the share of the
         contact area whose pressure exceeds the hardness. ``pressure`` (y, x) in Pa around its peak,
         for the first contact.
-
-    Raises
-    ------
-    ValueError
-        If a solver finds no equilibrium.
+    Raises ValueError if a solver finds no equilibrium.
     """
     geometry = bodies.geometry
     pixel_size = bodies.geometry.pixel_size

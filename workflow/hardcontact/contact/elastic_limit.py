@@ -26,17 +26,9 @@ def pressure_over_hardness(
 
     The rms slope h' of all waves down to the shortest follows from h'² = 1/(2 pi) ∫ q³ C_iso dq.
 
-    Parameters
-    ----------
-    spectra : mapping of str to Spectrum
-        Spectrum by surface.
-    modulus, hardness : float
-        Effective modulus E* and hardness H in Pa.
-
-    Returns
-    -------
-    xarray.DataArray
-        (surface, shortest_wavelength), wavelengths in nm, ascending.
+    spectra: spectrum by surface.
+    modulus, hardness: effective modulus E* and hardness H in Pa.
+    Returns (surface, shortest_wavelength), wavelengths in nm, ascending.
     """
     surface_ratios = []
     for spectrum in spectra.values():

@@ -32,22 +32,10 @@ def mean_forces(
     The random numbers of a surface depend on the purpose and the name of the surface alone: contact
     models share them.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray
-        Forces (surface, scan, rho) in N, possibly also over the dimensions of contacts; NaN for a
-        missing scan.
-    sampling : Sampling
-        Random numbers.
-    purpose : str
-        Purpose of the random numbers.
-
-    Returns
-    -------
-    means : numpy.ndarray
-        (surface, rho) N.
-    samples : numpy.ndarray
-        (sample, surface, rho) N, by `student_log_samples`; NaN for a surface with a single scan.
+    forces: forces (surface, scan, rho) in N, possibly also over the dimensions of contacts; NaN for
+        a missing scan.
+    Returns (surface, rho) N. (sample, surface, rho) N, by `student_log_samples`; NaN for a surface
+        with a single scan.
     """
     scans = mean_of_each_scan(forces)
     samples = [
@@ -70,21 +58,10 @@ def force_curves(
 ) -> dict[str, Any]:
     """Return mean forces and their ratios to a reference surface.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray
-        Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N.
-    means, mean_samples : numpy.ndarray
-        The means and samples of these forces, from `mean_forces`.
-    reference_index : int
-        Index of the reference surface.
-    sampling : Sampling
-        Confidence of the intervals.
-
-    Returns
-    -------
-    dict of str to tuple
-        ``mean_force`` in N and ``force_ratio``, both (surface, rho), with their intervals.
+    forces: forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N.
+    means, mean_samples: the means and samples of these forces, from `mean_forces`.
+    sampling: confidence of the intervals.
+    Returns ``mean_force`` in N and ``force_ratio``, both (surface, rho), with their intervals.
     """
     dimensions = ("surface", "rho")
     ratio = means / means[reference_index]
@@ -148,21 +125,12 @@ JACKKNIFE_STATISTICS = ["median_force_at_pair", "lognormal_shape", "lognormal_me
 def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
-    Parameters
-    ----------
-    forces : numpy.ndarray
-        (scan, sphere_scan, contact) N, NaN for a missing scan or contact.
-    force_floor : float
-        Smallest measurable force in N. Smaller forces enter the fit as censored.
-    sampling : Sampling
-        Confidence of the intervals. The intervals are NaN if `sampling.samples` is 0.
-
-    Returns
-    -------
-    xarray.Dataset
-        The scalars FORCE_STATISTICS with intervals over substrate scans: the mean and the censored
-        fraction by Student's t, JACKKNIFE_STATISTICS by the jackknife. All are NaN if all forces
-        are.
+    forces: (scan, sphere_scan, contact) N, NaN for a missing scan or contact.
+    force_floor: smallest measurable force in N. Smaller forces enter the fit as censored.
+    sampling: confidence of the intervals. The intervals are NaN if `sampling.samples` is 0.
+    Returns the scalars FORCE_STATISTICS with intervals over substrate scans: the mean and the
+        censored fraction by Student's t, JACKKNIFE_STATISTICS by the jackknife. All are NaN if all
+        forces are.
     """
     is_finite = np.isfinite(forces)
     scan_exists = is_finite.any(axis=(1, 2))

@@ -62,20 +62,11 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    Parameters
-    ----------
-    substrates, spheres : mapping of int to HeightMap
-        Stitched scans by their numbers.
-    contact : Contact
-        The contact; its preload is not used.
-    preloads : sequence of float
-        Loads in N, ascending.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x). For the
-        contact of median depth at the largest preload, ``indentation`` (preload, y, x) and
+    substrates, spheres: stitched scans by their numbers.
+    contact: the contact; its preload is not used.
+    preloads: loads in N, ascending.
+    Returns the variables of INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x). For
+        the contact of median depth at the largest preload, ``indentation`` (preload, y, x) and
         ``sphere_height`` (y, x) in nm.
     """
 

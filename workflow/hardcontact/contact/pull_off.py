@@ -102,26 +102,13 @@ def _gaps(contacts: Contacts) -> Floats:
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    contact : Contact
-        Load and hardness.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
+    bodies: substrate and sphere on common pixels.
+    contact: load and hardness.
+    ranges: ranges of adhesion in nm.
+    Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
         ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixel_count``
         (contact_model) and the number of `touched_places`.
-
-    Raises
-    ------
-    ValueError
-        If a range is too short for the relief of the surface.
+    Raises ValueError if a range is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
     pixel_counts = [1, contact.pixel_count(pixel_size)]
@@ -173,19 +160,11 @@ def mean_pull_off_of_pair(
 ) -> xr.Dataset:
     """Return the forces of a pair of scans, averaged over its contacts.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    contacts : sequence of Contact
-        One for each load.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        In N at 1 J/m²: plastic ``pull_off_force`` (load, rho) and ``rigid_pull_off_force`` (rho).
+    bodies: substrate and sphere on common pixels.
+    contacts: one for each load.
+    ranges: ranges of adhesion in nm.
+    Returns in N at 1 J/m²: plastic ``pull_off_force`` (load, rho) and ``rigid_pull_off_force``
+        (rho).
     """
     pixel_counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts]
     rigid, *plastic = _forces(bodies, [1, *pixel_counts], ranges)[1].mean(axis=(-2, -1))
@@ -204,17 +183,9 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
 
     Both maps are Fourier interpolated, so that the surfaces stay the same.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    contact : Contact
-        Load, hardness and range of adhesion.
-
-    Returns
-    -------
-    xarray.Dataset
-        The ratio of the forces, a single number.
+    bodies: substrate and sphere on common pixels.
+    contact: load, hardness and range of adhesion.
+    Returns the ratio of the forces, a single number.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
@@ -242,17 +213,9 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
 def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
     """Return how much the plastic force changes in a window larger by a period on each side.
 
-    Parameters
-    ----------
-    pairs : iterable of Bodies
-        One substrate with several scans of the sphere.
-    contact : Contact
-        Load, hardness and range of adhesion.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``wider_window_change``, the largest relative change over contacts and pairs.
+    pairs: one substrate with several scans of the sphere.
+    contact: load, hardness and range of adhesion.
+    Returns ``wider_window_change``, the largest relative change over contacts and pairs.
     """
     changes = []
     for bodies in pairs:

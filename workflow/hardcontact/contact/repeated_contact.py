@@ -85,19 +85,9 @@ def large_surface(
 ) -> HeightMap:
     """Return a random surface, as large as its pixels permit.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of the heights.
-    spectrum : Spectrum
-        C_iso of the surface.
-    size, pixel_size : float
-        Largest size and size of a pixel in nm.
-
-    Returns
-    -------
-    HeightMap
-        Periodic, with at most MAX_PIXELS pixels along a side.
+    spectrum: c_iso of the surface.
+    size, pixel_size: largest size and size of a pixel in nm.
+    Returns periodic, with at most MAX_PIXELS pixels along a side.
     """
     pixels = min(window_pixels(size, pixel_size), MAX_PIXELS)
     return random_surface(rng, pixels, pixel_size, spectrum)
@@ -110,21 +100,8 @@ def indented_area_ratio(
 
     One place of the sphere meets random places of the substrate.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    contact_pixel_count : int
-        Number of pixels in contact.
-    rng : numpy.random.Generator
-        Source of the places.
-    contacts : int
-        Number of contacts.
-
-    Returns
-    -------
-    float
-        One if no indents overlap.
+    bodies: substrate and sphere on common pixels.
+    Returns one if no indents overlap.
     """
     places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
     indented_pixels = [
@@ -138,17 +115,9 @@ def indented_area_ratio(
 def mean_over_surfaces(ratios: Sequence[float], confidence: float) -> xr.Dataset:
     """Return the mean of `indented_area_ratio` over surfaces, with its interval.
 
-    Parameters
-    ----------
-    ratios : sequence of float
-        Ratio of each surface.
-    confidence : float
-        Confidence of the interval, by Student's t; it does not reach below 0.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``indented_area_ratio`` and its interval.
+    ratios: ratio of each surface.
+    confidence: confidence of the interval, by Student's t; it does not reach below 0.
+    Returns ``indented_area_ratio`` and its interval.
     """
     ratio = xr.DataArray(list(ratios), dims="scan", attrs={"units": "1"})
     interval = student_interval(ratio, confidence, "scan").clip(0, keep_attrs=True)

@@ -13,19 +13,10 @@ from hardcontact.contact.pull_off import pull_off_force
 def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere on common pixels.
-    index : tuple of int
-        Row and column of the contact in the array of contacts.
-    contact : Contact
-        Load, hardness, range and work of adhesion.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
+    bodies: substrate and sphere on common pixels.
+    index: row and column of the contact in the array of contacts.
+    contact: load, hardness, range and work of adhesion.
+    Returns ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
         (separation) in N.
     """
     geometry = bodies.geometry

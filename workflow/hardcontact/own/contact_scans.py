@@ -45,26 +45,12 @@ def contact_scans(
     large enough for the largest search size of all surfaces is taken, or else the largest grid.
     Surfaces are therefore compared on scans of one size where possible.
 
-    Parameters
-    ----------
-    entries : sequence of Entry
-        The topographies of all surfaces.
-    sphere : str or None
-        Id of the sphere's surface; None for a smooth sphere.
-    probe : Contact
-        The sphere, with its radius and range of adhesion in nm.
-    search_sizes : mapping of str to float
-        The search size (nm) of each surface, from `search_sizes`.
-
-    Returns
-    -------
-    tuple of list of Entry and list of str
-        The scans, and one reason in words for each surface.
-
-    Raises
-    ------
-    ValueError
-        If a surface has no height map, with a line for each.
+    entries: the topographies of all surfaces.
+    sphere: id of the sphere's surface; None for a smooth sphere.
+    probe: the sphere, with its radius and range of adhesion in nm.
+    search_sizes: the search size (nm) of each surface, from `search_sizes`.
+    Returns the scans, and one reason in words for each surface.
+    Raises ValueError if a surface has no height map, with a line for each.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []

@@ -93,26 +93,12 @@ def inventory(
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Read all topographies of files, and all members of containers.
 
-    Parameters
-    ----------
-    sources : sequence of Source
-        The files.
-    tip_radius : float or None
-        Radius of the tip in nm for files that do not state it.
-    channel : str
-        The channel of files that are not containers; empty for the file's own choice.
-    unit : str
-        The unit of length for files that do not state it, or ``"none"``.
-    map_size : float or str
-        The longer side in nm for files that do not state it, or ``"none"``.
-    levelling : str
-        One of LEVELLING.
-
-    Returns
-    -------
-    tuple of list of Entry, list of str and list of str
-        The entries; a line for each unusable member of a container that has usable members; a line
-        for each problem.
+    tip_radius: radius of the tip in nm for files that do not state it.
+    channel: the channel of files that are not containers; empty for the file's own choice.
+    unit: the unit of length for files that do not state it, or ``"none"``.
+    map_size: the longer side in nm for files that do not state it, or ``"none"``.
+    Returns the entries; a line for each unusable member of a container that has usable members; a
+        line for each problem.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []

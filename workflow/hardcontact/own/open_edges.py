@@ -40,21 +40,9 @@ def band_edges(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        The forces on the filtered masters, as in scales.nc.
-    masters : Masters
-        The scans of the masters.
-    tolerance : float
-        The smallest relative change of the force that counts.
-    confidence : float
-        The confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``filtered_force_ratio`` (surface, side, cutoff_wavelength), the mean over realizations,
+    scales: the forces on the filtered masters, as in scales.nc.
+    tolerance: the smallest relative change of the force that counts.
+    Returns ``filtered_force_ratio`` (surface, side, cutoff_wavelength), the mean over realizations,
         with its interval, which runs from zero to infinity if it is not bounded; the variables of
         EDGE (surface, side); ``interval_is_conditional`` (surface), 1 if the interval is
         conditional on one or two scans; ``interval_source``, ``interval_scans``, label and basis
@@ -103,19 +91,11 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
 def edges_of_curves(curves: xr.Dataset, limits: tuple[float, float]) -> dict[str, Any]:
     """Return the variables of EDGE for several curves.
 
-    Parameters
-    ----------
-    curves : xarray.Dataset
-        ``logarithm``, ln(ratio) of several surfaces, and its interval (cutoff_wavelength, ...), NaN
-        at cutoffs that a curve does not have; ``cell`` (...), the longest wavelength of the surface
-        in nm; side as a coordinate.
-    limits : tuple of float
-        Lower and upper limit of ln(ratio), between which the force counts as unchanged.
-
-    Returns
-    -------
-    dict
-        The variables of EDGE, over the dimensions of ``cell``.
+    curves: ``logarithm``, ln(ratio) of several surfaces, and its interval (cutoff_wavelength, ...),
+        NaN at cutoffs that a curve does not have; ``cell`` (...), the longest wavelength of the
+        surface in nm; side as a coordinate.
+    limits: lower and upper limit of ln(ratio), between which the force counts as unchanged.
+    Returns the variables of EDGE, over the dimensions of ``cell``.
     """
     dimensions = curves.cell.dims
     shape = curves.cell.shape

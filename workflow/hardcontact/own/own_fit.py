@@ -86,28 +86,18 @@ def fit_measured(
 
     Intervals come from random samples of the mean of the tests and of the mean over scans.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        Computed forces at 1 J/m², as in adhesion.nc.
-    forces : pandas.DataFrame
-        Measured forces in N, from `config.tables.measured_forces`.
-    scan_sizes : mapping of str to float
-        Side of the scans of each surface in nm.
-    sampling : Sampling
-        Seed, number of samples and confidence.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``measured_force`` (surface) in N with its interval, ``test_count``, label and
+    adhesion: computed forces at 1 J/m², as in adhesion.nc.
+    forces: measured forces in N, from `config.tables.measured_forces`.
+    scan_sizes: side of the scans of each surface in nm.
+    sampling: seed, number of samples and confidence.
+    Returns ``measured_force`` (surface) in N with its interval, ``test_count``, label and
         ``interval_source``, for the surfaces with forces; ``work_of_adhesion`` (contact_model,
         surface, rho) in J/m² with its interval, on a fine grid of ranges; ``region``
         (contact_model, rho, bound), the lowest and highest work in J/m² that all surfaces allow, or
         NaN; its extent ``region_range`` in nm and ``region_work``, NaN if the region reaches the
-        shortest or longest computed range, and ``region_status``: found, open or none.
-        For several surfaces, ``best_range``, ``best_work`` and ``best_error`` are the best fit. For
-        two surfaces, ``exact_pairs`` counts the pairs that give both forces. If there are any, two
+        shortest or longest computed range, and ``region_status``: found, open or none. For several
+        surfaces, ``best_range``, ``best_work`` and ``best_error`` are the best fit. For two
+        surfaces, ``exact_pairs`` counts the pairs that give both forces. If there are any, two
         unknowns fit two numbers by construction, and ``best_error`` is NaN.
     """
     radius = float(adhesion.attrs["sphere_radius"])
@@ -268,19 +258,11 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     masters are computed at one range and in plastic contact only, so the result is one value, not a
     curve over ranges.
 
-    Parameters
-    ----------
-    fitted : xarray.Dataset
-        The fit, from `fit_measured`.
-    force : xarray.Dataset
-        Predicted forces, as in force.nc, over the surfaces of the fit and possibly others.
-
-    Returns
-    -------
-    xarray.Dataset
-        The fit with ``extrapolated_work`` (surface, side) in J/m² and its interval, in which the
-        independent errors of the logarithms of measured and computed force are added in squares;
-        ``extrapolation_matters`` and ``transition`` of the forces; the attribute
+    fitted: the fit, from `fit_measured`.
+    force: predicted forces, as in force.nc, over the surfaces of the fit and possibly others.
+    Returns the fit with ``extrapolated_work`` (surface, side) in J/m² and its interval, in which
+        the independent errors of the logarithms of measured and computed force are added in
+        squares; ``extrapolation_matters`` and ``transition`` of the forces; the attribute
         ``range_of_adhesion``, at which ``work_of_adhesion`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)

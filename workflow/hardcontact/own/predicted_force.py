@@ -53,27 +53,14 @@ def own_force(
 ) -> xr.Dataset:
     """Return the predicted forces of all surfaces, their limits and their scatter.
 
-    Parameters
-    ----------
-    adhesion, scales, topography, spectra : xarray.Dataset
-        The datasets of these names, as in their files.
-    contact : Contact
-        Radius of the sphere, range and work of adhesion, load and window.
-    masters : Masters
-        The scans of the masters.
-    tolerance : float
-        Relative change of the force up to which the force counts as unchanged.
-    confidence : float
-        The confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface: the forces on the scans (`predicted_force`) and with extrapolated roughness
-        (`extrapolated_force`), never above the force on a smooth sphere; whether scans, windows and
-        pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`); and the
-        coordinates in the map of regimes (`regime_coordinates`). The attributes have the Tabor
-        parameter and its verdict on the bodies, hard or not (`tabor`).
+    adhesion, scales, topography, spectra: the datasets of these names, as in their files.
+    contact: radius of the sphere, range and work of adhesion, load and window.
+    tolerance: relative change of the force up to which the force counts as unchanged.
+    Returns over surface: the forces on the scans (`predicted_force`) and with extrapolated
+        roughness (`extrapolated_force`), never above the force on a smooth sphere; whether scans,
+        windows and pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`);
+        and the coordinates in the map of regimes (`regime_coordinates`). The attributes have the
+        Tabor parameter and its verdict on the bodies, hard or not (`tabor`).
     """
     force = predicted_force(
         adhesion,
@@ -122,15 +109,8 @@ def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
 
     For several scans of the sphere, the scan with the most touched places counts.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        adhesion.nc, with ``touched_places`` (surface, scan, sphere_scan).
-
-    Returns
-    -------
-    dict of str to float
-        Number of places by surface.
+    adhesion: adhesion.nc, with ``touched_places`` (surface, scan, sphere_scan).
+    Returns number of places by surface.
     """
     places = adhesion.touched_places.max("sphere_scan").min("scan")
     return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
@@ -166,32 +146,17 @@ def predicted_force(
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work of adhesion and all ranges.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        Forces at 1 J/m², as in adhesion.nc.
-    work, rho : float
-        Work of adhesion in J/m² and range of adhesion in nm.
-    sizes : mapping of str to float
-        Side of the scans of each surface in nm.
-    confidence : float
-        The confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``force`` (surface, contact_model, rho) in N, the mean over contacts and scans. Its interval
-        follows from Student's t on logarithms, over scans or over quarters of one or two scans, and
-        runs from zero to infinity if it is not bounded. ``force_quantile`` (surface, contact_model,
-        rho, quantile) in N has quantiles of single contacts. Over surface:
+    adhesion: forces at 1 J/m², as in adhesion.nc.
+    work, rho: work of adhesion in J/m² and range of adhesion in nm.
+    sizes: side of the scans of each surface in nm.
+    Returns ``force`` (surface, contact_model, rho) in N, the mean over contacts and scans. Its
+        interval follows from Student's t on logarithms, over scans or over quarters of one or two
+        scans, and runs from zero to infinity if it is not bounded. ``force_quantile`` (surface,
+        contact_model, rho, quantile) in N has quantiles of single contacts. Over surface:
         ``interval_is_conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
         ``contacts`` on a scan, ``touched_places`` from `fewest_places`, label, basis, and
         ``correlation_of_parts`` at the range ``rho``, which is the attribute ``range_of_adhesion``.
-
-    Raises
-    ------
-    ValueError
-        If forces at the range were not computed.
+    Raises ValueError if forces at the range were not computed.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():

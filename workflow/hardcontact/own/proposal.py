@@ -91,26 +91,13 @@ def propose(
 ) -> Proposal:
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
-    Parameters
-    ----------
-    entries : sequence of Entry
-        The topographies of all surfaces.
-    sphere : str or None
-        Id of the sphere's surface; None for a smooth sphere.
-    probe : Contact
-        The sphere, with its radius, load and range of adhesion.
-    range_given : bool
-        Whether the user gave the range of adhesion; otherwise it is the usual range.
-
-    Returns
-    -------
-    Proposal
-        Choices, reasons and cautions.
-
-    Raises
-    ------
-    ValueError
-        If surfaces have no height map, with a line for each, or scans too different for one study.
+    entries: the topographies of all surfaces.
+    sphere: id of the sphere's surface; None for a smooth sphere.
+    probe: the sphere, with its radius, load and range of adhesion.
+    range_given: whether the user gave the range of adhesion; otherwise it is the usual range.
+    Returns choices, reasons and cautions.
+    Raises ValueError if surfaces have no height map, with a line for each, or scans too different
+        for one study.
     """
     sizes = search_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, sizes)

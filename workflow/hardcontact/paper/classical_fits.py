@@ -34,19 +34,8 @@ def sample_roughness(
     Every number is sampled independently from a normal distribution, truncated at zero. The
     published ± is its standard deviation.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Random numbers.
-    mean, uncertainty : Roughness
-        Mean and standard deviation (surface,).
-    samples : int
-        Number of samples.
-
-    Returns
-    -------
-    Roughness
-        Samples (samples, surface).
+    mean, uncertainty: mean and standard deviation (surface,).
+    Returns samples (samples, surface).
     """
     size = samples, len(mean.height)
     return Roughness(
@@ -65,22 +54,11 @@ def fit_classical_work(
     The fit minimizes the mean over surfaces of |F/target - 1|. If the force of the model is not
     proportional to the work, works up to 10 J/m² are searched.
 
-    Parameters
-    ----------
-    model : Model
-        Classical model.
-    roughness : Roughness
-        Roughness (..., surface).
-    sphere : ElasticSphere
-        The sphere and its materials.
-    target : numpy.ndarray
-        Forces (surface,) in N.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Work of adhesion (...) in J/m² and error (...). If all forces vanish, the work is NaN and
-        the error is 1.
+    roughness: roughness (..., surface).
+    sphere: the sphere and its materials.
+    target: forces (surface,) in N.
+    Returns work of adhesion (...) in J/m² and error (...). If all forces vanish, the work is NaN
+        and the error is 1.
     """
     if model.proportional:
         forces = model.force(1.0, roughness, sphere)
@@ -106,17 +84,9 @@ def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
     The factor and the exponent minimize the error. Exponents are searched among EXPONENTS, then
     around the best exponent.
 
-    Parameters
-    ----------
-    parameter : numpy.ndarray
-        Roughness parameter (..., surface).
-    work : numpy.ndarray
-        Works of adhesion (surface,) in J/m².
-
-    Returns
-    -------
-    numpy.ndarray
-        Errors (...).
+    parameter: roughness parameter (..., surface).
+    work: works of adhesion (surface,) in J/m².
+    Returns errors (...).
     """
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
     step = EXPONENTS[1] - EXPONENTS[0]
@@ -139,23 +109,14 @@ def compare_models(
 ) -> xr.Dataset:
     """Return the forces of every model, and the error of its fit to target forces.
 
-    Parameters
-    ----------
-    mean, samples : Roughness
-        Roughness (surface,), and its samples (samples, surface), which give the intervals.
-    sphere : ElasticSphere
-        The sphere and its materials.
-    work : float
-        Work of adhesion (J/m²) of the returned forces.
-    targets : mapping of str to numpy.ndarray
-        Forces (surface,) in N to which the work of adhesion is fitted, by name.
-    sampling : Sampling
-        Confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (model, surface) in N and ``mean_relative_error`` (model, force_source).
+    mean, samples: roughness (surface,), and its samples (samples, surface), which give the
+        intervals.
+    sphere: the sphere and its materials.
+    work: work of adhesion (J/m²) of the returned forces.
+    targets: forces (surface,) in N to which the work of adhesion is fitted, by name.
+    sampling: confidence of the intervals.
+    Returns ``pull_off_force`` (model, surface) in N and ``mean_relative_error`` (model,
+        force_source).
     """
     forces = {}
     fits = {}
@@ -181,19 +142,11 @@ def power_laws(
 ) -> xr.Dataset:
     """Return the errors of power laws of single roughness parameters for the effective work.
 
-    Parameters
-    ----------
-    mean, samples : Roughness
-        Roughness (surface,), and its samples (samples, surface), which give the intervals.
-    works : mapping of str to numpy.ndarray
-        Effective works of adhesion (surface,) in J/m², by the name of the forces.
-    sampling : Sampling
-        Confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``power_law_error`` (rms_parameter, force_source).
+    mean, samples: roughness (surface,), and its samples (samples, surface), which give the
+        intervals.
+    works: effective works of adhesion (surface,) in J/m², by the name of the forces.
+    sampling: confidence of the intervals.
+    Returns ``power_law_error`` (rms_parameter, force_source).
     """
     fits = {}
     for parameter in Roughness._fields:

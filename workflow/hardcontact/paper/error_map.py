@@ -14,19 +14,10 @@ def mean_relative_error(
 ) -> np.ndarray:
     """Return the mean over surfaces of |W f/F - 1|.
 
-    Parameters
-    ----------
-    mean_forces : numpy.ndarray
-        Computed forces f (..., surface, rho) in N at 1 J/m².
-    measured_forces : numpy.ndarray
-        Measured forces F (surface,) in N.
-    works : numpy.ndarray
-        Works of adhesion W (k,) in J/m².
-
-    Returns
-    -------
-    numpy.ndarray
-        Errors (..., rho, k).
+    mean_forces: computed forces f (..., surface, rho) in N at 1 J/m².
+    measured_forces: measured forces F (surface,) in N.
+    works: works of adhesion W (k,) in J/m².
+    Returns errors (..., rho, k).
     """
     relative = mean_forces / measured_forces[:, None]
     return np.asarray(np.abs(relative[..., None] * works - 1).mean(axis=-3))
@@ -37,17 +28,8 @@ def minimum_along_axis(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the values at the minima of the errors along an axis, and these minima.
 
-    Parameters
-    ----------
-    errors, values : numpy.ndarray
-        Arrays of the same shape.
-    axis : int
-        Axis of the minima.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Values and errors at the minima, without the axis.
+    errors, values: arrays of the same shape.
+    Returns values and errors at the minima, without the axis.
     """
     best_index = np.expand_dims(errors.argmin(axis=axis), axis)
     value = np.take_along_axis(values, best_index, axis).squeeze(axis)
@@ -61,17 +43,9 @@ def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.n
     The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
     one of the surfaces exactly, and all these W are compared.
 
-    Parameters
-    ----------
-    mean_forces : numpy.ndarray
-        Computed forces (..., surface, rho) in N at 1 J/m².
-    measured_forces : numpy.ndarray
-        Measured forces (surface,) in N.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Work of adhesion (..., rho) in J/m² and its error (..., rho).
+    mean_forces: computed forces (..., surface, rho) in N at 1 J/m².
+    measured_forces: measured forces (surface,) in N.
+    Returns work of adhesion (..., rho) in J/m² and its error (..., rho).
     """
     relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
@@ -90,15 +64,8 @@ def fit_range_and_work(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Find the range and the work of adhesion that minimize the mean relative error.
 
-    Parameters
-    ----------
-    mean_forces, measured_forces : numpy.ndarray
-        As for `fit_work`.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Index into rho, work of adhesion in J/m² and error, each (...).
+    mean_forces, measured_forces: as for `fit_work`.
+    Returns index into rho, work of adhesion in J/m² and error, each (...).
     """
     work, error = fit_work(mean_forces, measured_forces)
     return error.argmin(axis=-1), *minimum_along_axis(error, work)
@@ -109,17 +76,9 @@ def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
 
     An end of the ranges is a minimum if the error grows from it inwards.
 
-    Parameters
-    ----------
-    errors : numpy.ndarray
-        Errors (rho,).
-    count : int
-        Largest number of minima.
-
-    Returns
-    -------
-    numpy.ndarray
-        Indices into rho, at most `count`.
+    errors: errors (rho,).
+    count: largest number of minima.
+    Returns indices into rho, at most `count`.
     """
     run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
     change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
@@ -134,19 +93,9 @@ def fit_ratios(
 
     The work of adhesion cancels in these ratios.
 
-    Parameters
-    ----------
-    mean_forces : numpy.ndarray
-        Computed forces (..., surface, rho) in N.
-    measured_forces : numpy.ndarray
-        Measured forces (surface,) in N.
-    reference : int
-        Index of the reference surface.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Index (...) into rho, and the mean relative errors (..., rho) of the ratios.
+    mean_forces: computed forces (..., surface, rho) in N.
+    measured_forces: measured forces (surface,) in N.
+    Returns index (...) into rho, and the mean relative errors (..., rho) of the ratios.
     """
     ratios = mean_forces / mean_forces[..., [reference], :]
     measured_ratios = (measured_forces / measured_forces[reference])[:, None]
@@ -160,19 +109,10 @@ def error_region(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the extent in range and work of adhesion of the region of small error.
 
-    Parameters
-    ----------
-    errors : numpy.ndarray
-        Error map (rho, work).
-    rhos, works : numpy.ndarray
-        Ranges of adhesion (rho,) in nm and works of adhesion (work,) in J/m².
-    threshold : float
-        Error below which a pair counts as fitting.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Smallest and largest range (2,) and work (2,) of these pairs, NaN if there are none.
+    errors: error map (rho, work).
+    rhos, works: ranges of adhesion (rho,) in nm and works of adhesion (work,) in J/m².
+    threshold: error below which a pair counts as fitting.
+    Returns smallest and largest range (2,) and work (2,) of these pairs, NaN if there are none.
     """
     rows, columns = np.nonzero(errors < threshold)
     if not rows.size:

@@ -54,23 +54,11 @@ DERIVED_QUANTITIES = {
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
     """Return a derived quantity or a variable, with its interval.
 
-    Parameters
-    ----------
-    quantity : str
-        A key of `DERIVED_QUANTITIES`, a variable of the dataset, or a row of Table 1. The attribute
-        ``table1_variables`` of the dataset names the variable of such a row.
-    dataset, *others : xarray.Dataset
-        The datasets of the claim.
-
-    Returns
-    -------
-    xarray.Dataset
-        The number, as from `paper.numbers`.
-
-    Raises
-    ------
-    KeyError
-        If a variable or an attribute that is needed does not exist.
+    quantity: a key of `DERIVED_QUANTITIES`, a variable of the dataset, or a row of Table 1. The
+        attribute ``table1_variables`` of the dataset names the variable of such a row.
+    dataset, *others: the datasets of the claim.
+    Returns the number, as from `paper.numbers`.
+    Raises KeyError if a variable or an attribute that is needed does not exist.
     """
     if quantity in DERIVED_QUANTITIES:
         result: xr.Dataset = DERIVED_QUANTITIES[quantity](dataset, *others)
@@ -99,15 +87,8 @@ FIXED_VERDICTS = (BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 def read_statements(path: str | Path) -> pd.DataFrame:
     """Read the statements of the paper.
 
-    Parameters
-    ----------
-    path : str or Path
-        The table resources/paper/claims.csv, or one with the same columns.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row per statement. Published numbers are floats, NaN if blank; the rest is text.
+    path: the table resources/paper/claims.csv, or one with the same columns.
+    Returns one row per statement. Published numbers are floats, NaN if blank; the rest is text.
     """
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
@@ -116,15 +97,8 @@ def read_statements(path: str | Path) -> pd.DataFrame:
 def replicated_statements(path: str | Path) -> list[dict[str, str]]:
     """Return the replicated statements, with the columns that determine their numbers.
 
-    Parameters
-    ----------
-    path : str or Path
-        The table, as for `read_statements`.
-
-    Returns
-    -------
-    list of dict
-        ``id``, ``dataset``, ``quantity``, ``select`` and ``rule`` of each statement.
+    path: the table, as for `read_statements`.
+    Returns ``id``, ``dataset``, ``quantity``, ``select`` and ``rule`` of each statement.
     """
     table = read_statements(path)
     replicated = table[table["replicated"] == "yes"]
@@ -137,24 +111,11 @@ def claim_values(
 ) -> pd.Series:
     """Compute the number of every claim, without its interval.
 
-    Parameters
-    ----------
-    statements : pandas.DataFrame
-        From `read_statements`.
-    datasets : mapping of str to xarray.Dataset
-        The datasets that the claims name, as in the final netCDF files.
-    constants : pandas.DataFrame
-        From `published.constants`: the dataset ``paper`` of the claims.
-
-    Returns
-    -------
-    pandas.Series
-        Floats by ``id``, NaN if no number exists or the datasets lack a label.
-
-    Raises
-    ------
-    ValueError
-        If a claim needs a dataset, a variable or an attribute that is missing.
+    statements: from `read_statements`.
+    datasets: the datasets that the claims name, as in the final netCDF files.
+    constants: from `published.constants`: the dataset ``paper`` of the claims.
+    Returns floats by ``id``, NaN if no number exists or the datasets lack a label.
+    Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
     """
     numbers = {
         claim.id: np.nan if claim_number is None else float(claim_number.number["value"])
@@ -173,34 +134,17 @@ def evaluate(
 ) -> pd.DataFrame:
     """Compare every claim with its computed number.
 
-    Parameters
-    ----------
-    statements : pandas.DataFrame
-        From `read_statements`.
-    datasets : mapping of str to xarray.Dataset
-        The datasets that the claims name, as in the final netCDF files. ``topography`` has the
-        basis of the scans: measured or substitutes.
-    constants : pandas.DataFrame
-        From `published.constants`: the dataset ``paper`` of the claims.
-    confidence : float
-        Confidence of the intervals.
-    sets : xarray.Dataset
-        sets.nc: ``value`` (set, claim), the numbers of many equally good sets of scans. They give
+    statements: from `read_statements`.
+    datasets: the datasets that the claims name, as in the final netCDF files. ``topography`` has
+        the basis of the scans: measured or substitutes.
+    constants: from `published.constants`: the dataset ``paper`` of the claims.
+    sets: sets.nc: ``value`` (set, claim), the numbers of many equally good sets of scans. They give
         the frequency of a replicated claim, the stability of its verdict and, if they vary, its
         interval.
-    seed : int
-        Selects the random numbers of the stability.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row per claim with the columns `COLUMNS`. A claim about a surface or a contact model
+    seed: selects the random numbers of the stability.
+    Returns one row per claim with the columns `COLUMNS`. A claim about a surface or a contact model
         that the study lacks is left out.
-
-    Raises
-    ------
-    ValueError
-        If a claim needs a dataset, a variable or an attribute that is missing.
+    Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
     """
     rows = []
     for claim, claim_number in _compute_all(statements, datasets, constants, confidence):

@@ -72,25 +72,13 @@ def infer(
 ) -> xr.Dataset:
     """Infer range and work of adhesion for every contact model, and the resulting forces.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        adhesion.nc: forces in N at 1 J/m².
-    published : PublishedFit
-        Published forces, range and work of adhesion.
-    reference_surface : str
-        Surface to which force ratios are taken.
-    error_threshold : float
-        Mean relative error below which a pair counts as fitting.
-    force_floor : float
-        Smallest measurable force in N, for `force_statistics`.
-    sampling : Sampling
-        Random numbers and confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of `infer_model` have the dimension contact_model. The variables of
+    adhesion: adhesion.nc: forces in N at 1 J/m².
+    published: published forces, range and work of adhesion.
+    reference_surface: surface to which force ratios are taken.
+    error_threshold: mean relative error below which a pair counts as fitting.
+    force_floor: smallest measurable force in N, for `force_statistics`.
+    sampling: random numbers and confidence of the intervals.
+    Returns the variables of `infer_model` have the dimension contact_model. The variables of
         `force_statistics` and ``ratio_at_pair`` also have pair and surface. ``model_error_ratio``
         is the smallest error of rigid contact relative to plastic contact.
     """
@@ -158,24 +146,13 @@ def infer_model(
 ) -> xr.Dataset:
     """Infer range and work of adhesion for one contact model, with error map and force curves.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray
-        Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N at 1 J/m², NaN for a
+    forces: forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N at 1 J/m², NaN for a
         missing scan.
-    published_forces : numpy.ndarray
-        Published mean forces (surface,) in N. Surfaces with NaN do not enter the fit.
-    reference_index : int
-        Index of the surface to which force ratios are taken.
-    threshold : float
-        Mean relative error below which a pair counts as fitting.
-    sampling : Sampling
-        Random numbers and confidence of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        INFERRED_UNITS with intervals and samples, the error map, and the variables of
+    published_forces: published mean forces (surface,) in N. Surfaces with NaN do not enter the fit.
+    reference_index: index of the surface to which force ratios are taken.
+    threshold: mean relative error below which a pair counts as fitting.
+    sampling: random numbers and confidence of the intervals.
+    Returns INFERRED_UNITS with intervals and samples, the error map, and the variables of
         `force_curves`. At the best work for each range the error has local minima along the range.
         ``minimum`` numbers them in the order of their errors; missing minima are NaN.
     """

@@ -70,21 +70,11 @@ def gather_sources(
 ) -> Sources:
     """Gather the datasets from which sets are made.
 
-    Parameters
-    ----------
-    study : mapping of str to xarray.Dataset
-        ``topography`` and ``adhesion`` of the study.
-    chunks : mapping of tuple to xarray.Dataset
-        From `pool.compute_pool`, by substrate, first and last scan.
-    smooth : mapping of str to xarray.Dataset
-        Mean forces of the scans of the study on a smooth sphere, by substrate.
-    masters : xarray.Dataset
-        From `all_surfaces.stacked_forces` at one load.
-
-    Returns
-    -------
-    Sources
-        The chunks are joined to pools; the factor of the sphere follows from both forces.
+    study: ``topography`` and ``adhesion`` of the study.
+    chunks: from `pool.compute_pool`, by substrate, first and last scan.
+    smooth: mean forces of the scans of the study on a smooth sphere, by substrate.
+    masters: from `all_surfaces.stacked_forces` at one load.
+    Returns the chunks are joined to pools; the factor of the sphere follows from both forces.
     """
     pool_chunks: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
@@ -113,25 +103,10 @@ def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.D
     height may be negative. A set with a height below all heights of the pool is therefore sampled
     again.
 
-    Parameters
-    ----------
-    pool : xarray.Dataset
-        From `pool.compute_pool`.
-    rng : numpy.random.Generator
-        Random numbers.
-    scans : int
-        Number of scans.
-
-    Returns
-    -------
-    xarray.Dataset
-        By scan, from 1 on: METRICS, ``number`` of the scan in the pool, and ``pull_off_force``
+    pool: from `pool.compute_pool`.
+    Returns by scan, from 1 on: METRICS, ``number`` of the scan in the pool, and ``pull_off_force``
         (scan, contact_model, rho, contact_y, contact_x) in N on a smooth sphere.
-
-    Raises
-    ------
-    ValueError
-        If no set with possible heights is found.
+    Raises ValueError if no set with possible heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]
@@ -174,17 +149,8 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
     Other scans of the surface would have another mean force. The distribution over contacts stays
     the same. A single scan keeps its forces.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray
-        Forces (scan, sphere_scan, contact_model, rho, contact_y, contact_x) in N.
-    rng : numpy.random.Generator
-        Random numbers.
-
-    Returns
-    -------
-    xarray.DataArray
-        Scaled forces in N.
+    forces: forces (scan, sphere_scan, contact_model, rho, contact_y, contact_x) in N.
+    Returns scaled forces in N.
     """
     axes = ("scan", "contact_model", "rho")
     means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
@@ -276,21 +242,11 @@ def judge_sets(
 ) -> xr.Dataset:
     """Sample all sets and compute the numbers of each.
 
-    Parameters
-    ----------
-    sources : Sources
-        Datasets from which sets are made.
-    statements, constants : pandas.DataFrame
-        From `evaluation.replicated_statements` and `published.constants`.
-    published : PublishedFit
-        Published forces, range and work of adhesion.
-    settings : SetSettings
-        Settings of the sampling and of the judgement.
-
-    Returns
-    -------
-    xarray.Dataset
-        By set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_BAND_VARIABLES
+    sources: datasets from which sets are made.
+    statements, constants: from `evaluation.replicated_statements` and `published.constants`.
+    published: published forces, range and work of adhesion.
+    settings: settings of the sampling and of the judgement.
+    Returns by set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_BAND_VARIABLES
         (side, ...). ``sphere_factor`` (contact_model, surface, rho), NaN for a surface without a
         pool.
     """

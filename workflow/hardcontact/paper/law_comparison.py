@@ -70,34 +70,21 @@ def compare_laws(
 ) -> xr.Dataset:
     """Return fits, ratios of forces and critical bands of every law.
 
-    Parameters
-    ----------
-    forces : xarray.Dataset
-        ``pull_off_force`` (surface, scan, rho) of exponential laws, in N at 1 J/m², and the labels
-        of the surfaces.
-    masters : xarray.Dataset
-        `stacked_forces` of filtered masters at the same or fewer ranges.
-    published : pandas.DataFrame
-        From `published.pull_off`.
-    pair : Pair
-        Published range and work of adhesion of Eq. 1.
-    spacing : float
-        Distance in nm between atoms of flats that touch, in the case "atomic".
-    reference_surface : str
-        Surface to which force ratios are taken.
-    tolerance : float
-        Relative change of the force that defines an edge.
-    sampling : Sampling
-        Random numbers and confidence of all intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        By law: ``best_error_by_range`` (target, rho) at the best work of adhesion. By law and range
-        choice, with intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²), ``fit_error``,
-        ``force_ratio`` (surface) and ``edge`` (side, group; nm); ``strength_over_known`` from the
-        function of this name. By law: ``error_over_exponential``, the error of the best fit to the
-        published forces relative to the best fit of Eq. 1, with an interval from common samples.
+    forces: ``pull_off_force`` (surface, scan, rho) of exponential laws, in N at 1 J/m², and the
+        labels of the surfaces.
+    masters: `stacked_forces` of filtered masters at the same or fewer ranges.
+    published: from `published.pull_off`.
+    pair: published range and work of adhesion of Eq. 1.
+    spacing: distance in nm between atoms of flats that touch, in the case "atomic".
+    reference_surface: surface to which force ratios are taken.
+    tolerance: relative change of the force that defines an edge.
+    sampling: random numbers and confidence of all intervals.
+    Returns by law: ``best_error_by_range`` (target, rho) at the best work of adhesion. By law and
+        range choice, with intervals: ``range_of_law`` (nm), ``work_of_adhesion`` (J/m²),
+        ``fit_error``, ``force_ratio`` (surface) and ``edge`` (side, group; nm);
+        ``strength_over_known`` from the function of this name. By law: ``error_over_exponential``,
+        the error of the best fit to the published forces relative to the best fit of Eq. 1, with an
+        interval from common samples.
     """
     target = published.mean_force.reindex(forces.surface.values.tolist())
     ratio = target / target[reference_surface]

@@ -15,17 +15,11 @@ NONE_LEFT_OUT = "none"
 def fitted_pairs(mean_forces: xr.DataArray, published_mean_forces: pd.Series) -> xr.Dataset:
     """Fit range and work of adhesion to the mean forces of several surfaces.
 
-    Parameters
-    ----------
-    mean_forces : xarray.DataArray
-        Forces (..., surface, rho) in N at 1 J/m²; each element of the other dimensions has its fit.
-    published_mean_forces : pandas.Series
-        Measured mean forces in N by surface. Surfaces without a force do not enter the fit.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``range_of_adhesion`` (...) in nm, ``work_of_adhesion`` (...) in J/m² and ``best_error``
+    mean_forces: forces (..., surface, rho) in N at 1 J/m²; each element of the other dimensions has
+        its fit.
+    published_mean_forces: measured mean forces in N by surface. Surfaces without a force do not
+        enter the fit.
+    Returns ``range_of_adhesion`` (...) in nm, ``work_of_adhesion`` (...) in J/m² and ``best_error``
         (...), the mean relative error of the fitted forces.
     """
     targets = published_mean_forces.reindex(mean_forces["surface"].values).dropna()
@@ -47,17 +41,9 @@ def fitted_pairs(mean_forces: xr.DataArray, published_mean_forces: pd.Series) ->
 def leave_one_out_fits(mean_forces: xr.DataArray, published_mean_forces: pd.Series) -> xr.Dataset:
     """Return the `fitted_pairs` for all surfaces, and without one surface at a time.
 
-    Parameters
-    ----------
-    mean_forces : xarray.DataArray
-        As for `fitted_pairs`.
-    published_mean_forces : pandas.Series
-        As for `fitted_pairs`.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of `fitted_pairs` by left_out: NONE_LEFT_OUT, then each surface.
+    mean_forces: as for `fitted_pairs`.
+    published_mean_forces: as for `fitted_pairs`.
+    Returns the variables of `fitted_pairs` by left_out: NONE_LEFT_OUT, then each surface.
     """
     surfaces = mean_forces["surface"].values.tolist()
     fits = [fitted_pairs(mean_forces, published_mean_forces)]

@@ -20,17 +20,9 @@ def number_with_interval(
 ) -> xr.Dataset:
     """Return a number from a value and the ends of its interval.
 
-    Parameters
-    ----------
-    value : xarray.DataArray
-        The value (...).
-    low, high : xarray.DataArray or float
-        Ends (...), or one for all values; NaN for no interval.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``value`` (...) and ``value_interval`` (..., bound).
+    value: the value (...).
+    low, high: ends (...), or one for all values; NaN for no interval.
+    Returns ``value`` (...) and ``value_interval`` (..., bound).
     """
     zero = xr.zeros_like(value)
     return xr.Dataset({"value": value, "value_interval": interval_between(zero + low, zero + high)})
@@ -42,22 +34,8 @@ def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
     The interval of the variable becomes that of the number. A variable of single contacts becomes
     its mean over contacts and scans, with an interval over scans. Other variables get no interval.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        The attribute ``confidence`` is that of the interval over scans.
-    name : str
-        Name of the variable.
-
-    Returns
-    -------
-    xarray.Dataset
-        The number.
-
-    Raises
-    ------
-    KeyError
-        If the variable, or the confidence that it needs, does not exist.
+    dataset: the attribute ``confidence`` is that of the interval over scans.
+    Raises KeyError if the variable, or the confidence that it needs, does not exist.
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
@@ -77,20 +55,10 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
     """Return the mean over scans as a number, with `student_log_interval`.
 
-    Parameters
-    ----------
-    values : xarray.DataArray
-        Values (..., dim).
-    confidence : float
-        Confidence of the interval.
-    dim : str
-        Dimension of the mean.
-
-    Returns
-    -------
-    xarray.Dataset
-        The number. Its interval is NaN if a value is not positive, and has zero width if all values
-        are zero.
+    values: values (..., dim).
+    dim: dimension of the mean.
+    Returns the number. Its interval is NaN if a value is not positive, and has zero width if all
+        values are zero.
     """
     positive = ((values > 0) | values.isnull()).all(dim)
     interval = student_log_interval(values.where(positive), confidence, dim)

@@ -50,22 +50,9 @@ class PoolSources(NamedTuple):
 def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources:
     """Read spectrum, targets, rms heights and settings of the scans of a pool.
 
-    Parameters
-    ----------
-    inputs : object
-        Paths as attributes: ``spectrum``, ``published_table1`` and ``published_constants``.
-    parameters : mapping
-        Parameters of the rule.
-
-    Returns
-    -------
-    PoolSources
-        Everything from which scans of the pool are made.
-
-    Raises
-    ------
-    ValueError
-        If the paper has no rms height of the surface.
+    inputs: paths as attributes: ``spectrum``, ``published_table1`` and ``published_constants``.
+    Returns everything from which scans of the pool are made.
+    Raises ValueError if the paper has no rms height of the surface.
     """
     spectrum = dataset.read(inputs.spectrum)
     table1 = published.table1(inputs.published_table1)
@@ -98,19 +85,8 @@ def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
     deviations. The heights are evenly spaced in their root, because forces change faster at small
     heights. A set of one scan has no deviation and needs a single height.
 
-    Parameters
-    ----------
-    targets : Targets
-        Mean and deviation of the rms heights of a set.
-    scans : int
-        Number of scans in a set.
-    count : int
-        Number of heights.
-
-    Returns
-    -------
-    numpy.ndarray
-        Ascending heights (count,) in nm.
+    targets: mean and deviation of the rms heights of a set.
+    Returns ascending heights (count,) in nm.
     """
     mean = targets.means["rms_height"]
     if scans == 1:
@@ -123,17 +99,9 @@ def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
 def height_weights(heights: Floats, targets: Floats) -> Floats:
     """Return the weights that interpolate between heights by a cubic spline in their root.
 
-    Parameters
-    ----------
-    heights : numpy.ndarray
-        Ascending heights (rms_height_of_force,) in nm.
-    targets : numpy.ndarray
-        Heights (target,) in nm of the interpolation.
-
-    Returns
-    -------
-    numpy.ndarray
-        Weights (target, rms_height_of_force).
+    heights: ascending heights (rms_height_of_force,) in nm.
+    targets: heights (target,) in nm of the interpolation.
+    Returns weights (target, rms_height_of_force).
     """
     from scipy.interpolate import make_interp_spline
 
@@ -147,18 +115,10 @@ def height_weights(heights: Floats, targets: Floats) -> Floats:
 def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
     """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
 
-    Parameters
-    ----------
-    numbers : sequence of int
-        Numbers of the scans in the pool.
-    sources : PoolSources
-        From `read_pool_sources`. Mean and deviation of its targets become attributes.
-
-    Returns
-    -------
-    xarray.Dataset
-        By scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x), the
-        logarithm of forces in N, and METRICS of the unscaled scan.
+    numbers: numbers of the scans in the pool.
+    sources: from `read_pool_sources`. Mean and deviation of its targets become attributes.
+    Returns by scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x),
+        the logarithm of forces in N, and METRICS of the unscaled scan.
     """
     scans = [
         _pool_scan(number, sources)
@@ -183,22 +143,11 @@ def forces_at_heights(
 ) -> xr.Dataset:
     """Return the forces on a levelled scan at several rms heights, and its roughness.
 
-    Parameters
-    ----------
-    scan : HeightMap
-        Levelled scan.
-    rms_heights : numpy.ndarray
-        Rms heights in nm.
-    contact : Contact
-        Contact with a smooth sphere.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        METRICS of the unscaled scan, and ``log_force`` (rms_height_of_force, contact_model, rho,
-        contact_y, contact_x), the logarithm of forces in N.
+    rms_heights: rms heights in nm.
+    contact: contact with a smooth sphere.
+    ranges: ranges of adhesion in nm.
+    Returns METRICS of the unscaled scan, and ``log_force`` (rms_height_of_force, contact_model,
+        rho, contact_y, contact_x), the logarithm of forces in N.
     """
     roughness = metrics(scan)
     forces = []

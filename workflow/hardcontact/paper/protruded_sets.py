@@ -44,20 +44,10 @@ def published_roughness(
 ) -> PublishedRoughness:
     """Return the published roughness of a coating and of the sphere.
 
-    Parameters
-    ----------
-    table1, constants : pandas.DataFrame
-        From `published.table1` and `published.constants`.
-    coating : str
-        Name of the coating.
-    definitions : mapping of str to str
-        Meaning of ``slope`` and ``curvature`` in Table 1.
-
-    Returns
-    -------
-    PublishedRoughness
-        Rms height, rms slope and largest rms slope of the coating, and the largest rms height of
-        the sphere.
+    table1, constants: from `published.table1` and `published.constants`.
+    definitions: meaning of ``slope`` and ``curvature`` in Table 1.
+    Returns rms height, rms slope and largest rms slope of the coating, and the largest rms height
+        of the sphere.
     """
     rows = rows_of_surface(table1, coating, **definitions)
     slope = float(rows["value"]["afm_rms_slope"])
@@ -82,26 +72,15 @@ def compute_protruded_forces(
     the coating, at random positions on each scan, as if each scan met another sphere. A coating
     with protrusions of its own is scaled back to its rms height.
 
-    Parameters
-    ----------
-    draw_numbers : sequence of int
-        Numbers of the draws. Each draw has other protrusions.
-    scan_count : int
-        Number of scans of the coating in each draw. Their rms heights are scaled to the
+    draw_numbers: numbers of the draws. Each draw has other protrusions.
+    scan_count: number of scans of the coating in each draw. Their rms heights are scaled to the
         mean and the standard deviation of the targets; those below the smallest rms height of the
         pool are raised to it.
-    sources : PoolSources
-        Spectrum and targets of the coating without protrusions.
-    roughness : PublishedRoughness
-        Published roughness, which limits protrusions.
-    protruded_body : str
-        Name of the body with protrusions: the coating or the sphere. Protrusions of the sphere are
-        the same for all coatings.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (draw, rho, contact) in N at 1 J/m², plastic, of a smooth sphere at
+    sources: spectrum and targets of the coating without protrusions.
+    roughness: published roughness, which limits protrusions.
+    protruded_body: name of the body with protrusions: the coating or the sphere. Protrusions of the
+        sphere are the same for all coatings.
+    Returns ``pull_off_force`` (draw, rho, contact) in N at 1 J/m², plastic, of a smooth sphere at
         all contacts on all scans; ``mean_force_ratio`` (draw, rho), the mean force relative to the
         mean force without protrusions; ``protrusion_density`` (1/µm²), ``protrusion_height`` (rms
         heights) and ``protrusion_width`` (nm) by draw.
@@ -186,27 +165,18 @@ def fit_protruded_sets(
     The forces with protrusions replace the forces of the sets on this surface. The mean forces on
     other surfaces are multiplied by the ratio of the forces with and without protrusions.
 
-    Parameters
-    ----------
-    draw_datasets : iterable of xarray.Dataset
-        From `compute_protruded_forces`: the same draws for each surface whose forces change.
-    surface : str
-        The surface whose mean and median force decide whether a set agrees.
-    sets : xarray.Dataset
-        sets.nc for plastic contact: ``mean_force`` (set, surface, rho) and ``sphere_factor``
+    draw_datasets: from `compute_protruded_forces`: the same draws for each surface whose forces
+        change.
+    surface: the surface whose mean and median force decide whether a set agrees.
+    sets: sets.nc for plastic contact: ``mean_force`` (set, surface, rho) and ``sphere_factor``
         (surface, rho).
-    published : PublishedFit
-        Published forces, range and work of adhesion.
-
-    Returns
-    -------
-    xarray.Dataset
-        The `fitted_pairs` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
-        ``median_force_at_fit`` (draw, set) of the coating in N; ``agrees`` (draw, set) is
-        1 if both are within the factor MAX_FORCE_FACTOR of the published forces. At the published
-        pair ``mean_force_at_published`` and ``median_force_at_published`` (draw) in N and
-        ``log_force_std_at_published`` (draw), the standard deviation of ln F. The variables
-        of PROTRUSION_UNITS (draw).
+    published: published forces, range and work of adhesion.
+    Returns the `fitted_pairs` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
+        ``median_force_at_fit`` (draw, set) of the coating in N; ``agrees`` (draw, set) is 1 if both
+        are within the factor MAX_FORCE_FACTOR of the published forces. At the published pair
+        ``mean_force_at_published`` and ``median_force_at_published`` (draw) in N and
+        ``log_force_std_at_published`` (draw), the standard deviation of ln F. The variables of
+        PROTRUSION_UNITS (draw).
     """
     draws_by_surface: dict[str, list[xr.Dataset]] = {}
     for draw_dataset in draw_datasets:
@@ -256,17 +226,8 @@ def fit_protruded_sets(
 def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:
     """Return the dataset of `compute_protruded_forces` without any draw.
 
-    Parameters
-    ----------
-    surface : str
-        Name of the surface.
-    ranges : numpy.ndarray
-        Ranges of adhesion (rho,) in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        As from `compute_protruded_forces`; the dimension draw has the length zero.
+    ranges: ranges of adhesion (rho,) in nm.
+    Returns as from `compute_protruded_forces`; the dimension draw has the length zero.
     """
     forces = np.empty((0, len(ranges), 1))
     return xr.Dataset(

@@ -54,25 +54,15 @@ def robustness(
 ) -> xr.Dataset:
     """Return range and work of adhesion and the critical band under every variant.
 
-    Parameters
-    ----------
-    adhesion : mapping of tuple to xarray.Dataset
-        ``pull_off_force`` (scan, sphere_scan, load, rho) in N, by surface and variant of its scans.
-    masters : sequence of (keys, xarray.Dataset)
-        Files of masters as for `single_masters`, with their surface, variant and probe.
-    variants : sequence of dict
-        ``name``, ``label`` and ``group`` of each variant; ``variant``, the variant of the scans by
-        substrate; ``load``, the name of the load; ``probe``, the sphere on filtered masters. A
-        variant of the probe has no range and work of adhesion.
-    published : pandas.DataFrame
-        From `published.pull_off`.
-    choices : Choices
-        Choices that all variants share.
-
-    Returns
-    -------
-    xarray.Dataset
-        By variant: INFERENCE_VARIABLES, and BAND_VARIABLES (side) pooled over all substrates.
+    adhesion: ``pull_off_force`` (scan, sphere_scan, load, rho) in N, by surface and variant of its
+        scans.
+    masters: files of masters as for `single_masters`, with their surface, variant and probe.
+    variants: ``name``, ``label`` and ``group`` of each variant; ``variant``, the variant of the
+        scans by substrate; ``load``, the name of the load; ``probe``, the sphere on filtered
+        masters. A variant of the probe has no range and work of adhesion.
+    published: from `published.pull_off`.
+    choices: choices that all variants share.
+    Returns by variant: INFERENCE_VARIABLES, and BAND_VARIABLES (side) pooled over all substrates.
     """
     target = published.mean_force.reindex(choices.substrates).to_numpy()
     forces = {key: scans["pull_off_force"] for key, scans in adhesion.items()}

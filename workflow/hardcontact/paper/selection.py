@@ -22,22 +22,10 @@ SelectedLabels = Mapping[str, list[list[Any]]]
 def parse_selection(number: xr.Dataset, select: str) -> SelectedLabels | None:
     """Parse the column `select` of a claim.
 
-    Parameters
-    ----------
-    number : xarray.Dataset
-        The number with its coordinates.
-    select : str
-        Labels by dimension: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
-
-    Returns
-    -------
-    SelectedLabels or None
-        Labels as in the coordinates; None if a coordinate lacks a label.
-
-    Raises
-    ------
-    KeyError
-        If a dimension does not exist.
+    number: the number with its coordinates.
+    select: labels by dimension: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
+    Returns labels as in the coordinates; None if a coordinate lacks a label.
+    Raises KeyError if a dimension does not exist.
     """
     labels: dict[str, list[list[Any]]] = {}
     for item in filter(None, select.split(";")):
@@ -66,24 +54,11 @@ def select_number(number: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.D
     a member of the next group. A rule with one limit reduces dimensions without a selection to the
     worst value.
 
-    Parameters
-    ----------
-    number : xarray.Dataset
-        The number with its dimensions.
-    labels : SelectedLabels
-        From `parse_selection`.
-    rule : str
-        As for `verdicts.accepted_range`.
-
-    Returns
-    -------
-    xarray.Dataset
-        The number without dimensions.
-
-    Raises
-    ------
-    ValueError
-        If the rule has two limits and more than one number remains.
+    number: the number with its dimensions.
+    labels: from `parse_selection`.
+    rule: as for `verdicts.accepted_range`.
+    Returns the number without dimensions.
+    Raises ValueError if the rule has two limits and more than one number remains.
     """
     for dim, groups in labels.items():
         members = [number.sel({dim: group}) for group in groups]
@@ -123,21 +98,10 @@ def claim_surfaces(
     of its first dataset. Unless it is about topography alone, it depends on the sphere, too. A
     claim that needs no scan depends on no surface.
 
-    Parameters
-    ----------
-    claim : row of a table
-        From `evaluation.read_statements`; its column ``needs`` is used.
-    datasets : mapping of str to xarray.Dataset
-        The datasets of the claim.
-    labels : SelectedLabels
-        From `parse_selection`.
-    topography : xarray.Dataset
-        topography.nc, with all surfaces and the name of the sphere.
-
-    Returns
-    -------
-    list of str
-        Names of surfaces.
+    claim: from `evaluation.read_statements`; its column ``needs`` is used.
+    labels: from `parse_selection`.
+    topography: topography.nc, with all surfaces and the name of the sphere.
+    Returns names of surfaces.
     """
     if claim.needs == WITHOUT_SCAN:
         return []
@@ -173,22 +137,12 @@ def fixed_verdict(
 ) -> tuple[str, str]:
     """Return a verdict that does not depend on the number, and its reason.
 
-    Parameters
-    ----------
-    claim : row of a table
-        From `evaluation.read_statements`; its columns ``needs`` and ``quantity`` are used.
-    surfaces : list of str
-        From `claim_surfaces`.
-    topography : xarray.Dataset
-        topography.nc; ``table1_rows_met`` names the rows of Table 1 that the scans of a
+    claim: from `evaluation.read_statements`; its columns ``needs`` and ``quantity`` are used.
+    surfaces: from `claim_surfaces`.
+    topography: topography.nc; ``table1_rows_met`` names the rows of Table 1 that the scans of a
         surface meet by construction.
-    constants : pandas.DataFrame
-        From `published.constants`.
-
-    Returns
-    -------
-    tuple of str
-        Verdict and reason, both empty if the number decides.
+    constants: from `published.constants`.
+    Returns verdict and reason, both empty if the number decides.
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""

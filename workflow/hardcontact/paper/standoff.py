@@ -37,17 +37,9 @@ def apex_height(relative_force: Floats, rms_height: float, rho: float) -> Floats
     The force has a maximum at some height: lower down, fewer points lie below the sphere. Only
     heights above that of the maximum are searched.
 
-    Parameters
-    ----------
-    relative_force : numpy.ndarray
-        Force (...) relative to 2 pi R W.
-    rms_height, rho : float
-        Rms height and range of adhesion in nm.
-
-    Returns
-    -------
-    numpy.ndarray
-        Heights (...) in nm, NaN if every height gives a smaller force.
+    relative_force: force (...) relative to 2 pi R W.
+    rms_height, rho: rms height and range of adhesion in nm.
+    Returns heights (...) in nm, NaN if every height gives a smaller force.
     """
     highest = MAX_HEIGHT_IN_RMS_HEIGHTS * rms_height + MAX_HEIGHT_IN_RANGES * rho
     heights = np.linspace(0, highest, HEIGHT_COUNT)
@@ -62,23 +54,14 @@ def infer_apex_heights(
 ) -> xr.Dataset:
     """Infer the height of the apex from published and from computed forces.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        adhesion.nc for one contact model.
-    published_forces : pandas.DataFrame
-        ``mean_force`` and ``median_force`` in N by surface.
-    work : float
-        The published work of adhesion in J/m².
-    rms_heights : pandas.Series
-        Root of the sum of the squared rms heights of substrate and sphere in nm, by surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``height_from_computed`` (surface, statistic, rho) in nm follows from computed forces and
-        does not depend on W. ``height_from_published`` (surface, statistic, work_source, rho) in nm
-        follows from published forces. ``combined_rms_height`` (surface) is in nm.
+    adhesion: adhesion.nc for one contact model.
+    published_forces: ``mean_force`` and ``median_force`` in N by surface.
+    work: the published work of adhesion in J/m².
+    rms_heights: root of the sum of the squared rms heights of substrate and sphere in nm, by
+        surface.
+    Returns ``height_from_computed`` (surface, statistic, rho) in nm follows from computed forces
+        and does not depend on W. ``height_from_published`` (surface, statistic, work_source, rho)
+        in nm follows from published forces. ``combined_rms_height`` (surface) is in nm.
     """
     forces = adhesion["pull_off_force"].stack(
         contact=["scan", "sphere_scan", "contact_y", "contact_x"]

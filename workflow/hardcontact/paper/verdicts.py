@@ -33,22 +33,10 @@ MIN_STABILITY = 0.95
 def accepted_range(rule: str, published_low: float, published_high: float) -> tuple[float, float]:
     """Return the limits between which a number agrees with the paper.
 
-    Parameters
-    ----------
-    rule : str
-        ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``.
-    published_low, published_high : float
-        Published limits, NaN if the paper has none.
-
-    Returns
-    -------
-    tuple of float
-        Lower and upper limit, in the unit of the published limits.
-
-    Raises
-    ------
-    ValueError
-        If the rule is unknown, or needs a limit that is missing.
+    rule: ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``.
+    published_low, published_high: published limits, NaN if the paper has none.
+    Returns lower and upper limit, in the unit of the published limits.
+    Raises ValueError if the rule is unknown, or needs a limit that is missing.
     """
     name, _, factor = rule.partition(" ")
     if rule == "interval":
@@ -87,22 +75,12 @@ def verdict(
     consistent if it is accepted, otherwise not reproduced. Without a number the verdict is
     undecided.
 
-    Parameters
-    ----------
-    rule : str
-        As for `accepted_range`, which raises ValueError.
-    computed : float
-        The number in the unit of the limits, NaN if it does not exist.
-    low, high : float
-        Ends of the interval, which contains the number. NaN if there is no interval; equal if the
-        interval has zero width.
-    published_low, published_high : float
-        As for `accepted_range`.
-
-    Returns
-    -------
-    str
-        One of `VERDICTS`.
+    rule: as for `accepted_range`, which raises ValueError.
+    computed: the number in the unit of the limits, NaN if it does not exist.
+    low, high: ends of the interval, which contains the number. NaN if there is no interval; equal
+        if the interval has zero width.
+    published_low, published_high: as for `accepted_range`.
+    Returns one of `VERDICTS`.
     """
     limits = published_low, published_high
     if np.isnan(computed):
@@ -122,17 +100,9 @@ def verdict(
 def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
     """Return the central interval of the numbers of many sets.
 
-    Parameters
-    ----------
-    replicas : numpy.ndarray
-        Numbers (set, ...), NaN if a set has none.
-    confidence : float
-        Share of the sets inside the interval.
-
-    Returns
-    -------
-    numpy.ndarray
-        Intervals (..., 2), NaN if fewer sets than this share have a number.
+    replicas: numbers (set, ...), NaN if a set has none.
+    confidence: share of the sets inside the interval.
+    Returns intervals (..., 2), NaN if fewer sets than this share have a number.
     """
     enough = np.isfinite(replicas).sum(axis=0) >= confidence * len(replicas)
     return np.where(enough[..., None], percentile_interval(replicas, confidence), np.nan)
@@ -141,17 +111,9 @@ def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Stretch intervals until they contain their numbers, as they are judged and printed.
 
-    Parameters
-    ----------
-    ends : array_like
-        Ends (..., 2), NaN if there is no interval.
-    value : array_like
-        Numbers (...). NaN leaves the interval as it is.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Low ends (...) and high ends (...).
+    ends: ends (..., 2), NaN if there is no interval.
+    value: numbers (...). NaN leaves the interval as it is.
+    Returns low ends (...) and high ends (...).
     """
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
     is_missing = np.isnan(value)
@@ -171,21 +133,11 @@ def interval_with_sets(
 ) -> tuple[float, float]:
     """Return the interval of a number, stretched until it contains the number.
 
-    Parameters
-    ----------
-    value : float
-        The number.
-    interval : tuple of array_like
-        Low and high end of its own interval, which counts if the numbers of the sets do not vary.
-    replicas : numpy.ndarray
-        Numbers (set,) of all sets; their spread is the interval if they vary.
-    confidence : float
-        Share of the sets inside the interval.
-
-    Returns
-    -------
-    tuple of float
-        Low and high end, NaN if there is no interval.
+    interval: low and high end of its own interval, which counts if the numbers of the sets do not
+        vary.
+    replicas: numbers (set,) of all sets; their spread is the interval if they vary.
+    confidence: share of the sets inside the interval.
+    Returns low and high end, NaN if there is no interval.
     """
     ends = sets_interval(replicas, confidence) if replicas_vary(replicas) else np.array(interval)
     low, high = stretch_interval(ends, value)
@@ -205,23 +157,10 @@ def stability(
     sets: all sets are sampled again with replacement, and one of them is taken for the study (the
     bootstrap: B. Efron, The Annals of Statistics 7, 1979, 1).
 
-    Parameters
-    ----------
-    judge : callable
-        Takes a number and the ends of its interval and returns a verdict.
-    original_verdict : str
-        The verdict of the study.
-    replicas : numpy.ndarray
-        Numbers (set,) of the sets, NaN if a set has none.
-    confidence : float
-        Share of the sets inside the interval.
-    rng : numpy.random.Generator
-        Random numbers.
-
-    Returns
-    -------
-    float
-        Share of `RESAMPLINGS` resamplings.
+    judge: takes a number and the ends of its interval and returns a verdict.
+    replicas: numbers (set,) of the sets, NaN if a set has none.
+    confidence: share of the sets inside the interval.
+    Returns share of `RESAMPLINGS` resamplings.
     """
     resampled_sets = rng.choice(replicas, size=(len(replicas), RESAMPLINGS))
     study_numbers = rng.choice(replicas, size=RESAMPLINGS)
@@ -233,20 +172,9 @@ def stability(
 def read_verdicts(path: str | Path) -> pd.DataFrame:
     """Read the claims of a study with their verdicts, as from `evaluation.evaluate`.
 
-    Parameters
-    ----------
-    path : str or Path
-        The claims.csv of the study.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row per claim.
-
-    Raises
-    ------
-    ValueError
-        If the file ends within a line.
+    path: the claims.csv of the study.
+    Returns one row per claim.
+    Raises ValueError if the file ends within a line.
     """
     if not Path(path).read_bytes().endswith(b"\n"):
         raise ValueError(
@@ -262,15 +190,8 @@ def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
     A claim is not independent if it follows from another claim, holds by construction, or compares
     the model with measured forces.
 
-    Parameters
-    ----------
-    evaluated : pandas.DataFrame
-        From `evaluation.evaluate` or `read_verdicts`.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Columns ``verdict``, ``independent`` and ``claims``, one row for each of `VERDICTS`.
+    evaluated: from `evaluation.evaluate` or `read_verdicts`.
+    Returns columns ``verdict``, ``independent`` and ``claims``, one row for each of `VERDICTS`.
     """
     verdicts = evaluated["verdict"]
     independent = (evaluated["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
@@ -290,19 +211,10 @@ OPEN_END = {"small": "high", "large": "low"}
 def open_end(side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]) -> str:
     """Return the end of the interval of an edge that lies beyond the computed cutoffs.
 
-    Parameters
-    ----------
-    side : str
-        Side of the edge, ``"small"`` or ``"large"``.
-    value, low, high : float
-        The edge and its interval in nm.
-    bands : sequence of xarray.Dataset
-        As for `add_open_ends`.
-
-    Returns
-    -------
-    str
-        ``"low"`` or ``"high"``, or ``""`` if both ends are within the cutoffs.
+    side: side of the edge, ``"small"`` or ``"large"``.
+    value, low, high: the edge and its interval in nm.
+    bands: as for `add_open_ends`.
+    Returns ``"low"`` or ``"high"``, or ``""`` if both ends are within the cutoffs.
     """
     end = OPEN_END[side]
     limit = high if end == "high" else low
@@ -321,18 +233,10 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     that the edge of the study may lie beyond theirs. An interval that is stretched to such an edge
     is open there, too.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        From `read_verdicts`.
-    bands : sequence of xarray.Dataset
-        The datasets that give the intervals, band.nc and sets.nc: ``filtered_force_change`` (...,
-        side, group, cutoff_wavelength).
-
-    Returns
-    -------
-    pandas.DataFrame
-        The claims with the column, from the function `open_end`; ``""`` for other claims.
+    claims: from `read_verdicts`.
+    bands: the datasets that give the intervals, band.nc and sets.nc: ``filtered_force_change``
+        (..., side, group, cutoff_wavelength).
+    Returns the claims with the column, from the function `open_end`; ``""`` for other claims.
     """
     sides = claims["id"].str.extract("^edge_(small|large)_", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)

@@ -18,22 +18,10 @@ class Caption(NamedTuple):
 def caption(figure: str, configuration: Mapping[str, Any]) -> Caption:
     """Return the caption of a figure.
 
-    Parameters
-    ----------
-    figure : str
-        Name of the figure. The CAPTION of its module is a Jinja template.
-    configuration : mapping
-        The user's configuration, whose keys the template uses.
-
-    Returns
-    -------
-    Caption
-        Title, first paragraph and other paragraphs, plain text.
-
-    Raises
-    ------
-    jinja2.UndefinedError
-        If the configuration lacks a key.
+    figure: name of the figure. The CAPTION of its module is a Jinja template.
+    configuration: the user's configuration, whose keys the template uses.
+    Returns title, first paragraph and other paragraphs, plain text.
+    Raises jinja2.UndefinedError if the configuration lacks a key.
     """
     from jinja2 import Environment, StrictUndefined
 

@@ -39,15 +39,7 @@ def cautions(datasets: Datasets) -> list[Caution]:
 
     A caution is `grave` if its cause changes the force by more than the tolerance of the band.
 
-    Parameters
-    ----------
-    datasets : Datasets
-        Datasets of one surface.
-
-    Returns
-    -------
-    list of mapping
-        Each has `code`, `grave` and the values of its sentence.
+    Returns each has `code`, `grave` and the values of its sentence.
     """
     tolerance = datasets.edges.attrs["tolerance"]
     too_small = datasets.force["finite_scan_ratio"].values[0] > 1 + tolerance

@@ -39,25 +39,12 @@ def insight_page(
 ) -> str:
     """Return the page, HTML.
 
-    Parameters
-    ----------
-    datasets : mapping
-        The final datasets of the parts, and `band`, by their names.
-    figures : mapping
-        SVG and caption by the names of the figures, in the order of the page.
-    claims : pandas.DataFrame
-        The table that `verdicts.read_verdicts` returns, with the `dataset` of each statement.
-    constants : pandas.DataFrame
-        The table that `published.constants` returns.
-    pixels : int
-        Pixels along a side of the scans.
-    errors : mapping
-        Errors of the closed form, from `prediction.validated_errors`.
-
-    Returns
-    -------
-    str
-        HTML.
+    datasets: the final datasets of the parts, and `band`, by their names.
+    figures: SVG and caption by the names of the figures, in the order of the page.
+    claims: the table that `verdicts.read_verdicts` returns, with the `dataset` of each statement.
+    constants: the table that `published.constants` returns.
+    pixels: pixels along a side of the scans.
+    errors: errors of the closed form, from `prediction.validated_errors`.
     """
     # The band has the bases of the study's own surfaces, validation tables those of others.
     bases: dict[str, str] = {}

@@ -105,17 +105,8 @@ class OwnAnswer(NamedTuple):
 def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
     """Return the answer of each surface that has a band.
 
-    Parameters
-    ----------
-    datasets : Datasets
-        The final datasets of the study.
-    setting : Setting
-        The settings that the datasets do not hold.
-
-    Returns
-    -------
-    OwnAnswer
-        The answers by surface.
+    setting: the settings that the datasets do not hold.
+    Returns the answers by surface.
     """
     surfaces = {}
     adhesion = {"range of adhesion", "work of adhesion"}
@@ -134,15 +125,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
 def own_headline(answer: OwnAnswer) -> list[str]:
     """Return the first sentences of the page, which the terminal also shows.
 
-    Parameters
-    ----------
-    answer : OwnAnswer
-        From `own_answer`.
-
-    Returns
-    -------
-    list of str
-        Sentences.
+    answer: from `own_answer`.
     """
     surfaces = [
         {**surface._asdict(), "basis": surface.basis, "verdict": surface_verdict(surface.rows)}
@@ -154,15 +137,7 @@ def own_headline(answer: OwnAnswer) -> list[str]:
 def own_warnings(answer: OwnAnswer) -> list[str]:
     """Return the sentences on substitutes and on grave cautions that follow the headline.
 
-    Parameters
-    ----------
-    answer : OwnAnswer
-        From `own_answer`.
-
-    Returns
-    -------
-    list of str
-        Sentences.
+    answer: from `own_answer`.
     """
     return rendered_lines("own_warnings.txt", surfaces=list(answer.surfaces.values()))
 
@@ -170,17 +145,8 @@ def own_warnings(answer: OwnAnswer) -> list[str]:
 def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
     """Return the head of answer.json.
 
-    Parameters
-    ----------
-    setting : Setting
-        The settings of the study.
-    headline : sequence of str
-        The first sentences of the page.
-
-    Returns
-    -------
-    dict
-        The entries before the list of quantities.
+    headline: the first sentences of the page.
+    Returns the entries before the list of quantities.
     """
     return {
         "study": setting.study,
@@ -195,17 +161,9 @@ def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
 def own_quantities(answer: OwnAnswer, of_paper: Collection[str]) -> Iterator[QuantityMapping]:
     """Yield every number of the page, those of the whole study first.
 
-    Parameters
-    ----------
-    answer : OwnAnswer
-        From `own_answer`.
-    of_paper : collection of str
-        The quantities of the contact that are the paper's: assumed.
-
-    Yields
-    ------
-    dict
-        A number as a mapping for answer.json.
+    answer: from `own_answer`.
+    of_paper: the quantities of the contact that are the paper's: assumed.
+    Yields a number as a mapping for answer.json.
     """
     datasets, _, surfaces = answer
     for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
@@ -252,19 +210,9 @@ def own_page(
 ) -> str:
     """Return the page.
 
-    Parameters
-    ----------
-    answer : OwnAnswer
-        From `own_answer`.
-    headline, warnings : sequence of str
-        From `own_headline` and `own_warnings`.
-    pictures : mapping of str to bytes
-        SVG by the name of the figure.
-
-    Returns
-    -------
-    str
-        HTML.
+    answer: from `own_answer`.
+    headline, warnings: from `own_headline` and `own_warnings`.
+    pictures: SVG by the name of the figure.
     """
     datasets, setting, surfaces = answer
     return rendered(

@@ -48,17 +48,8 @@ TableAndFigure = tuple[pd.DataFrame, Figure]
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
     """Write the figures of own surfaces and their tables, and return the SVG of each figure.
 
-    Parameters
-    ----------
-    datasets : Datasets
-        The datasets of the study.
-    outputs : dict
-        Paths of all figures, in one order, by kind of file. A file has the name of its figure.
-
-    Returns
-    -------
-    dict
-        SVG by the name of the figure.
+    outputs: paths of all figures, in one order, by kind of file. A file has the name of its figure.
+    Returns SVG by the name of the figure.
     """
     pictures = {}
     for paths in zip(*(outputs[kind] for kind in FILE_KINDS), strict=True):

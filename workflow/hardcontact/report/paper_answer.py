@@ -70,20 +70,11 @@ def paper_answer(
 ) -> PaperAnswer:
     """Return the answer, in the units of the claims.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        The table that `verdicts.read_verdicts` returns.
-    datasets : mapping
-        Final datasets: `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`,
+    claims: the table that `verdicts.read_verdicts` returns.
+    datasets: final datasets: `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`,
         `protruded_sphere` and `scan_size`.
-    constants, published_table1 : pandas.DataFrame
-        The tables that `published.constants` and `published.table1` return.
-
-    Returns
-    -------
-    PaperAnswer
-        The answer.
+    constants, published_table1: the tables that `published.constants` and `published.table1`
+        return.
     """
     topography = datasets["topography"]
     band = datasets["band"]
@@ -262,15 +253,8 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
 def paper_quantities(answer: PaperAnswer) -> Iterator[QuantityMapping]:
     """Yield the numbers of the whole study, then the numbers of each substrate.
 
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`.
-
-    Yields
-    ------
-    dict
-        A number as a mapping for answer.json.
+    answer: from `paper_answer`.
+    Yields a number as a mapping for answer.json.
     """
     for number in answer.numbers.values():
         yield quantity_mapping(number)

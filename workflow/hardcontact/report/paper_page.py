@@ -32,15 +32,7 @@ MAIN_FINDINGS = (
 def paper_headline(answer: PaperAnswer) -> list[str]:
     """Return the first sentences of the page, which the terminal also shows.
 
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`.
-
-    Returns
-    -------
-    list of str
-        Sentences.
+    answer: from `paper_answer`.
     """
     facts = claim_facts(answer.claims)
     return rendered_lines("paper_headline.txt", answer=answer, numbers=answer.numbers, **facts)
@@ -51,19 +43,9 @@ def paper_head(
 ) -> dict[str, Any]:
     """Return the head of answer.json.
 
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`; coarse grids make its effort quick.
-    configuration : mapping
-        The user's configuration.
-    version : str
-        Version of the software.
-
-    Returns
-    -------
-    dict
-        The entries before the list of quantities. `headline` is from `paper_headline`.
+    answer: from `paper_answer`; coarse grids make its effort quick.
+    configuration: the user's configuration.
+    Returns the entries before the list of quantities. `headline` is from `paper_headline`.
     """
     contact = {"radius of the sphere": configuration["sphere"]["radius"]}
     contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
@@ -86,23 +68,10 @@ def paper_page(
 ) -> str:
     """Return the page of the paper's study.
 
-    Parameters
-    ----------
-    answer : PaperAnswer
-        From `paper_answer`.
-    head : mapping
-        From `paper_head`.
-    figures : mapping of str to bytes
-        SVG by the name of the figure.
-    captions : mapping of str to Caption
-        Captions by the name of the figure.
-    citation : mapping
-        CITATION.cff.
-
-    Returns
-    -------
-    str
-        HTML.
+    answer: from `paper_answer`.
+    head: from `paper_head`.
+    figures: SVG by the name of the figure.
+    captions: captions by the name of the figure.
     """
     return rendered(
         "paper.html",

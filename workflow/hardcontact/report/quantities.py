@@ -167,14 +167,9 @@ def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
 def quantity_mapping(number: Number, surface: str = "", name: str = "") -> QuantityMapping:
     """Return a number as a mapping for answer.json, with None for unknown values.
 
-    Parameters
-    ----------
-    number : Number
-        The number with its interval, unit, status and source.
-    surface : str
-        The surface that it belongs to; empty for a number of the whole study.
-    name : str
-        Its name in the list; by default that of the number.
+    number: the number with its interval, unit, status and source.
+    surface: the surface that it belongs to; empty for a number of the whole study.
+    name: its name in the list; by default that of the number.
     """
     return {"surface": surface, **plain(number), "name": name or number.name}
 
@@ -191,22 +186,8 @@ def numbers_within(prefix: str, mapping: Mapping[str, Any]) -> Iterator[Number]:
 def answer_json(head: Mapping[str, Any], quantities: Iterable[QuantityMapping]) -> str:
     """Return the text of answer.json, as answer.schema.json describes it.
 
-    Parameters
-    ----------
-    head : mapping
-        The entries before the list.
-    quantities : iterable of dict
-        The list of numbers.
-
-    Returns
-    -------
-    str
-        JSON.
-
-    Raises
-    ------
-    ValueError
-        If two quantities of one surface have the same name.
+    head: the entries before the list.
+    Raises ValueError if two quantities of one surface have the same name.
     """
     rows = list(quantities)
     names = [(row["surface"], row["name"]) for row in rows]

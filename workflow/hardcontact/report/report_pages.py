@@ -34,21 +34,11 @@ def pages(
 ) -> dict[str, str]:
     """Return the HTML of the pages by their names: `claims`, each text, and `parameters`.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        The table that `verdicts.add_open_ends` returns.
-    texts : mapping of str to str
-        Chapters in Markdown, by name.
-    configuration : mapping
-        The user's configuration of the study.
-    versions : mapping of str to str
-        Versions by package.
-
-    Returns
-    -------
-    dict of str to str
-        HTML by name.
+    claims: the table that `verdicts.add_open_ends` returns.
+    texts: chapters in Markdown, by name.
+    configuration: the user's configuration of the study.
+    versions: versions by package.
+    Returns HTML by name.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
@@ -67,15 +57,8 @@ def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        The table that `verdicts.add_open_ends` returns.
-
-    Returns
-    -------
-    dict
-        `claims` are rows by their ids, with printed numbers; `counts` are rows of
+    claims: the table that `verdicts.add_open_ends` returns.
+    Returns `claims` are rows by their ids, with printed numbers; `counts` are rows of
         `verdicts.summary`. `unstable` is the number of verdicts that may change with the seed.
         `without_scan` is the number of independent findings reproduced without any scan.
         `larger_pixels` is that of findings which only scans with the paper's pixels can test.

@@ -43,17 +43,9 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
     over all scales are rms values of the joined spectrum, without a standard deviation. A dagger
     marks the values that substitutes meet by construction.
 
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        The dataset that `roughness_table` returns.
-    published : pandas.DataFrame
-        The table that `published.table1` returns.
-
-    Returns
-    -------
-    list of list of str
-        Rows of cells.
+    topography: the dataset that `roughness_table` returns.
+    published: the table that `published.table1` returns.
+    Returns rows of cells.
     """
     surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
     rows = []

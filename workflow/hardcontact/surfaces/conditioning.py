@@ -65,22 +65,12 @@ def scan_targets(
     With another size, all three are computed from the spectrum. The standard deviation relative to
     the rms height is the published one.
 
-    Parameters
-    ----------
-    spectrum_data : xarray.Dataset
-        The dataset that `substitute_spectrum` returns.
-    table1, constants : pandas.DataFrame
-        Table 1 from `rows_of_surface`, and the constants with the paper's pixels and size, which
-        `published.constants` returns.
-    definitions : mapping of str to str
-        Meaning of ``slope`` and ``curvature`` in Table 1: keys of DEFINITIONS.
-    grid : ScanGrid
-        Pixels and size of the scans.
-
-    Returns
-    -------
-    Targets or None
-        None for a surface without a published rms height.
+    spectrum_data: the dataset that `substitute_spectrum` returns.
+    table1, constants: table 1 from `rows_of_surface`, and the constants with the paper's pixels and
+        size, which `published.constants` returns.
+    definitions: meaning of ``slope`` and ``curvature`` in Table 1: keys of DEFINITIONS.
+    grid: pixels and size of the scans.
+    Returns none for a surface without a published rms height.
     """
     if "afm_rms_height" not in table1.index:
         return None
@@ -141,17 +131,9 @@ def component_shares(grid: ScanGrid) -> Floats:
 def multiply_amplitudes(density: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
     """Return a spectrum whose amplitudes are multiplied by a gain, and C_iso by its square.
 
-    Parameters
-    ----------
-    density : callable
-        C_iso in nm⁴ of wavevectors in rad/nm.
-    amplitude_gain : numpy.ndarray
-        Factors of amplitudes on WAVEVECTORS; between them they are interpolated.
-
-    Returns
-    -------
-    callable
-        C_iso in nm⁴ of wavevectors in rad/nm.
+    density: c_iso in nm⁴ of wavevectors in rad/nm.
+    amplitude_gain: factors of amplitudes on WAVEVECTORS; between them they are interpolated.
+    Returns c_iso in nm⁴ of wavevectors in rad/nm.
     """
 
     def amplified_density(wavevector: Floats) -> Floats:
@@ -232,27 +214,14 @@ def condition_group(
 ) -> xr.Dataset:
     """Return the gain of amplitudes of a group of scans, and the factor of heights of each scan.
 
-    Parameters
-    ----------
-    spectrum_data : xarray.Dataset
-        The dataset that `substitute_spectrum` returns.
-    targets : Targets or None
-        The targets that `scan_targets` returns; with None, gain and factors equal 1.
-    generator_functions : mapping of int to callable
-        By number of the scan: a function that returns a new generator for this scan.
-    grid : ScanGrid
-        Pixels and size of the scans.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``amplitude_gain`` (wavevector) and ``factor`` (scan). The attribute ``table1_rows_met``
+    spectrum_data: the dataset that `substitute_spectrum` returns.
+    targets: the targets that `scan_targets` returns; with None, gain and factors equal 1.
+    generator_functions: by number of the scan: a function that returns a new generator for this
+        scan.
+    grid: pixels and size of the scans.
+    Returns ``amplitude_gain`` (wavevector) and ``factor`` (scan). The attribute ``table1_rows_met``
         lists the rows of Table 1 that the surface meets by construction.
-
-    Raises
-    ------
-    ValueError
-        If an rms height would be negative.
+    Raises ValueError if an rms height would be negative.
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(generator_functions))

@@ -54,17 +54,9 @@ def contradictions(
     Two measurements are compared over all bins that they share, and over each half decade of them.
     A contradiction states the range with the largest difference in standard errors.
 
-    Parameters
-    ----------
-    density, reliable : array
-        (measurement, bins) C_iso in nm⁴, and whether it is reliable.
-    kinds, sizes : iterable
-        Arguments of `waves_in_bins` for each measurement; sizes in nm.
-
-    Returns
-    -------
-    list of Contradiction
-        Empty if no measurements contradict each other.
+    density, reliable: (measurement, bins) C_iso in nm⁴, and whether it is reliable.
+    kinds, sizes: arguments of `waves_in_bins` for each measurement; sizes in nm.
+    Returns empty if no measurements contradict each other.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     waves = np.array([waves_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])

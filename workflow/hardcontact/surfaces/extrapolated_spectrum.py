@@ -74,19 +74,11 @@ def extrapolate_short_waves(
     ends at the distance of atoms, or where the rms gradient or half-Laplacian over all scales would
     exceed MAX_GRADIENT or MAX_HALF_LAPLACIAN.
 
-    Parameters
-    ----------
-    wavevector, density : numpy.ndarray
-        (points,) At least three measured points without gaps: rad/nm, C_iso in nm⁴.
-    hurst : HurstFit
-        Hurst exponent of the tail.
-    change : float
-        Change of this exponent; the changed exponent is clipped to 0 and 1.
-
-    Returns
-    -------
-    tuple of numpy.ndarray and Tail
-        C_iso in nm⁴, and the properties of the tail.
+    wavevector, density: (points,) At least three measured points without gaps: rad/nm, C_iso in
+        nm⁴.
+    hurst: hurst exponent of the tail.
+    change: change of this exponent; the changed exponent is clipped to 0 and 1.
+    Returns c_iso in nm⁴, and the properties of the tail.
     """
     # The last point of the table may lie beyond the last wavevector by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
@@ -192,19 +184,10 @@ class LongWaves:
         The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
         to MAX_ROLLOFF times the size of the scan.
 
-        Parameters
-        ----------
-        density : numpy.ndarray
-            C_iso in nm⁴ on WAVEVECTORS, constant above the longest wavelength measured.
-        longest, slope : float
-            The longest wavelength measured in nm, and d ln C/d ln q there.
-        probability : float
-            Probability that the roll-off is shorter than the result.
-
-        Returns
-        -------
-        float
-            The longest wavelength measured, if the slope is not negative.
+        density: c_iso in nm⁴ on WAVEVECTORS, constant above the longest wavelength measured.
+        longest, slope: the longest wavelength measured in nm, and d ln C/d ln q there.
+        probability: probability that the roll-off is shorter than the result.
+        Returns the longest wavelength measured, if the slope is not negative.
         """
         if slope >= 0:
             return longest

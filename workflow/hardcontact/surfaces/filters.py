@@ -128,27 +128,14 @@ def filtered_series(
     The master is transformed once. All surfaces except the unfiltered one share one array of
     heights, which the next surface overwrites.
 
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic and square.
-    side : str
-        ``"small"`` removes the wavelengths below a cutoff, ``"large"`` those above it.
-    cutoffs : sequence of float or None
-        In nm; None removes nothing.
-    pixels : int
-        Pixels along a side of the yielded surfaces.
-
-    Yields
-    ------
-    HeightMap
-        Heights (pixels, pixels) in float32; the unfiltered master keeps its own type, unless it is
-        interpolated.
-
-    Raises
-    ------
-    ValueError
-        If the remaining wavelengths need more pixels, or a cutoff is two pixels or less.
+    master: periodic and square.
+    side: ``"small"`` removes the wavelengths below a cutoff, ``"large"`` those above it.
+    cutoffs: in nm; None removes nothing.
+    pixels: pixels along a side of the yielded surfaces.
+    Yields heights (pixels, pixels) in float32; the unfiltered master keeps its own type, unless it
+        is interpolated.
+    Raises ValueError if the remaining wavelengths need more pixels, or a cutoff is two pixels or
+        less.
     """
     size = master.size
     limits = [None if cutoff is None else _highest_order(master, cutoff) for cutoff in cutoffs]

@@ -94,20 +94,8 @@ class HeightMap:
 def read_height_map(path: str) -> HeightMap:
     """Read a height map from a netCDF file of the study.
 
-    Parameters
-    ----------
-    path : str
-        The file.
-
-    Returns
-    -------
-    HeightMap
-        Heights (y, x) and pixel size in nm.
-
-    Raises
-    ------
-    ValueError
-        If the file is unreadable.
+    Returns heights (y, x) and pixel size in nm.
+    Raises ValueError if the file is unreadable.
     """
     map_dataset = dataset.read(path)
     heights = map_dataset["heights"]

@@ -38,15 +38,9 @@ def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) ->
     in SHARPNESS, and in H within 0 to 1. The exponent is the posterior mean. Its error is the
     posterior standard deviation, with HURST_SCATTER.
 
-    Parameters
-    ----------
-    wavevector, density, variance : numpy.ndarray
-        (bins,) At least three bins: rad/nm, C_iso in nm⁴, variance of ln C_iso.
-
-    Returns
-    -------
-    HurstFit
-        The exponent with its error.
+    wavevector, density, variance: (bins,) At least three bins: rad/nm, C_iso in nm⁴, variance of ln
+        C_iso.
+    Returns the exponent with its error.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True

@@ -95,25 +95,14 @@ def joined_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a surface, joined from its measurements within their reliable bands.
 
-    Parameters
-    ----------
-    measurements : sequence of Measurement
-        Levelled maps and line scans.
-    tip_radii : sequence of float or None
-        Radii in nm, by measurement; None to use the radius that its file states, if any.
-
-    Returns
-    -------
-    xarray.Dataset
-        `spectrum` (wavevector) is C_iso in nm⁴ over all scales. `joined_psd` (bin_wavevector) is
-        C_iso in nm⁴, NaN in unreliable bins: the mean logarithm of the reliable densities, weighted
-        by independent waves, freed of the bias of the logarithm and smoothed where waves are few.
-        `psd` and `reliable` (measurement, bin_wavevector), and the properties of each measurement.
-
-    Raises
-    ------
-    ValueError
-        If fewer than three bins of wavelengths are reliable, in one line.
+    measurements: levelled maps and line scans.
+    tip_radii: radii in nm, by measurement; None to use the radius that its file states, if any.
+    Returns `spectrum` (wavevector) is C_iso in nm⁴ over all scales. `joined_psd` (bin_wavevector)
+        is C_iso in nm⁴, NaN in unreliable bins: the mean logarithm of the reliable densities,
+        weighted by independent waves, freed of the bias of the logarithm and smoothed where waves
+        are few. `psd` and `reliable` (measurement, bin_wavevector), and the properties of each
+        measurement.
+    Raises ValueError if fewer than three bins of wavelengths are reliable, in one line.
     """
     spectra = _measured_spectra(measurements, tip_radii)
     reliable = spectra.reliable(spectra.bands)
@@ -154,17 +143,10 @@ def sample_spectra(
     bins. It varies the calibrations, the Hurst exponent of the tail and the roll-off. Unknown tip
     radii are uniform in their logarithm within UNKNOWN_TIP_RADII.
 
-    Parameters
-    ----------
-    rngs : iterable of numpy.random.Generator
-        One generator a draw.
-    measurements, tip_radii : sequence
-        The arguments of `joined_spectrum`.
-
-    Yields
-    ------
-    tuple of Spectrum and numpy.ndarray
-        The spectrum, and the factors (measurement,) of measured heights relative to true heights.
+    rngs: one generator a draw.
+    measurements, tip_radii: the arguments of `joined_spectrum`.
+    Yields the spectrum, and the factors (measurement,) of measured heights relative to true
+        heights.
     """
     spectra = _measured_spectra(measurements, tip_radii)
     for rng in rngs:

@@ -45,25 +45,11 @@ def read_in_child(
 ) -> dict[str, Any]:
     """Return the dictionary that a reader makes from the bytes of a file, in a child process.
 
-    Parameters
-    ----------
-    reader : callable
-        Takes the bytes and the arguments. Returns a dictionary that JSON can hold, except for an
-        array `heights`.
-    path : pathlib.Path
-        The file.
-    *arguments : str or float
-        Further arguments of the reader.
-
-    Returns
-    -------
-    dict of str
-        The dictionary, without control characters in its texts.
-
-    Raises
-    ------
-    ValueError
-        If anything fails, with the file or in the child: one line with the path.
+    reader: takes the bytes and the arguments. Returns a dictionary that JSON can hold, except for
+        an array `heights`.
+    *arguments: further arguments of the reader.
+    Returns the dictionary, without control characters in its texts.
+    Raises ValueError if anything fails, with the file or in the child: one line with the path.
     """
     if path.is_dir():
         raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")

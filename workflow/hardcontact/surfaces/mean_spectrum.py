@@ -72,17 +72,10 @@ def smooth_curve(
     SLOPE_CHANGE over a decade. The posterior mean is then a smoothing spline (Wahba, J. R. Stat.
     Soc. B 40 (1978) 364).
 
-    Parameters
-    ----------
-    density, variance : numpy.ndarray
-        (bins,) C_iso in nm⁴, NaN in gaps, and the variance of ln C from the number of waves.
-    rng : numpy.random.Generator or None
-        Samples one curve of the posterior; None for its mean.
-
-    Returns
-    -------
-    Curve
-        Its variance covers the posterior and the calibration.
+    density, variance: (bins,) C_iso in nm⁴, NaN in gaps, and the variance of ln C from the number
+        of waves.
+    rng: samples one curve of the posterior; None for its mean.
+    Returns its variance covers the posterior and the calibration.
     """
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)

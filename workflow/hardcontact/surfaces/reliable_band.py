@@ -82,19 +82,10 @@ def reliable_band(
 ) -> ReliableBand:
     """Return the reliable wavelengths of a measurement, with their limits.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        Map or line scan.
-    tip_radius : float or None
-        In nm; None if unknown.
-    density : numpy.ndarray or None
-        (bins,) C_iso in nm⁴ from `measured_psd`; None to compute it.
-
-    Returns
-    -------
-    ReliableBand
-        The band in nm.
+    measurement: map or line scan.
+    tip_radius: in nm; None if unknown.
+    density: (bins,) C_iso in nm⁴ from `measured_psd`; None to compute it.
+    Returns the band in nm.
     """
     if density is None:
         _, density = measured_psd(measurement)

@@ -16,15 +16,8 @@ from hardcontact.surfaces.spectrum import Floats, all_scales_rms, measured_psds,
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
     """Return the METRICS and the PSDs of a scan.
 
-    Parameters
-    ----------
-    scan : HeightMap
-        Levelled.
-
-    Returns
-    -------
-    xarray.Dataset
-        The METRICS; ``psd_profile`` (wavevector) in nm³ and ``psd_isotropic`` (wavevector) in nm⁴.
+    Returns the METRICS; ``psd_profile`` (wavevector) in nm³ and ``psd_isotropic`` (wavevector) in
+        nm⁴.
     """
     values = metrics(scan)
     wavevector, profile, isotropic = measured_psds(scan)
@@ -48,17 +41,9 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     """Return mean over scans, its interval and the standard deviation of every metric.
 
-    Parameters
-    ----------
-    scans : xarray.Dataset
-        METRICS (surface, scan), NaN if a surface has fewer scans.
-    confidence : float
-        Probability of the intervals, which follow from Student's t distribution.
-
-    Returns
-    -------
-    xarray.Dataset
-        Variables (surface) named after the metrics.
+    scans: METRICS (surface, scan), NaN if a surface has fewer scans.
+    confidence: probability of the intervals, which follow from Student's t distribution.
+    Returns variables (surface) named after the metrics.
     """
     variables: dict[str, Any] = {}
     for name in METRICS:
@@ -88,33 +73,17 @@ def roughness_table(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
-    Parameters
-    ----------
-    scans : mapping
-        Results of `measured_roughness` by surface and number of the scan.
-    spectra : mapping
-        C_iso over all scales, by surface.
-    conditionings : mapping
-        Results of `condition_group` for the substitutes, by surface.
-    examples : mapping
-        A levelled scan by surface; for a rough sphere it has the variable `as_scanned`.
-    labels : mapping
-        Names in print, by surface.
-    basis : mapping
-        ``"measured"`` or ``"substitute"``, by surface.
-    sphere_surface : str
-        Surface of the sphere.
-    reference_surface : str
-        Surface to which others are compared.
-    definitions : mapping
-        Meaning of slope and curvature in Table 1: arguments of `height_map.table1_variables`.
-    confidence : float
-        Probability of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Dimensions surface, scan and wavevector; maps (surface, row, column).
+    scans: results of `measured_roughness` by surface and number of the scan.
+    spectra: c_iso over all scales, by surface.
+    conditionings: results of `condition_group` for the substitutes, by surface.
+    examples: a levelled scan by surface; for a rough sphere it has the variable `as_scanned`.
+    labels: names in print, by surface.
+    basis: ``"measured"`` or ``"substitute"``, by surface.
+    reference_surface: surface to which others are compared.
+    definitions: meaning of slope and curvature in Table 1: arguments of
+        `height_map.table1_variables`.
+    confidence: probability of the intervals.
+    Returns dimensions surface, scan and wavevector; maps (surface, row, column).
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])

@@ -105,17 +105,10 @@ def scan_defects(
 ) -> dict[str, dict[str, float]]:
     """Return the defects of a scan by code, each with its numbers as in DEFECTS.
 
-    Parameters
-    ----------
-    raw_heights, levelled_heights : array
-        Heights in nm, of a map (y, x) or a line scan (n,), before and after levelling.
-    pixel_size : float
-        Side of a pixel, or spacing of a line scan, in nm.
-
-    Returns
-    -------
-    dict of str to dict
-        Empty for a scan without defects.
+    raw_heights, levelled_heights: heights in nm, of a map (y, x) or a line scan (n,), before and
+        after levelling.
+    pixel_size: side of a pixel, or spacing of a line scan, in nm.
+    Returns empty for a scan without defects.
     """
     numbers = {"spikes": _spike_numbers(levelled_heights)}
     measured_heights = raw_heights

@@ -12,14 +12,9 @@ from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 class ScanSpectrum(Spectrum):
     """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm.
 
-    Attributes
-    ----------
-    joined : xarray.Dataset
-        From `joined_spectrum`: the spectrum over all scales, and where each scan is reliable.
-    skewness : float
-        The largest skewness of the heights of a map; 0 without a map.
-    is_extrapolated : bool
-        Whether C_iso goes on beyond the reliable wavelengths of the scans.
+    joined: from `joined_spectrum`: the spectrum over all scales, and where each scan is reliable.
+    skewness: the largest skewness of the heights of a map; 0 without a map.
+    is_extrapolated: whether C_iso goes on beyond the reliable wavelengths of the scans.
     """
 
     joined: xr.Dataset

@@ -46,20 +46,8 @@ class Measurement:
 def read_stored(path: str) -> Measurement:
     """Read a measurement from a netCDF file of the study.
 
-    Parameters
-    ----------
-    path : str
-        The file.
-
-    Returns
-    -------
-    Measurement
-        As it was written.
-
-    Raises
-    ------
-    ValueError
-        If the file cannot be read.
+    Returns as it was written.
+    Raises ValueError if the file cannot be read.
     """
     dataset = labelled.read(path)
     words = ("path", "dataset", "channel", "file_unit", "kind")
@@ -84,32 +72,19 @@ def read_measurement(
 ) -> Measurement:
     """Read a topography: a map cropped to its central square, or a line scan on uniform spacing.
 
-    Parameters
-    ----------
-    path : str or Path
-        A file in any format SurfaceTopography reads, or a contact.engineering container (.zip).
-    dataset : str
-        The member of a container, by its name or data file; of any other file the channel, or empty
-        for its own choice.
-    undefined_pixels : str
-        ``"refuse"``, or the interpolation of SurfaceTopography (``"harmonic"``) that fills them.
-    unit : str
-        The unit of length of a file that states none, or ``"none"``; two, as ``"mm,nm"``, are of
+    path: a file in any format SurfaceTopography reads, or a contact.engineering container (.zip).
+    dataset: the member of a container, by its name or data file; of any other file the channel, or
+        empty for its own choice.
+    undefined_pixels: ``"refuse"``, or the interpolation of SurfaceTopography (``"harmonic"``) that
+        fills them.
+    unit: the unit of length of a file that states none, or ``"none"``; two, as ``"mm,nm"``, are of
         positions and of heights.
-    map_size : float or str
-        The longer side in nm of a map, or the length of a line scan, whose file states none, or
-        ``"none"``.
-
-    Returns
-    -------
-    Measurement
-        Not levelled, in nm.
-
-    Raises
-    ------
-    ValueError
-        If the scan is missing, unreadable, too large, without physical size or unit, reentrant, of
-        absurd size, height or slope, or has undefined pixels that may not be filled; one line.
+    map_size: the longer side in nm of a map, or the length of a line scan, whose file states none,
+        or ``"none"``.
+    Returns not levelled, in nm.
+    Raises ValueError if the scan is missing, unreadable, too large, without physical size or unit,
+        reentrant, of absurd size, height or slope, or has undefined pixels that may not be filled;
+        one line.
     """
     from hardcontact.surfaces.scan_formats import read_measurement_fields
 
@@ -161,24 +136,10 @@ def flatten(
 ) -> Measurement:
     """Return a measurement whose map is levelled and has its sphere subtracted.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        A height map, or a line scan, which keeps its heights.
-    sphere_radius : float or None
-        Radius of the sphere in nm; None for a flat surface.
-    levelling : str
-        One of LEVELLING.
-
-    Returns
-    -------
-    Measurement
-        With the new heights.
-
-    Raises
-    ------
-    ValueError
-        If the levelling is unknown.
+    measurement: a height map, or a line scan, which keeps its heights.
+    sphere_radius: radius of the sphere in nm; None for a flat surface.
+    Returns with the new heights.
+    Raises ValueError if the levelling is unknown.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
@@ -193,19 +154,9 @@ def examine(
 ) -> Measurement:
     """Return a measurement from `flatten`, with its defects.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        The measurement as read.
-    sphere_radius : float or None
-        Radius of the sphere in nm; None for a flat surface.
-    levelling : str
-        One of LEVELLING.
-
-    Returns
-    -------
-    Measurement
-        The levelled measurement with `defects`.
+    measurement: the measurement as read.
+    sphere_radius: radius of the sphere in nm; None for a flat surface.
+    Returns the levelled measurement with `defects`.
     """
     from scipy.signal import detrend  # A slow import.
 
@@ -228,22 +179,11 @@ def level_and_stitch(
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return a levelled map and its mirror-stitched map, both as datasets.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        A map as read.
-    basis : str
-        ``"measured"`` or ``"substitute"``.
-    sphere_radius : float or None
-        Radius of the sphere in nm; None for a flat surface.
-    levelling : str
-        One of LEVELLING.
-
-    Returns
-    -------
-    tuple of xarray.Dataset
-        The levelled and the stitched heights (y, x) in nm. The levelled scan of a sphere also has
-        ``as_scanned``, the heights as read. The attributes have channel, unit and notes of the
+    measurement: a map as read.
+    basis: ``"measured"`` or ``"substitute"``.
+    sphere_radius: radius of the sphere in nm; None for a flat surface.
+    Returns the levelled and the stitched heights (y, x) in nm. The levelled scan of a sphere also
+        has ``as_scanned``, the heights as read. The attributes have channel, unit and notes of the
         file.
     """
     scan = height_map(measurement, basis)

@@ -118,15 +118,8 @@ def spectrum_of_dataset(spectrum_data: xr.Dataset) -> Spectrum:
 def spectrum_dataset(density: Floats) -> xr.Dataset:
     """Return C_iso on WAVEVECTORS as a dataset.
 
-    Parameters
-    ----------
-    density : numpy.ndarray
-        C_iso (wavevector,) in nm⁴.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``spectrum`` (wavevector) in nm⁴.
+    density: c_iso (wavevector,) in nm⁴.
+    Returns ``spectrum`` (wavevector) in nm⁴.
     """
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "C_iso"})},

@@ -69,21 +69,11 @@ def add_measurements(
 ) -> xr.Dataset:
     """Return a spectrum with the measurements from which it was joined.
 
-    Parameters
-    ----------
-    spectrum : xarray.Dataset
-        The dataset that `spectrum_dataset` returns.
-    joined_density : numpy.ndarray
-        (bins,) C_iso in nm⁴, NaN where no measurement is reliable.
-    psds, reliable : numpy.ndarray
-        (measurement, bins) C_iso in nm⁴, and where it is reliable.
-    descriptions : sequence of mapping
-        Properties of each measurement, lengths in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        The spectrum with variables of dimensions `measurement` and `bin_wavevector`.
+    spectrum: the dataset that `spectrum_dataset` returns.
+    joined_density: (bins,) C_iso in nm⁴, NaN where no measurement is reliable.
+    psds, reliable: (measurement, bins) C_iso in nm⁴, and where it is reliable.
+    descriptions: properties of each measurement, lengths in nm.
+    Returns the spectrum with variables of dimensions `measurement` and `bin_wavevector`.
     """
     axes = ("measurement", "bin_wavevector")
     axis = "bin_wavevector"
@@ -119,17 +109,8 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     Its segments with DATA_BASES replace measurements; adjacent segments from the same source
     count as one. Variables that only measurements have are NaN or empty.
 
-    Parameters
-    ----------
-    substitute : xarray.Dataset
-        The dataset that `substitute_spectrum` returns.
-    path : str
-        File of the description.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables and attributes of a joined spectrum.
+    substitute: the dataset that `substitute_spectrum` returns.
+    Returns the variables and attributes of a joined spectrum.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     data_segments = segments[segments.basis.isin(DATA_BASES)]
@@ -172,17 +153,9 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
     """Return one dataset of the joined spectra of all surfaces.
 
-    Parameters
-    ----------
-    spectra : mapping
-        Joined spectra by surface.
-    labels : mapping
-        Names in print by surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        Variables have a leading dimension `surface`, filled with NaN, 0 or "". `label` and the
+    spectra: joined spectra by surface.
+    labels: names in print by surface.
+    Returns variables have a leading dimension `surface`, filled with NaN, 0 or "". `label` and the
         variables of END_UNITS have only this dimension.
     """
     numbered = [

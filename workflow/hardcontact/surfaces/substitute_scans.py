@@ -58,25 +58,11 @@ def synthesize_scan(
 ) -> xr.Dataset:
     """Return a substitute scan in the format that SurfaceTopography reads from a file.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of all random numbers of the scan.
-    density : callable
-        C_iso in nm⁴ of wavevectors in rad/nm.
-    grid : ScanGrid
-        Pixels and size of the scan.
-    factor : float
-        Factor of the heights.
-    sphere_radius : float or None
-        Radius in nm of the sphere that the scan shows; None for a flat surface.
-    skewness : float
-        Skewness of the heights; a skewed scan has the rms height of the Gaussian scan.
-
-    Returns
-    -------
-    xarray.Dataset
-        `heights` (x, y) in nm, in float64, for a file in netCDF's classic format.
+    density: c_iso in nm⁴ of wavevectors in rad/nm.
+    grid: pixels and size of the scan.
+    sphere_radius: radius in nm of the sphere that the scan shows; None for a flat surface.
+    skewness: skewness of the heights; a skewed scan has the rms height of the Gaussian scan.
+    Returns `heights` (x, y) in nm, in float64, for a file in netCDF's classic format.
     """
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     scan = cut_scan(surface, grid.pixels, factor)
@@ -99,17 +85,8 @@ def synthesize_scan(
 def convert_to_measurement(synthesized: xr.Dataset, path: str) -> Measurement:
     """Return a synthesized scan as a measurement, equal to reading its file but faster.
 
-    Parameters
-    ----------
-    synthesized : xarray.Dataset
-        From `synthesize_scan`.
-    path : str
-        Its file.
-
-    Returns
-    -------
-    Measurement
-        A height map.
+    synthesized: from `synthesize_scan`.
+    Returns a height map.
     """
     heights = synthesized["heights"].values.T
     pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
@@ -135,17 +112,9 @@ def skew_surface(surface: HeightMap, skewness: float) -> HeightMap:
     step this is the amplitude-adjusted surrogate of Schreiber and Schmitz, Phys. Rev. Lett. 77
     (1996) 635, whose summits are sharp.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic and square.
-    skewness : float
-        From -1 to 1; the surface meets it to some 5 %.
-
-    Returns
-    -------
-    HeightMap
-        Heights in float64.
+    surface: periodic and square.
+    skewness: from -1 to 1; the surface meets it to some 5 %.
+    Returns heights in float64.
     """
     from scipy import fft
 

@@ -52,19 +52,10 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     a larger periodic surface and levelled. Levelling removes the least-squares plane, that is
     Legendre functions of degree 0 and 1, whose transforms are spherical Bessel functions.
 
-    Parameters
-    ----------
-    pixels : int
-        Pixels along a side of the periodic surface.
-    pixel_size : float
-        Side of a pixel in nm.
-    window_pixels : int
-        Pixels along a side of the scan.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Wavevectors (bins,) in rad/nm, and weights (3, bins): squares = weights @ C_iso.
+    pixels: pixels along a side of the periodic surface.
+    pixel_size: side of a pixel in nm.
+    window_pixels: pixels along a side of the scan.
+    Returns wavevectors (bins,) in rad/nm, and weights (3, bins): squares = weights @ C_iso.
     """
     from scipy.special import spherical_jn
 
@@ -105,22 +96,11 @@ def expected_scan_rms(density: SpectrumFunction, weights: Weights) -> Floats:
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
     """Return the rows of Table 1 for a surface, with rms gradients and half rms Laplacians.
 
-    Parameters
-    ----------
-    table1 : pandas.DataFrame
-        The table that `published.table1` returns.
-    surface : str
-        Name of the surface.
-    slope : str
-        Meaning of slope in Table 1: ``"gradient"``, or ``"profile"``, which is smaller by sqrt(2)
-        on an isotropic surface.
-    curvature : str
-        Meaning of curvature in Table 1: ``"half_laplacian"`` or ``"laplacian"``.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Value and uncertainty by quantity; empty for a surface that Table 1 lacks.
+    table1: the table that `published.table1` returns.
+    slope: meaning of slope in Table 1: ``"gradient"``, or ``"profile"``, which is smaller by
+        sqrt(2) on an isotropic surface.
+    curvature: meaning of curvature in Table 1: ``"half_laplacian"`` or ``"laplacian"``.
+    Returns value and uncertainty by quantity; empty for a surface that Table 1 lacks.
     """
     rows = table1[table1["surface"] == surface].set_index("quantity")
     factor = {
@@ -184,22 +164,12 @@ def calibrate_tail(
 ) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
 
-    Parameters
-    ----------
-    longer_waves : numpy.ndarray
-        C_iso in nm⁴ on WAVEVECTORS, zero below the wavelength at which the power law begins.
-    gradient, half_laplacian : float
-        Rms gradient, and half-Laplacian in 1/nm, of the spectrum with its tail, over all scales.
-
-    Returns
-    -------
-    tuple of float
-        The tail adds the gradient and the half-Laplacian that the spectrum lacks.
-
-    Raises
-    ------
-    ValueError
-        If no power law adds both.
+    longer_waves: c_iso in nm⁴ on WAVEVECTORS, zero below the wavelength at which the power law
+        begins.
+    gradient, half_laplacian: rms gradient, and half-Laplacian in 1/nm, of the spectrum with its
+        tail, over all scales.
+    Returns the tail adds the gradient and the half-Laplacian that the spectrum lacks.
+    Raises ValueError if no power law adds both.
     """
     from scipy.optimize import brentq
 
@@ -249,26 +219,13 @@ def spectrum_from_description(
     A segment is calibrated to Table 1 if it has no Hurst exponent and its model is in
     CALIBRATION_ROWS.
 
-    Parameters
-    ----------
-    path : str or pathlib.Path
-        CSV file of segments from long to short wavelengths, each with its model, parameters and
+    path: CSV file of segments from long to short wavelengths, each with its model, parameters and
         basis.
-    table1 : pandas.DataFrame
-        Rows of Table 1 for the surface, from `rows_of_surface`.
-    weights : tuple of numpy.ndarray
-        The result of `transfer_weights` for the scans that meet these rows.
-
-    Returns
-    -------
-    tuple
-        C_iso in nm⁴ on WAVEVECTORS, the segments with all parameters, and the rows of Table 1 to
-        which the segments were calibrated.
-
-    Raises
-    ------
-    ValueError
-        If a segment cannot be made; names the file and the segment.
+    table1: rows of Table 1 for the surface, from `rows_of_surface`.
+    weights: the result of `transfer_weights` for the scans that meet these rows.
+    Returns c_iso in nm⁴ on WAVEVECTORS, the segments with all parameters, and the rows of Table 1
+        to which the segments were calibrated.
+    Raises ValueError if a segment cannot be made; names the file and the segment.
     """
     segments = read_segments(path)
     density = np.zeros_like(WAVEVECTORS)
@@ -329,21 +286,12 @@ def substitute_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a substitute from a description.
 
-    Parameters
-    ----------
-    description : str or pathlib.Path
-        CSV file of segments, as in `spectrum_from_description`.
-    table1 : pandas.DataFrame
-        Rows of Table 1 for the surface, from `rows_of_surface`, or empty.
-    constants : pandas.DataFrame
-        The paper's pixels and size of scans, from `published.constants`.
-
-    Returns
-    -------
-    xarray.Dataset
-        `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the segments, the rows of Table 1 to which
-        they were calibrated, and the expected rms values of a scan with the paper's pixels and
-        size.
+    description: CSV file of segments, as in `spectrum_from_description`.
+    table1: rows of Table 1 for the surface, from `rows_of_surface`, or empty.
+    constants: the paper's pixels and size of scans, from `published.constants`.
+    Returns `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the segments, the rows of Table 1 to
+        which they were calibrated, and the expected rms values of a scan with the paper's pixels
+        and size.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)

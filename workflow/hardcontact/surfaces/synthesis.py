@@ -101,23 +101,10 @@ def synthesize_master(
 ) -> HeightMap:
     """Return the periodic master of a side.
 
-    Parameters
-    ----------
-    side : str
-        One of SIDES.
-    rng : numpy.random.Generator
-        Source of the artificial roughness.
-    stitched : HeightMap
-        Mirror-stitched scan.
-    scales : mapping
-        ``transition`` in nm, and ``pixels`` for the small side or ``tiles`` for the large side.
-    density : callable
-        C_iso in nm⁴ of wavevectors in rad/nm.
-
-    Returns
-    -------
-    HeightMap
-        The master.
+    rng: source of the artificial roughness.
+    stitched: mirror-stitched scan.
+    scales: ``transition`` in nm, and ``pixels`` for the small side or ``tiles`` for the large side.
+    density: c_iso in nm⁴ of wavevectors in rad/nm.
     """
     make_master, size_key = MASTER_MAKERS[side]
     return make_master(rng, stitched, scales[size_key], scales["transition"], density)

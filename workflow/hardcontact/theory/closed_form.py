@@ -86,15 +86,8 @@ def smooth_force(contact: Contact) -> float:
 def gaussian_share(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
     """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
 
-    Parameters
-    ----------
-    rms_height, apex_height, rho : array_like
-        sigma, m and rho in nm; they broadcast.
-
-    Returns
-    -------
-    numpy.ndarray
-        Of the broadcast shape.
+    rms_height, apex_height, rho: sigma, m and rho in nm; they broadcast.
+    Returns of the broadcast shape.
     """
     sigma = np.asarray(rms_height)
     m = np.asarray(apex_height)
@@ -112,23 +105,13 @@ def closed_form(
 ) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴; roughness of other wavelengths does not exist.
-    contact : Contact
-        The sphere, the attraction and the area in contact.
-    apex_heights : array_like, optional
-        Heights m (nm) of the apex at computed contacts. By default they follow from the spectrum
-        (`apex_levels`).
-    rough_below : bool
-        Whether summits below the sphere attract as rough summits (`rough_terms`). If not, they
-        attract as smooth summits, and only the summits that touch are rough.
-
-    Returns
-    -------
-    ClosedForm
-        The mean force, its terms and its regime.
+    spectrum: c_iso in nm⁴; roughness of other wavelengths does not exist.
+    contact: the sphere, the attraction and the area in contact.
+    apex_heights: heights m (nm) of the apex at computed contacts. By default they follow from the
+        spectrum (`apex_levels`).
+    rough_below: whether summits below the sphere attract as rough summits (`rough_terms`). If not,
+        they attract as smooth summits, and only the summits that touch are rough.
+    Returns the mean force, its terms and its regime.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -179,19 +162,10 @@ def rough_terms(sigma: float, levels: ApexLevels, rho: float, share: float) -> t
     closer to the sphere than sigma/t are therefore on summits. The mean over the plane counts
     mostly points on summits that rise above the sphere; such summits do not exist.
 
-    Parameters
-    ----------
-    sigma, rho : float
-        Rms height and range of adhesion in nm.
-    levels : ApexLevels
-        Levels t of the apex at closest approach.
-    share : float
-        Force of a rough summit relative to a smooth summit.
-
-    Returns
-    -------
-    tuple of numpy.ndarray and float
-        The first term (n,) and the mean of the second term, both relative to 2 pi R W.
+    sigma, rho: rms height and range of adhesion in nm.
+    levels: levels t of the apex at closest approach.
+    share: force of a rough summit relative to a smooth summit.
+    Returns the first term (n,) and the mean of the second term, both relative to 2 pi R W.
     """
     t = levels.levels
     relief = 1 / max(levels.mean(), 1.0)
@@ -224,19 +198,10 @@ def roughness_on_summit(
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
     """Return a spectrum without the wavelengths below or above a cutoff.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴.
-    side : str
-        ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it.
-    cutoff : float
-        Wavelength in nm.
-
-    Returns
-    -------
-    Spectrum
-        All densities are zero if no wave remains.
+    spectrum: c_iso in nm⁴.
+    side: ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it.
+    cutoff: wavelength in nm.
+    Returns all densities are zero if no wave remains.
     """
     limit = 2 * np.pi / cutoff
     filtered = (
@@ -254,19 +219,10 @@ def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float
     the sphere count as smooth. On the held-out designed surfaces rough summits improve the forces
     of single peaks, but not the edges.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴.
-    contact : Contact
-        The sphere, the attraction and the area in contact.
-    tolerance : float
-        Relative change of the force.
-
-    Returns
-    -------
-    tuple of float
-        Short and long edge in nm, NaN if the force never changes by the tolerance.
+    spectrum: c_iso in nm⁴.
+    contact: the sphere, the attraction and the area in contact.
+    tolerance: relative change of the force.
+    Returns short and long edge in nm, NaN if the force never changes by the tolerance.
     """
     wavelengths = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
     if not len(wavelengths):

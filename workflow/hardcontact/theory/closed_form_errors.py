@@ -42,24 +42,11 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
     The wavevectors of the surface fill a square up to the Nyquist wavevector; the cell at zero is
     left out. The spectrum ends at circles of the same areas as this square and this cell.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴.
-    size : float
-        Edge of the surface in nm.
-    pixels : int
-        Pixels along the edge.
-
-    Returns
-    -------
-    Spectrum
-        The waves between both circles.
-
-    Raises
-    ------
-    ValueError
-        If the spectrum has no such waves.
+    spectrum: c_iso in nm⁴.
+    size: edge of the surface in nm.
+    pixels: pixels along the edge.
+    Returns the waves between both circles.
+    Raises ValueError if the spectrum has no such waves.
     """
     cell = 2 * np.pi / size
     waves = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
@@ -71,21 +58,14 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
 def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Dataset:
     """Return computed and predicted forces, and the predictions for all scales.
 
-    Parameters
-    ----------
-    spectra : mapping of str to Spectrum
-        C_iso in nm⁴ by name of the surface.
-    trial : Trial
-        Random surfaces and contacts on which the closed form is validated.
-
-    Returns
-    -------
-    xarray.Dataset
-        By (surface, map_size, rho): ``computed_force`` in N, the mean plastic force over contacts
-        and realizations, with its interval over realizations. By source (APEX_HEIGHT_SOURCES), too:
-        ``predicted_force`` and ``first_term_force`` in N, and ``predicted_over_computed``, the
-        predicted force relative to the computed force. For the unfiltered spectra:
-        ``all_scales_freezing`` and ``regime`` (surface, rho), and ``edge`` (surface, side) in nm.
+    spectra: c_iso in nm⁴ by name of the surface.
+    trial: random surfaces and contacts on which the closed form is validated.
+    Returns by (surface, map_size, rho): ``computed_force`` in N, the mean plastic force over
+        contacts and realizations, with its interval over realizations. By source
+        (APEX_HEIGHT_SOURCES), too: ``predicted_force`` and ``first_term_force`` in N, and
+        ``predicted_over_computed``, the predicted force relative to the computed force. For the
+        unfiltered spectra: ``all_scales_freezing`` and ``regime`` (surface, rho), and ``edge``
+        (surface, side) in nm.
     """
     errors_by_size = [
         [_compare(name, spectrum, size, trial) for size in trial.sizes]

@@ -52,19 +52,10 @@ class Edges(NamedTuple):
 def formula_edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> Edges:
     """Return both edges of the critical band in plastic contact.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴.
-    contact : Contact
-        The area in contact is above zero.
-    tolerance : float
-        Relative change of the force that defines an edge.
-
-    Returns
-    -------
-    Edges
-        Short and long edge in nm.
+    spectrum: c_iso in nm⁴.
+    contact: the area in contact is above zero.
+    tolerance: relative change of the force that defines an edge.
+    Returns short and long edge in nm.
     """
     waves = rough_waves(spectrum, contact.radius)
     change = float(np.log1p(tolerance))
@@ -85,19 +76,10 @@ def formula_edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> Edg
 def gaps_on_summits(waves: Spectrum, radius: float, area: float) -> tuple[Floats, Floats, Floats]:
     """Return the mean gaps g(lambda) that waves shorter than lambda leave on summits.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        Waves that the sphere does not follow, as from `rough_waves`.
-    radius : float
-        Radius of the sphere in nm.
-    area : float
-        Area in contact in nm², above zero.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Ascending wavelengths lambda (n,) in nm, V(lambda) in nm² and g(lambda) in nm.
+    waves: waves that the sphere does not follow, as from `rough_waves`.
+    radius: radius of the sphere in nm.
+    area: area in contact in nm², above zero.
+    Returns ascending wavelengths lambda (n,) in nm, V(lambda) in nm² and g(lambda) in nm.
     """
     q = waves.wavevector
     steps = np.diff(np.log(q))
@@ -123,19 +105,10 @@ def elasticity(sigma: float, levels: ApexLevels, contact: Contact) -> float:
     is fixed. The heights that attract are normal about sigma²/rho with the standard deviation
     sigma. With the probability Phi(t - s) they lie below the sphere and are many.
 
-    Parameters
-    ----------
-    sigma : float
-        Rms height of all waves in nm.
-    levels : ApexLevels
-        Levels t of the apex at closest approach.
-    contact : Contact
-        The sphere, the attraction and the area in contact.
-
-    Returns
-    -------
-    float
-        E of the mean force.
+    sigma: rms height of all waves in nm.
+    levels: levels t of the apex at closest approach.
+    contact: the sphere, the attraction and the area in contact.
+    Returns e of the mean force.
     """
     t = levels.mean()
     s = sigma / contact.range

@@ -44,18 +44,10 @@ COMBINATION = ["radius", "area", "rho"]
 def stack_scaling(masters: Parts, described: Described) -> xr.Dataset:
     """Return the ratios of filtered to unfiltered forces on all masters.
 
-    Parameters
-    ----------
-    masters : Parts
-        From `filtered_pull_off`, by (surface, realization, side).
-    described : Described
-        Label and basis of each surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, radius, area, rho),
-        NaN at cutoffs of the other side; ``unfiltered_wavelength`` (surface, side) in nm;
+    masters: from `filtered_pull_off`, by (surface, realization, side).
+    described: label and basis of each surface.
+    Returns ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, radius, area,
+        rho), NaN at cutoffs of the other side; ``unfiltered_wavelength`` (surface, side) in nm;
         ``contact_area`` (side, area) of touching pixels in nm².
     """
     stacked = stacked_forces(masters).swap_dims(load="area").drop_vars("load")
@@ -72,28 +64,16 @@ def edge_scaling(
 ) -> xr.Dataset:
     """Return computed edges, edges by the formulas, and exponents of the computed edges.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        From `stack_scaling`.
-    spectra : mapping of str to Spectrum
-        C_iso in nm⁴ by surface.
-    contact : Contact
-        The contact of the paper, for the coordinates among the regimes.
-    tolerance : float
-        Relative change of the force that defines an edge.
-    sampling : Sampling
-        Random numbers and confidence of all intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        By (side, surface, radius, area, rho): ``edge`` in nm, NaN if it is open, with its interval
-        over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface, exponent_of) by
-        least squares of ln(edge) against the logarithms of SCALED_LENGTHS, without open edges, with
-        intervals by the jackknife over realizations. ``interaction_radius`` (radius, rho), sqrt(2 R
-        rho) in nm.
-        The variables of `regime_coordinates`.
+    scaling: from `stack_scaling`.
+    spectra: c_iso in nm⁴ by surface.
+    contact: the contact of the paper, for the coordinates among the regimes.
+    tolerance: relative change of the force that defines an edge.
+    sampling: random numbers and confidence of all intervals.
+    Returns by (side, surface, radius, area, rho): ``edge`` in nm, NaN if it is open, with its
+        interval over realizations, and ``formula_edge`` in nm. ``exponent`` (side, surface,
+        exponent_of) by least squares of ln(edge) against the logarithms of SCALED_LENGTHS, without
+        open edges, with intervals by the jackknife over realizations. ``interaction_radius``
+        (radius, rho), sqrt(2 R rho) in nm. The variables of `regime_coordinates`.
     """
     edges = _edges(scaling, tolerance, sampling)
     formula = _formula_edges(spectra, scaling, contact.work, tolerance)
@@ -114,19 +94,10 @@ def edge_scaling(
 def force_exponent(scaling: xr.Dataset, contact: Contact, confidence: float) -> xr.Dataset:
     """Return the exponent of the mean force against the radius of the sphere.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        From `stack_scaling`, for masters with long waves.
-    contact : Contact
-        Selects the forces at its range and its area in contact.
-    confidence : float
-        Confidence of the interval over realizations.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``force_exponent`` (surface) by least squares of ln F against ln R, with its interval.
+    scaling: from `stack_scaling`, for masters with long waves.
+    contact: selects the forces at its range and its area in contact.
+    confidence: confidence of the interval over realizations.
+    Returns ``force_exponent`` (surface) by least squares of ln F against ln R, with its interval.
     """
     nearest = {"rho": contact.range, "area": contact.area}
     forces = scaling["unfiltered_pull_off_force"].sel(side="large").sel(nearest, method="nearest")
@@ -240,17 +211,9 @@ def _formula_edges(
 def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Dataset:
     """Return the coordinates of surfaces on the map of the regimes.
 
-    Parameters
-    ----------
-    spectra : mapping of str to Spectrum
-        C_iso in nm⁴ by surface.
-    contact : Contact
-        The sphere, the attraction and the area in contact.
-
-    Returns
-    -------
-    xarray.Dataset
-        By surface: ``rms_height_over_range``, sigma/rho; ``apex_level``, m/sigma of the closed
+    spectra: c_iso in nm⁴ by surface.
+    contact: the sphere, the attraction and the area in contact.
+    Returns by surface: ``rms_height_over_range``, sigma/rho; ``apex_level``, m/sigma of the closed
         form, NaN if the sphere follows all waves; ``contact_over_rolloff``, the root of the contact
         area relative to the roll-off.
     """
@@ -275,15 +238,8 @@ def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.
 def designed_edge_errors(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.Dataset:
     """Return errors of predicted edges of designed surfaces, and the regimes of the surfaces.
 
-    Parameters
-    ----------
-    computed, formulas : pandas.DataFrame
-        The tables prediction.csv and edges.csv in resources/validation.
-
-    Returns
-    -------
-    xarray.Dataset
-        By designed surface: ``designed_rms_height_over_range``, ``designed_level``,
+    computed, formulas: the tables prediction.csv and edges.csv in resources/validation.
+    Returns by designed surface: ``designed_rms_height_over_range``, ``designed_level``,
         ``designed_contact_over_rolloff``, and ``held_out``, 1 for held-out surfaces; published
         spectra, which have no computed edge, have 0. ``designed_computed_over_predicted``
         (prediction, side, designed), the computed edge relative to the edge by FORMULA and by

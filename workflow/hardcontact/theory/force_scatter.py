@@ -38,21 +38,11 @@ def force_scatter(
 ) -> xr.Dataset:
     """Return how the force on each surface scatters, by range of adhesion.
 
-    Parameters
-    ----------
-    spectra, deviations : mapping
-        By surface; the deviations are as of `over_scans`.
-    contact : Contact
-        Its range is replaced.
-    ranges : sequence of float
-        In nm.
-    tolerance, confidence : float
-        Relative error of a mean, and the probability that it is not larger.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over (surface, rho) ``weibull_modulus``; the standard deviation of ln F over places,
+    spectra, deviations: by surface; the deviations are as of `over_scans`.
+    contact: its range is replaced.
+    ranges: in nm.
+    tolerance, confidence: relative error of a mean, and the probability that it is not larger.
+    Returns over (surface, rho) ``weibull_modulus``; the standard deviation of ln F over places,
         ``log_force_std``, and over places and scans, ``total_log_force_std``, and the latter from
         mean and median as of published forces (`lognormal_shape`), ``total_lognormal_shape``;
         ``contacts_needed`` for the mean of a surface, and ``scans_needed``, of one contact each,
@@ -101,21 +91,10 @@ def with_comparison(
 ) -> xr.Dataset:
     """Return the predicted scatter of forces beside published and computed scatter.
 
-    Parameters
-    ----------
-    scatter : xarray.Dataset
-        From `force_scatter`.
-    inference : xarray.Dataset
-        inference.nc.
-    pull_off : pandas.DataFrame
-        From `published.pull_off`.
-    table : pandas.DataFrame
-        Designed surfaces of `resources/validation/statistics.csv`.
-
-    Returns
-    -------
-    xarray.Dataset
-        `scatter` with ``published_log_force_std`` (surface) and ``computed_log_force_std``
+    scatter: from `force_scatter`.
+    pull_off: from `published.pull_off`.
+    table: designed surfaces of `resources/validation/statistics.csv`.
+    Returns `scatter` with ``published_log_force_std`` (surface) and ``computed_log_force_std``
         (surface) with its interval, NaN if there is none; ``designed_<column>`` (case) for the
         columns that give the error of the law, of which ``skewed`` is ``designed_skew_parameter``.
     """

@@ -23,17 +23,9 @@ HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 def tabor(contact: Contact, modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
 
-    Parameters
-    ----------
-    contact : Contact
-        The sphere and the attraction.
-    modulus : float
-        Effective modulus in Pa, NaN if it is not known.
-
-    Returns
-    -------
-    Number
-        The status is UNKNOWN without a modulus. It is SOFT if elasticity reduces the force of a
+    contact: the sphere and the attraction.
+    modulus: effective modulus in Pa, NaN if it is not known.
+    Returns the status is UNKNOWN without a modulus. It is SOFT if elasticity reduces the force of a
         smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
     """
     if math.isnan(modulus):

@@ -72,17 +72,8 @@ LAWS = (
 def pressure(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
     """Return the relative pressure v = -p rho/W of a law.
 
-    Parameters
-    ----------
-    law : Law
-        Law of attraction.
-    gap, rho : array_like
-        Gaps of at least 0 and ranges in nm; they broadcast.
-
-    Returns
-    -------
-    numpy.ndarray
-        v of the broadcast shape.
+    gap, rho: gaps of at least 0 and ranges in nm; they broadcast.
+    Returns v of the broadcast shape.
     """
     reduced = np.asarray(gap, float) / law.spacing(rho)
     if law.exponential:
@@ -93,20 +84,10 @@ def pressure(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
 def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
     """Return the shares of W that exponential laws have in a power law.
 
-    Parameters
-    ----------
-    law : Law
-        Power law.
-    rho : array_like
-        Ranges (...) of the power law in nm.
-    ranges : array_like
-        Ranges (k,) of the exponential laws in nm, evenly spaced in their logarithm, in either
+    rho: ranges (...) of the power law in nm.
+    ranges: ranges (k,) of the exponential laws in nm, evenly spaced in their logarithm, in either
         order.
-
-    Returns
-    -------
-    numpy.ndarray
-        Shares (..., k).
+    Returns shares (..., k).
     """
     ranges = np.asarray(ranges, float)
     step = abs(np.log(ranges[1] / ranges[0]))
@@ -119,17 +100,8 @@ def strength_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
 
     Above one the attraction is stronger than the mechanism allows.
 
-    Parameters
-    ----------
-    law : Law
-        Law of attraction.
-    rho, work : array_like
-        Range in nm and work of adhesion in J/m²; they broadcast.
-
-    Returns
-    -------
-    numpy.ndarray
-        Of the broadcast shape, NaN for a law without a mechanism.
+    rho, work: range in nm and work of adhesion in J/m²; they broadcast.
+    Returns of the broadcast shape, NaN for a law without a mechanism.
     """
     if law.exponential:
         return np.full(np.broadcast(rho, work).shape, np.nan)
@@ -140,19 +112,9 @@ def strength_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
 def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
     """Return ranges of adhesion that are evenly spaced in their logarithm.
 
-    Parameters
-    ----------
-    anchor : float
-        A range in nm that the grid contains.
-    step : float
-        Step of the logarithm.
-    low, high : float
-        Limits in nm that the grid covers.
-
-    Returns
-    -------
-    numpy.ndarray
-        Ascending ranges (n,) in nm.
+    anchor: a range in nm that the grid contains.
+    low, high: limits in nm that the grid covers.
+    Returns ascending ranges (n,) in nm.
     """
     start = np.floor(np.log(low / anchor) / step)
     stop = np.ceil(np.log(high / anchor) / step)
@@ -164,21 +126,10 @@ def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> F
 
     Forces of the exponential law itself are interpolated between its ranges.
 
-    Parameters
-    ----------
-    law : Law
-        Law of attraction.
-    rho : array_like
-        Ranges (n,) of the law in nm.
-    ranges : numpy.ndarray
-        Ascending ranges (k,) of the exponential laws in nm, evenly spaced in their logarithm.
-    forces : array_like
-        Forces (..., k) of the exponential laws in N.
-
-    Returns
-    -------
-    numpy.ndarray
-        Forces (..., n) in N.
+    rho: ranges (n,) of the law in nm.
+    ranges: ascending ranges (k,) of the exponential laws in nm, evenly spaced in their logarithm.
+    forces: forces (..., k) of the exponential laws in N.
+    Returns forces (..., n) in N.
     """
     values = np.asarray(forces, float)
     if law.exponential:

@@ -42,23 +42,12 @@ def scan_range_forces(
 ) -> xr.Dataset:
     """Return the mean plastic pull-off force on a stitched scan by range of adhesion.
 
-    Parameters
-    ----------
-    substrate : HeightMap
-        Stitched scan.
-    sphere : HeightMap or None
-        Roughness of the sphere; None for a smooth sphere.
-    contact : Contact
-        The sphere, its load and the contacts.
-    law_window : float
-        Edge in nm of the window that attracts, as for `range_forces`.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (rho) in N at 1 J/m².
+    substrate: stitched scan.
+    sphere: roughness of the sphere; None for a smooth sphere.
+    contact: the sphere, its load and the contacts.
+    law_window: edge in nm of the window that attracts, as for `range_forces`.
+    ranges: ranges of adhesion in nm.
+    Returns ``pull_off_force`` (rho) in N at 1 J/m².
     """
     forces = range_forces(bodies(substrate, sphere, contact), contact, law_window, ranges)
     return xr.Dataset(
@@ -77,19 +66,9 @@ def filtered_range_forces(
 ) -> xr.Dataset:
     """Return the mean plastic pull-off forces of a smooth sphere by cutoff and range.
 
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic surface.
-    filters : Filters
-        The cutoffs of one side.
-    contact, law_window, ranges : Contact, float, sequence of float
-        As for `scan_range_forces`.
-
-    Returns
-    -------
-    xarray.Dataset
-        As from `forces_at_cutoffs`, with the axis rho.
+    filters: the cutoffs of one side.
+    contact, law_window, ranges: as for `scan_range_forces`.
+    Returns as from `forces_at_cutoffs`, with the axis rho.
     """
 
     def mean_forces(surface: HeightMap) -> Floats:
@@ -104,22 +83,12 @@ def range_forces(
 ) -> Floats:
     """Return the plastic pull-off force of every contact by range of adhesion.
 
-    Parameters
-    ----------
-    contact_bodies : Bodies
-        Substrate and sphere.
-    contact : Contact
-        Its load gives the number of contact pixels.
-    law_window : float
-        Edge in nm of the window that attracts; the window is at least that of the contact. Power
-        laws reach far.
-    ranges : sequence of float
-        Ranges of adhesion in nm, evenly spaced in their logarithm.
-
-    Returns
-    -------
-    numpy.ndarray
-        Forces (rho, contact, contact) in N at 1 J/m².
+    contact_bodies: substrate and sphere.
+    contact: its load gives the number of contact pixels.
+    law_window: edge in nm of the window that attracts; the window is at least that of the contact.
+        Power laws reach far.
+    ranges: ranges of adhesion in nm, evenly spaced in their logarithm.
+    Returns forces (rho, contact, contact) in N at 1 J/m².
     """
     pixel_size = contact_bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)

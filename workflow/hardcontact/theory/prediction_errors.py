@@ -55,15 +55,8 @@ EDGE_FOUND, NO_EDGE = "found", "none"
 def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
     """Return the surfaces of the table that were held out, with their errors.
 
-    Parameters
-    ----------
-    path : str or Path
-        The table, resources/validation/prediction.csv by default.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
+    path: the table, resources/validation/prediction.csv by default.
+    Returns rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
         computed value relative to the predicted value, NaN if an edge is open or not predicted.
     """
     table = pd.read_csv(path)
@@ -79,15 +72,8 @@ def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
 def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, int]]:
     """Return the errors of the closed form by quantity and regime.
 
-    Parameters
-    ----------
-    path : str or Path
-        The table, as for `validation`.
-
-    Returns
-    -------
-    dict of tuple to tuple
-        By name (VALIDATED_QUANTITIES) and regime: the computed value relative to the predicted
+    path: the table, as for `validation`.
+    Returns by name (VALIDATED_QUANTITIES) and regime: the computed value relative to the predicted
         value, and the number of surfaces. The value is the median over these surfaces; nine tenths
         of them lie within its interval.
     """
@@ -102,19 +88,10 @@ def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, in
 def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
     """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        Trimmed by `trim_spectrum`.
-    contact : Contact
-        The sphere, the attraction and the area in contact.
-    form : ClosedForm
-        The closed form of both.
-
-    Returns
-    -------
-    dict
-        ``weibull_modulus``, k = rho m/sigma², the inverse of the freezing, infinite without
+    waves: trimmed by `trim_spectrum`.
+    contact: the sphere, the attraction and the area in contact.
+    form: the closed form of both.
+    Returns ``weibull_modulus``, k = rho m/sigma², the inverse of the freezing, infinite without
         roughness; ``contact_over_rolloff``, ``mean_hurst``, ``mean_hurst_change`` and ``regime``.
     """
     mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
@@ -150,17 +127,9 @@ def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
     Distances are those between the logarithms of modulus and contact_over_rolloff. A surface of
     another regime is farther by one. A point outside the table is moved to its border.
 
-    Parameters
-    ----------
-    point : mapping
-        `table_coordinates` of an input.
-    name : str
-        One of VALIDATED_QUANTITIES.
-
-    Returns
-    -------
-    tuple of float
-        Computed value relative to the predicted value, smallest and largest.
+    point: `table_coordinates` of an input.
+    name: one of VALIDATED_QUANTITIES.
+    Returns computed value relative to the predicted value, smallest and largest.
     """
     surfaces = validation().dropna(subset=f"{name}_error")
     axes = ["weibull_modulus", "contact_over_rolloff"]

@@ -55,17 +55,9 @@ class ApexLevels(NamedTuple):
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
     """Return the waves of a spectrum between two wavevectors, on a new grid.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴.
-    lowest, highest : float
-        Wavevectors in rad/nm.
-
-    Returns
-    -------
-    Spectrum or None
-        None if the spectrum has no waves between them.
+    spectrum: c_iso in nm⁴.
+    lowest, highest: wavevectors in rad/nm.
+    Returns none if the spectrum has no waves between them.
     """
     rough = spectrum.wavevector[spectrum.density > 0]
     if not len(rough):
@@ -107,15 +99,8 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
 def lost_correlation(waves: Spectrum) -> tuple[Floats, Floats]:
     """Return the lost correlation 1 - r(d)/sigma² by distance, r the autocorrelation of heights.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        C_iso in nm⁴.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Distances d (n,) in nm, and the lost correlation (n,).
+    waves: c_iso in nm⁴.
+    Returns distances d (n,) in nm, and the lost correlation (n,).
     """
     q = waves.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
@@ -147,19 +132,10 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
     P(n, A Lambda/B)], P(n, x) the incomplete gamma function. Without an area it is exp(-Lambda).
     With many clumps it rises from zero to one at the bearing area, B = A.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        From `rough_waves`.
-    radius : float
-        Radius of the sphere in nm.
-    area : float
-        Area in contact, load over hardness, in nm².
-
-    Returns
-    -------
-    ApexLevels
-        The lowest level has the probability that no point rises above it.
+    waves: from `rough_waves`.
+    radius: radius of the sphere in nm.
+    area: area in contact, load over hardness, in nm².
+    Returns the lowest level has the probability that no point rises above it.
     """
     radii, clumps, bearing = clumps_above(waves, radius)
     # No clump rises above the last level; there a clump has its own area.
@@ -175,18 +151,10 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
 def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
     """Return size, number and area of the clumps above a sphere whose apex is at LEVELS.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        From `rough_waves`.
-    radius : float
-        Radius of the sphere in nm.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Radius of a clump in nm, mean number Lambda of clumps, and mean area B above the sphere in
-        nm², each (LEVELS,).
+    waves: from `rough_waves`.
+    radius: radius of the sphere in nm.
+    Returns radius of a clump in nm, mean number Lambda of clumps, and mean area B above the sphere
+        in nm², each (LEVELS,).
     """
     radii = clump_radius(waves, LEVELS)
     tail = special.ndtr(-LEVELS)
@@ -205,19 +173,10 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
     levels such Gaussian heights are rarer by exp(-t r²/(2 R sigma)). Touching points therefore have
     the rms distance sqrt(2 R sigma/t). Levels below one count as one.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        C_iso in nm⁴.
-    radius : float
-        Radius of the sphere in nm.
-    area : float
-        Area in contact in nm².
-
-    Returns
-    -------
-    float
-        The edge in nm, 0 for a surface that the sphere follows.
+    spectrum: c_iso in nm⁴.
+    radius: radius of the sphere in nm.
+    area: area in contact in nm².
+    Returns the edge in nm, 0 for a surface that the sphere follows.
     """
     waves = rough_waves(spectrum, radius)
     if waves is None:

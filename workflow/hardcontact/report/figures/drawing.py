@@ -39,14 +39,9 @@ READERS = {
 def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
     """Draw a figure and write its files.
 
-    Parameters
-    ----------
-    name : str
-        Module of the figure.
-    inputs : mapping of str to str
-        Paths of the datasets and published tables, by the arguments of `draw`.
-    outputs : mapping of str to str
-        Paths by kind of file: KINDS.
+    name: module of the figure.
+    inputs: paths of the datasets and published tables, by the arguments of `draw`.
+    outputs: paths by kind of file: KINDS.
     """
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
     arguments = {
@@ -69,18 +64,9 @@ def save(
 
     The bytes are the same each time. Either all files are written or none.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    table : pandas.DataFrame
-        The table of its numbers.
-    title : str
-        Title in the metadata of the files.
-    outputs : mapping of str to str
-        Paths by kind of file: KINDS.
-    svg_resolution : float
-        Resolution of the images in the SVG, in dots per inch.
+    title: title in the metadata of the files.
+    outputs: paths by kind of file: KINDS.
+    svg_resolution: resolution of the images in the SVG, in dots per inch.
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:

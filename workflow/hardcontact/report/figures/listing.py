@@ -63,15 +63,7 @@ def describe_figure(name: str) -> Description:
 
     An import of the module would import matplotlib, which takes too long before the first job.
 
-    Parameters
-    ----------
-    name : str
-        Name of the figure.
-
-    Returns
-    -------
-    Description
-        Title, chapter, caption and inputs.
+    Returns title, chapter, caption and inputs.
     """
     source = Path(__file__).with_name(f"{name}.py").read_text("utf-8")
     constants: dict[str, str] = {}
