@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.geometry import flattened_gaps
-from hardcontact.contact.pull_off import contacts_and_totals
+from hardcontact.contact.pull_off import attraction_totals
 
 
 def direct_total(gap, contact_pixel_count, rho):
@@ -11,6 +12,7 @@ def direct_total(gap, contact_pixel_count, rho):
     return float(np.exp(-flattened_gaps(gap, contact_pixel_count) / rho).sum())
 
 
-def plastic_totals(bodies, contact_pixel_count, rho):
+def plastic_totals(bodies, pixel_counts, rho):
     """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact, contact)."""
-    return contacts_and_totals(bodies, contact_pixel_count, [rho])[1][:, 0]
+    contacts = all_lowest_gaps(bodies, max(pixel_counts))
+    return attraction_totals(bodies, contacts, pixel_counts, [rho])[:, 0]

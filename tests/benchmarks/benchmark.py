@@ -34,7 +34,7 @@ from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
-from hardcontact.contact.pull_off import contacts_and_totals
+from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces import height_map, spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
@@ -91,7 +91,9 @@ def times_as_long(ratio):
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixel_count = pair_under_sphere(substrate)
-    return contacts_and_totals(pair, [contact_pixel_count], [RHO])[1][0, 0]
+    return attraction_totals(
+        pair, all_lowest_gaps(pair, contact_pixel_count), [contact_pixel_count], [RHO]
+    )[0, 0]
 
 
 def smooth_sphere(threads):

@@ -1,5 +1,7 @@
 """The force sum: against the direct sum over every pixel pair, and against closed forms."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from direct_sum import direct_total, plastic_totals
@@ -8,7 +10,7 @@ from scipy.special import ive
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.geometry import gap_map
-from hardcontact.contact.pull_off import opened_total, pull_off_force
+from hardcontact.contact.pull_off import attraction_totals, pull_off_force
 from hardcontact.contact.sphere_sums import outside_sums
 
 
@@ -24,14 +26,14 @@ def bodies_of(case, seed, rough=True):
 def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, rough):
     bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
     contacts = all_lowest_gaps(bodies, contact_pixel_count)
-    sums_by_range = outside_sums(bodies, contacts, rhos)
-    for contact, (gaps, _) in contacts.items():
+    counts = [1, contact_pixel_count]
+    totals = attraction_totals(bodies, contacts, counts, rhos)
+    for contact in contacts:
         gap = gap_map(bodies, contact)
-        for sums, rho in zip(sums_by_range, rhos, strict=True):
-            for count in {1, contact_pixel_count}:
-                assert opened_total(sums[contact], gaps, count, rho) == pytest.approx(
-                    direct_total(gap, count, rho), rel=1e-9
-                )
+        for (count, rho), total in zip(
+            product(counts, rhos), totals[..., *contact].flat, strict=True
+        ):
+            assert total == pytest.approx(direct_total(gap, count, rho), rel=1e-9)
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -9,7 +9,7 @@ import xarray as xr
 from small_pool import SETTINGS, SOURCES, raw_scan
 
 from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import plastic_forces
+from hardcontact.contact.pull_off import pull_off_forces
 from hardcontact.paper import protruded_sets
 from hardcontact.paper.inference import Pair, PublishedFit
 from hardcontact.paper.protruded_sets import (
@@ -69,7 +69,7 @@ def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(sphere_is_bumpy
     sphere = replace(sphere, heights=np.roll(sphere.heights, (shift, shift), axis=(0, 1)))
     separate_pair = bodies(substrate, sphere, contact)
     forces = [
-        plastic_forces(pair, [contact], SETTINGS["ranges"])
+        pull_off_forces(pair, [contact], SETTINGS["ranges"])
         for pair in (combined_pair, separate_pair)
     ]
     np.testing.assert_allclose(forces[0], forces[1], rtol=1e-6)

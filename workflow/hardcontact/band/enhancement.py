@@ -19,8 +19,7 @@ CONTACT_MODELS = ["rigid", "plastic"]
 def bands_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the critical band of plastic and rigid contact at each range of adhesion.
 
-    forces: from `stacked_forces`, with a single radius, two loads and rho. A single pixel carries
-        the load of rigid contact.
+    forces: from `stacked_forces`, with a single radius, rho, and two loads: plastic and rigid.
     tolerance: relative change of the force that counts.
     sampling: random numbers and confidence of the intervals.
     Returns `critical_band` by contact_model (CONTACT_MODELS) and rho. ``edge_ratio`` (without,

@@ -21,7 +21,7 @@ from hardcontact.contact.pull_off import (
     WORK_OF_ADHESION,
     Axis,
     load_axis,
-    plastic_forces,
+    pull_off_forces,
     range_axis,
 )
 from hardcontact.surfaces.filters import filtered_series
@@ -93,7 +93,7 @@ def filtered_pull_off(
 
     def forces(surface: HeightMap) -> np.ndarray:
         pairs = [bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
-        return np.array([plastic_forces(pair, contacts, rhos) for pair in pairs])
+        return np.array([pull_off_forces(pair, contacts, rhos) for pair in pairs])
 
     nm = {"units": "nm"}
     axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}

@@ -20,8 +20,6 @@ from hardcontact.surfaces.synthesis import SIDES
 CHUNK = 15
 MASTERS_CHUNK = 5
 PROTRUDED_CHUNK = 8
-#: Hardness (Pa) at which a single pixel carries any load: the contact is rigid.
-RIGID = 1e15
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
 #: Sections with realizations of their own of the masters of variants.
@@ -259,10 +257,13 @@ class Files:
         elif purpose == "sets":
             contacts = [variant.contact for variant in self.variants if variant.probe == probe]
         elif purpose == "enhancement":
-            contacts = [contact, replace(contact, hardness=RIGID)]
+            contacts = [contact, replace(contact, plastic=False)]
             lengths["ranges"] = [SHORT_RANGE, contact.range]
         different = {contact.load: contact for contact in contacts}.values()
-        loads = [{"preload": load.preload, "hardness": load.hardness} for load in different]
+        loads = [
+            {"preload": load.preload, "hardness": load.hardness, "plastic": load.plastic}
+            for load in different
+        ]
         return {**lengths, "loads": loads}
 
     def filters(self, purpose: str) -> dict[str, Any]:

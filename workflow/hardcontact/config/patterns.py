@@ -125,7 +125,7 @@ def list_pattern(expression: str) -> str:
 def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must match."""
     radius = f"R{_NUMBER}um"
-    load = f"H{_NUMBER}GPa-F{_NUMBER}uN"
+    load = f"(H{_NUMBER}GPa|rigid)-F{_NUMBER}uN"
     rho = f"rho{_NUMBER}nm"
     return {
         **dict.fromkeys(("surface", "protruded_body"), any_name_pattern(surfaces)),

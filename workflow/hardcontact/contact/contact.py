@@ -23,6 +23,7 @@ class Contact:
     radius: float  #: Radius of the sphere in nm.
     preload: float  #: Load in N.
     hardness: float  #: Hardness of the softer body in Pa.
+    plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
     window: float = math.nan  #: Edge in nm of the square around each contact that attracts.
     count: int = 1  #: Contacts along a side of the array; there are count x count.
     range: float = math.nan  #: Range of adhesion rho in nm.
@@ -30,19 +31,24 @@ class Contact:
 
     @property
     def load(self) -> str:
-        """The load by its name, as it stands in paths: ``"H25GPa-F10uN"``."""
-        return f"H{self.hardness / 1e9:.12g}GPa-F{self.preload * 1e6:.12g}uN"
+        """The load by its name, as it stands in paths: ``"H25GPa-F10uN"``, ``"rigid-F10uN"``."""
+        hardness = f"H{self.hardness / 1e9:.12g}GPa" if self.plastic else "rigid"
+        return f"{hardness}-F{self.preload * 1e6:.12g}uN"
 
     @property
     def area(self) -> float:
-        """The area F/H that carries the preload, in nm²."""
+        """The area F/H that carries the preload, in nm²; zero in rigid contact: a point."""
+        if not self.plastic:
+            return 0.0
         return self.preload / self.hardness * 1e18
 
     def pixel_count(self, pixel_size: float) -> int:
         """Return the number of contact pixels (size in nm): the smallest one >= F/(H A_pix).
 
-        Source: the paper, plastic analysis.
+        It is 1 in rigid contact. Source: the paper, plastic analysis.
         """
+        if not self.plastic:
+            return 1
         pixel_area = (pixel_size * 1e-9) ** 2
         return int(np.ceil(self.preload / (self.hardness * pixel_area) * (1 - 1e-12)))
 

@@ -62,14 +62,29 @@ def pull_off_force(
     return np.asarray(pixel_force * np.asarray(total))
 
 
-def opened_total(
-    outside_sum: ArrayLike, gaps: Floats, contact_pixel_count: int, rho: float
+def attraction_totals(
+    bodies: Bodies, contacts: Contacts, pixel_counts: Sequence[int], rhos: Sequence[float] | Floats
 ) -> Floats:
-    """Return the sum (...) of exp(-gap/rho) if 1 (rigid contact) to k pixels touch.
+    """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
 
-    The gaps (..., k) are in nm and ascending. If all their pixels touch, the sum over other pixels
-    is `outside_sum` (...), from `outside_sums`. If fewer touch, all gaps are larger by the same
-    length.
+    A pixel count is the number of pixels that touch, at most all pixels of `contacts`.
+    """
+    gaps = _gaps(contacts)
+    sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
+    totals = [
+        [_total_of_fewer(sums, gaps, count, rho) for sums, rho in sums_outside]
+        for count in pixel_counts
+    ]
+    return np.array(totals)
+
+
+def _total_of_fewer(
+    outside_sum: Floats, gaps: Floats, contact_pixel_count: int, rho: float
+) -> Floats:
+    """Return the sum (...) of exp(-gap/rho) if only the lowest of the gaps (..., k) touch.
+
+    Gaps in nm are ascending. If all touch, the other pixels add `outside_sum`; if fewer touch, all
+    gaps are larger by the same length.
     """
     largest_gap = gaps[..., contact_pixel_count - 1]
     opened = np.exp((largest_gap[..., None] - gaps[..., contact_pixel_count:]) / rho).sum(axis=-1)
@@ -78,25 +93,24 @@ def opened_total(
     )
 
 
-def contacts_and_totals(
-    bodies: Bodies, pixel_counts: Sequence[int], rhos: Sequence[float] | Floats
-) -> tuple[Contacts, Floats]:
-    """Return the contacts with the most pixels, and totals (pixel count, rho, contact, contact)."""
-    contacts = all_lowest_gaps(bodies, max(pixel_counts))
-    gaps = _gaps(contacts)
-    sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
-    totals = [
-        [opened_total(sums, gaps, count, rho) for sums, rho in sums_outside]
-        for count in pixel_counts
-    ]
-    return contacts, np.array(totals)
-
-
 def _gaps(contacts: Contacts) -> Floats:
     """Return the gaps (contact, contact, k) of contacts in nm."""
     contacts_per_side = math.isqrt(len(contacts))
     gaps = np.array([contact.gaps for contact in contacts.values()])
     return gaps.reshape(contacts_per_side, contacts_per_side, -1)
+
+
+def pull_off_forces(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]) -> Floats:
+    """Return the forces (load, rho, contact, contact) of a pair in N at 1 J/m².
+
+    The loads are contacts that differ in nothing else; ranges of adhesion are in nm.
+    """
+    pixel_size = bodies.geometry.pixel_size
+    rhos = np.asarray(ranges, float)
+    pixel_counts = [load.pixel_count(pixel_size) for load in loads]
+    contacts = all_lowest_gaps(bodies, max(pixel_counts))
+    totals = attraction_totals(bodies, contacts, pixel_counts, rhos)
+    return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -111,8 +125,12 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     Raises ValueError if a range is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
-    pixel_counts = [1, contact.pixel_count(pixel_size)]
-    contacts, forces = _forces(bodies, pixel_counts, ranges)
+    rhos = np.asarray(ranges, float)
+    loads = [replace(contact, plastic=False), contact]
+    pixel_counts = [load.pixel_count(pixel_size) for load in loads]
+    contacts = all_lowest_gaps(bodies, max(pixel_counts))
+    totals = attraction_totals(bodies, contacts, pixel_counts, rhos)
+    forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
     gaps = _gaps(contacts)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
@@ -136,25 +154,6 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def plastic_forces(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]) -> Floats:
-    """Return the plastic forces (load, rho, contact, contact) of a pair in N at 1 J/m².
-
-    The contacts differ in their load alone, the ranges of adhesion are in nm.
-    """
-    pixel_counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts]
-    return _forces(bodies, pixel_counts, ranges)[1]
-
-
-def _forces(
-    bodies: Bodies, pixel_counts: Sequence[int], ranges: Sequence[float]
-) -> tuple[Contacts, Floats]:
-    """Return contacts of the most pixels, and forces (pixel count, rho, contact, contact) in N."""
-    rhos = np.asarray(ranges, float)
-    contacts, totals = contacts_and_totals(bodies, pixel_counts, rhos)
-    pixel_size = bodies.geometry.pixel_size
-    return contacts, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
-
-
 def mean_pull_off_of_pair(
     bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> xr.Dataset:
@@ -166,8 +165,8 @@ def mean_pull_off_of_pair(
     Returns in N at 1 J/m²: plastic ``pull_off_force`` (load, rho) and ``rigid_pull_off_force``
         (rho).
     """
-    pixel_counts = [contact.pixel_count(bodies.geometry.pixel_size) for contact in contacts]
-    rigid, *plastic = _forces(bodies, [1, *pixel_counts], ranges)[1].mean(axis=(-2, -1))
+    loads = [replace(contacts[0], plastic=False), *contacts]
+    rigid, *plastic = pull_off_forces(bodies, loads, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
         {
             "pull_off_force": (("load", "rho"), np.array(plastic), FORCE),
@@ -200,8 +199,8 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
             positions=2 * geometry.positions,
         ),
     )
-    coarse = plastic_forces(bodies, [contact], [contact.range]).mean()
-    fine = plastic_forces(finer, [contact], [contact.range]).mean()
+    coarse = pull_off_forces(bodies, [contact], [contact.range]).mean()
+    fine = pull_off_forces(finer, [contact], [contact.range]).mean()
     attributes = {
         "units": "1",
         "long_name": "force on pixels of half the size, relative to the scan's pixels",

@@ -17,7 +17,7 @@ from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import plastic_forces, range_axis
+from hardcontact.contact.pull_off import pull_off_forces, range_axis
 from hardcontact.paper.inference import PublishedFit
 from hardcontact.paper.leave_one_out import fitted_pairs
 from hardcontact.paper.pool import PoolSettings, PoolSources
@@ -127,8 +127,8 @@ def _protruded_forces(
         else:
             protruded_scan = level(add_protrusions(rng, scan, protrusions, rms_height))
             protruded_scan = _scale_scan(protruded_scan, rms_height)
-        forces.append(_plastic_forces(protruded_scan, settings))
-        unprotruded_forces.append(_plastic_forces(scan, settings))
+        forces.append(_scan_forces(protruded_scan, settings))
+        unprotruded_forces.append(_scan_forces(scan, settings))
     force_ratio = np.mean(forces, axis=(0, 2)) / np.mean(unprotruded_forces, axis=(0, 2))
     values = {
         name: ((), getattr(protrusions, name.removeprefix("protrusion_")), {"units": unit})
@@ -149,12 +149,12 @@ def _scale_scan(scan: HeightMap, rms_height: float) -> HeightMap:
     return replace(scan, heights=rms_height / scan.heights.std() * scan.heights)
 
 
-def _plastic_forces(scan: HeightMap, settings: PoolSettings) -> Floats:
+def _scan_forces(scan: HeightMap, settings: PoolSettings) -> Floats:
     """Return the plastic forces (rho, contact) of a smooth sphere on a scan, in N at 1 J/m²."""
     contact = settings["contact"]
     ranges = settings["ranges"]
     contact_bodies = bodies(mirror_stitch(scan), None, contact)
-    return np.reshape(plastic_forces(contact_bodies, [contact], ranges)[0], (len(ranges), -1))
+    return np.reshape(pull_off_forces(contact_bodies, [contact], ranges)[0], (len(ranges), -1))
 
 
 def fit_protruded_sets(
