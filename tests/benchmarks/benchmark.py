@@ -91,9 +91,8 @@ def times_as_long(ratio):
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixel_count = pair_under_sphere(substrate)
-    return attraction_totals(
-        pair, all_lowest_gaps(pair, contact_pixel_count), [contact_pixel_count], [RHO]
-    )[0, 0]
+    contacts = all_lowest_gaps(pair, contact_pixel_count)
+    return attraction_totals(pair, contacts, [contact_pixel_count], [RHO])[0, 0]
 
 
 def smooth_sphere(threads):

@@ -115,7 +115,7 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
 
 def test_the_rough_sphere_is_computed_at_the_load_of_the_study_only():
     study = files(robustness__preloads=["5 uN", "10 uN"], robustness__hardnesses=[])
-    loads = [{"preload": 1e-5, "hardness": 25e9}, {"preload": 5e-6, "hardness": 25e9}]
+    loads = [{"preload": preload, "hardness": 25e9, "plastic": True} for preload in (1e-5, 5e-6)]
     # The study's own preload is not listed again.
     assert study.contact_grid("sets", "smooth")["loads"] == loads
     assert study.contact_grid("sets", "rough")["loads"] == loads[:1]

@@ -30,9 +30,8 @@ def test_the_force_at_every_range_is_the_direct_sum(case, contact_pixel_count, r
     totals = attraction_totals(bodies, contacts, counts, rhos)
     for contact in contacts:
         gap = gap_map(bodies, contact)
-        for (count, rho), total in zip(
-            product(counts, rhos), totals[..., *contact].flat, strict=True
-        ):
+        sums = totals[..., *contact].flat
+        for (count, rho), total in zip(product(counts, rhos), sums, strict=True):
             assert total == pytest.approx(direct_total(gap, count, rho), rel=1e-9)
 
 

@@ -260,10 +260,8 @@ class Files:
             contacts = [contact, replace(contact, plastic=False)]
             lengths["ranges"] = [SHORT_RANGE, contact.range]
         different = {contact.load: contact for contact in contacts}.values()
-        loads = [
-            {"preload": load.preload, "hardness": load.hardness, "plastic": load.plastic}
-            for load in different
-        ]
+        load_keys = ("preload", "hardness", "plastic")
+        loads = [{key: getattr(load, key) for key in load_keys} for load in different]
         return {**lengths, "loads": loads}
 
     def filters(self, purpose: str) -> dict[str, Any]:
