@@ -165,9 +165,7 @@ def edges(count=1):
     )  # fmt: skip
     return data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
-        edge_bound_is_lower=(("surface", "side"), [[0] * 2] * count),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
-        edge_interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
         interval_is_conditional=("surface", [0] * count),
         interval_source=("surface", ["scans"] * count),
         interval_scans=("surface", [SCANS] * count),
@@ -196,27 +194,18 @@ def unresolved_edges():
     data["edge_interval"] *= np.nan
     return data.assign(
         edge_bound=(("surface", "side"), [[CUTOFFS["small"][-1], CUTOFFS["large"][0]]]),
-        edge_bound_is_lower=(("surface", "side"), [[1, 0]]),
-        edge_status=(("surface", "side"), [["beyond the cutoffs"] * 2]),
-        edge_interval_status=(("surface", "side", "bound"), [[["open"] * 2] * 2]),
+        edge_status=(("surface", "side"), [["open_above", "open_below"]]),
     )
 
 
 def open_edges(count=1):
-    """Return edges whose long edge lies beyond the cell, with intervals from parts of one scan."""
+    """Return edges whose long edge is open above, with intervals from parts of one scan."""
     data = edges(count)
     large_side = {"side": "large"}
     data["edge"].loc[large_side] = np.nan
     data["edge_interval"].loc[large_side] = np.nan
     data["edge_bound"].loc[large_side] = CUTOFFS["large"][-1]
-    data["edge_bound_is_lower"].loc[large_side] = 1
-    for name, value in {
-        "edge_status": "beyond the cell",
-        "edge_interval_status": "open",
-    }.items():
-        values = data[name].astype(object)
-        values.loc[large_side] = value
-        data[name] = values.astype(str)
+    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "large", "open_above"))
     ratio = data["filtered_force_ratio"].sel(side="large")
     data["filtered_force_ratio"].loc[large_side] = ratio.where(ratio.isnull(), 1.2)
     data["interval_is_conditional"][:] = 1
@@ -296,21 +285,25 @@ def fit(count=1):
     exponents = np.array([0.5, 0.9])[:count]
     work = WORK * (rho / RANGE) ** exponents[:, None] * np.array([0.5, 1.0])[:, None, None]
     data = xr.Dataset(
-        between_multiples("work_of_adhesion", ("contact_model", "surface", "rho"), work,
+        between_multiples("work_by_range", ("contact_model", "surface", "rho_fine"), work,
                           (0.8, 1.25), CONFIDENCE, units="J m-2")
         | between_multiples("measured_force", "surface", [0.64e-6, 1.3e-6][:count], (0.9, 1.1),
                             CONFIDENCE, units="N"),
-        {"contact_model": MODELS, "surface": surfaces, "rho": rho},
+        {"contact_model": MODELS, "surface": surfaces, "rho_fine": rho},
     )  # fmt: skip
-    interval = data["work_of_adhesion_interval"]
+    interval = data["work_by_range_interval"]
     low, high = interval.max("surface").sel(bound="low"), interval.min("surface").sel(bound="high")
-    region = xr.concat([low, high], "bound").transpose("contact_model", "rho", "bound")
+    region = xr.concat([low, high], "bound").transpose("contact_model", "rho_fine", "bound")
     best = np.nan if count == 1 else np.array([1.0, 1.0])
     return (
         data.assign(
             region=region.where(low < high),
-            best_range=("contact_model", RANGE * best * np.ones(2), {"units": "nm"}),
-            best_work=("contact_model", WORK * best * np.array([0.5, 1]), {"units": "J m-2"}),
+            range_of_adhesion=("contact_model", RANGE * best * np.ones(2)),
+            work_of_adhesion=(
+                "contact_model",
+                WORK * best * np.array([0.5, 1]),
+                {"units": "J m-2"},
+            ),
             best_error=("contact_model", 0.05 * best * np.ones(2)),
             exact_pairs=("contact_model", [0, 0]),
             region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
@@ -321,7 +314,7 @@ def fit(count=1):
             interval_source=("surface", ["scans"] * count),
         )
         .assign(extrapolated_work(count))
-        .assign_attrs(basis="measured", confidence=CONFIDENCE, range_of_adhesion=RANGE)
+        .assign_attrs(basis="measured", confidence=CONFIDENCE, assumed_range=RANGE)
     )
 
 

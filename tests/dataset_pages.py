@@ -6,7 +6,7 @@ from hardcontact.base import dataset
 from hardcontact.report.dataset_dictionary import PAGE, meanings, rows_of
 
 #: Datasets that studies of the paper and of own surfaces make, not with the same variables.
-SHARED = {"adhesion", "scales", "topography"}
+SHARED = {"adhesion", "edges", "fit", "scales", "topography"}
 
 
 def described_rows():

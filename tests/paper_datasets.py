@@ -75,13 +75,14 @@ def band() -> xr.Dataset:
         {
             "filtered_force_change": change.expand_dims(group=groups),
             "edge": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
+            "edge_bound": (("side", "group"), np.full((2, 5), np.nan)),
             "edge_interval": (
                 ("side", "group", "bound"), [[[50.0, 70.0]] * 5, [[1500.0, 1900.0]] * 5]
             ),
         },
         {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES,
          "bound": ["low", "high"]},
-        {"scale_tolerance": 0.1, "confidence": 0.9},
+        {"tolerance": 0.1, "confidence": 0.9},
     )  # fmt: skip
 
 
@@ -99,8 +100,10 @@ def sets() -> xr.Dataset:
                 cutoff_wavelength=slice(1, -1)
             ),
             "edge": edges * band()["edge"],
+            "edge_bound": edges * band()["edge_bound"],
+            **fits_without_surfaces(),
         },
-        {"contact_model": ["rigid", "plastic"]},
+        {"contact_model": ["rigid", "plastic"], "left_out": SUBSTRATES},
         {"confidence": 0.9},
     )
 
@@ -129,19 +132,16 @@ def scan_size() -> xr.Dataset:
     )
 
 
-def leave_one_out() -> xr.Dataset:
+def fits_without_surfaces() -> dict[str, xr.Variable]:
     """Return fits of all sets without each surface, which spread least without the first."""
-    spread = np.full((len(SUBSTRATES) + 1, 1, 1), 0.9)
-    spread[1] = 0.3
-    scatter = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES) + 1, SETS, 2))
+    spread = np.full((len(SUBSTRATES), 1, 1), 0.9)
+    spread[0] = 0.3
+    scatter = np.random.default_rng(2).lognormal(0, spread, (len(SUBSTRATES), SETS, 2))
     axes = ("left_out", "set", "contact_model")
-    return xr.Dataset(
-        {
-            "set_range_of_adhesion": (axes, 5.6 * scatter),
-            "set_work_of_adhesion": (axes, 0.046 / scatter),
-        },
-        {"left_out": ["none", *SUBSTRATES], "contact_model": ["rigid", "plastic"]},
-    )
+    return {
+        "range_without_surface": xr.Variable(axes, 5.6 * scatter),
+        "work_without_surface": xr.Variable(axes, 0.046 / scatter),
+    }
 
 
 def protruded() -> xr.Dataset:

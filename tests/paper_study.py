@@ -7,7 +7,6 @@ import yaml
 from paper_claims import CONSTANTS, STATEMENTS
 from paper_datasets import (
     band,
-    leave_one_out,
     protruded,
     published_table1,
     scales,
@@ -49,9 +48,8 @@ def datasets(contacts=20, pixels=512):
     return {
         "topography": topography(pixels),
         "scales": scales(contacts),
-        "band": band(),
+        "edges": band(),
         "sets": sets(),
-        "leave_one_out": leave_one_out(),
         "protruded": protruded(),
         "protruded_sphere": protruded(),
         "scan_size": scan_size(),

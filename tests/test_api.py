@@ -183,7 +183,8 @@ def test_ratios_equal_those_of_the_remaining_wave():
     assert 30 < edge.edge < 200 and edge.edge_status == "found"
     # The force stays within the tolerance: the edge is open.
     open_edge = hc.force_ratios(two_waves, {"small": [30, 60]}, rho=5.6, **sphere).sel(side="small")
-    assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60 and open_edge.edge_bound_is_lower
+    assert np.isnan(open_edge.edge) and open_edge.edge_bound == 60
+    assert open_edge.edge_status == "open_above"
 
 
 def test_the_prediction_equals_that_of_the_command(files):

@@ -107,7 +107,7 @@ def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
     assert Path(code.PINS[0]).stat().st_mtime_ns == written[0]
 
 
-@pytest.mark.parametrize("script", ["compute_pull_off.py", "infer.py", "prepare_scan.py"])
+@pytest.mark.parametrize("script", ["compute_pull_off.py", "fit_published.py", "prepare_scan.py"])
 def test_every_module_that_a_script_loads_is_traced(script, project_folder):
     tree = ast.parse((ROOT / "workflow/scripts" / script).read_text())
     imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]

@@ -96,8 +96,8 @@ FINAL = "results/quick"
 STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", variant="study", scan=2, shape="flat")
 #: Changed files, and some outputs made from each.
 CHANGED = {
-    f"{FINAL}/adhesion.nc": [f"{FINAL}/inference.nc", f"{FINAL}/claims.csv"],
-    f"{FINAL}/band.nc": [f"{FINAL}/figures/fig6.csv"],
+    f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],
+    f"{FINAL}/edges.nc": [f"{FINAL}/figures/fig6.csv"],
     f"{FINAL}/figures/fig6.csv": [],
     STITCHED: [f"{FINAL}/indent.nc"],
     "resources/paper/table1.csv": [f"{FINAL}/answer.html"],

@@ -17,10 +17,15 @@ import numpy as np
 import pandas as pd
 from scipy.stats import qmc
 
-from hardcontact.band.critical_band import RatioCurve, describe_edge, logarithmic_limits
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.inference.curve_edges import (
+    RatioCurve,
+    edge_interval,
+    find_edge,
+    logarithmic_limits,
+)
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
@@ -153,25 +158,25 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
     error = np.std(np.log(forces), ddof=1) / np.sqrt(len(forces))
     result = {"force": np.mean(forces), "force_error": error}
     for side, name in zip(SIDES, ("short", "long"), strict=True):
-        result |= edge(side, name, cutoffs, np.array(curves[side]), size)
+        result |= describe_edge(side, name, cutoffs, np.array(curves[side]))
     return result
 
 
-def edge(
-    side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray, size: float
-) -> dict[str, Any]:
+def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray) -> dict[str, Any]:
     """Return an edge of ratios (realization, cutoff) or its bound, with its interval."""
     order = slice(None) if side == "small" else slice(None, None, -1)
-    curve = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[:, order]
-    limits = logarithmic_limits(TOLERANCE)
-    description = describe_edge(RatioCurve(side, size, cutoffs[order], curve, limits))
-    is_found = description["edge_status"] == "found"
-    bound = "at least" if description["edge_bound_is_lower"] else "at most"
+    mean, lowest, highest = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[
+        :, order
+    ]
+    curve = RatioCurve(side, cutoffs[order], mean, logarithmic_limits(TOLERANCE))
+    edge = find_edge(curve)
+    low, high = edge_interval(curve, lowest, highest)
+    status = {"found": "found", "open_above": "at least", "open_below": "at most"}[edge.status]
     return {
-        f"{name}_edge": description["edge"] if is_found else description["edge_bound"],
-        f"{name}_edge_status": "found" if is_found else bound,
-        f"{name}_edge_low": description["edge_interval"][0],
-        f"{name}_edge_high": description["edge_interval"][1],
+        f"{name}_edge": edge.value if edge.status == "found" else edge.bound,
+        f"{name}_edge_status": status,
+        f"{name}_edge_low": low,
+        f"{name}_edge_high": high,
     }
 
 

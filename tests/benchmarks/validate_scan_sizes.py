@@ -30,13 +30,12 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scan_windows import WindowFilters, Windows, filtered_window_forces, window_forces
 
-from hardcontact.band.critical_band import logarithmic_limits
 from hardcontact.base import dataset, published
 from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
-from hardcontact.own.open_edges import edges_of_curves
+from hardcontact.inference.edges import edges_of_curves
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Floats,
@@ -303,11 +302,10 @@ def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     interval = student_log_interval(all_forces["filtered_force_ratio"], CONFIDENCE, "realization")
     force = all_forces["pull_off_force"]
     relative_force, relative_interval = ratio_of_means(force, force.isel(map_size=-1, drop=True))
-    cells = windows["period"].broadcast_like(relative_force).transpose(*relative_force.dims)
-    curves = xr.Dataset(
-        {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
+    ratios = xr.Dataset(
+        {"filtered_force_ratio": ratio, "filtered_force_ratio_interval": interval}
     ).assign_coords(side="large")
-    edges = edges_of_curves(curves, logarithmic_limits(TOLERANCE))
+    edges = edges_of_curves(ratios, TOLERANCE)
     attributes = {"units": "1", "long_name": "force relative to that on the larger whole surface"}
     return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
         filtered_force_ratio=ratio,

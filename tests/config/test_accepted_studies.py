@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
 from repository import PAPER, merged
 
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
 from hardcontact.config.configuration import get_key, master_keys
@@ -22,6 +21,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, sampled_contacts
 from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flat_map, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

@@ -7,7 +7,6 @@ import pytest
 from direct_sum import direct_total
 from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.contact.pull_off import (
@@ -17,6 +16,7 @@ from hardcontact.contact.pull_off import (
     wider_window_change,
 )
 from hardcontact.contact.traced_contact import traced_contact
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 
 LOAD = Contact(

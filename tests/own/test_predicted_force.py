@@ -9,7 +9,7 @@ from known_masters import LARGE, SMALL, scales
 from refusals import assert_says, refusal
 
 from hardcontact.base.statistics import student_interval
-from hardcontact.own.master_forces import (
+from hardcontact.inference.mean_forces import (
     Masters,
     forces_of_masters,
     half_width_over_masters,

@@ -9,7 +9,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 from set_sources import CONFIDENCE, make_adhesion, make_masters, make_pool, make_sources
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.inference import Pair, PublishedFit, infer
+from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
 from hardcontact.paper.judged_sets import (
     SetSettings,
     gather_sources,
@@ -56,7 +56,9 @@ def test_numbers_are_those_of_each_set(sets):
         numbers = sets["value"].sel(set=number)
         sampled_scans = sample_set_scans(sources, 1, number)
         adhesion = set_adhesion(sources, sampled_scans, 1, number)
-        inference = infer(adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE))
+        inference = fit_published(
+            adhesion, PAPER[2], "uncd", 0.1, 30e-9, Sampling(1, 0, CONFIDENCE)
+        )
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=models)
         np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
         assert numbers.sel(claim="range_of_adhesion") == ranges.sel(contact_model="plastic")

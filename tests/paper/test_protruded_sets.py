@@ -10,8 +10,8 @@ from small_pool import SETTINGS, SOURCES, raw_scan
 
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_forces
+from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper import protruded_sets
-from hardcontact.paper.inference import Pair, PublishedFit
 from hardcontact.paper.protruded_sets import (
     compute_protruded_forces,
     empty_protruded_forces,

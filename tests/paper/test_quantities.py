@@ -9,8 +9,8 @@ from paper_claims import PARAMETERS
 from scipy import constants, stats
 from scipy.integrate import quad
 
-from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling, bounds
+from hardcontact.inference.edges import edges_of_realizations
 from hardcontact.paper import contact_quantities as contact
 from hardcontact.paper import force_quantities as force
 from hardcontact.paper import inference_quantities as inference
@@ -280,6 +280,7 @@ def band():
             "filtered_force_ratio": (dims, ratio),
             "filtered_force_change": (dims, np.abs(np.array(ratio) - 1)),
             "edge": ("side", critical),
+            "edge_bound": ("side", [1000.0, 200.0]),
             "edge_interval": (("side", "bound"), np.outer(critical, [0.9, 1.1])),
         },
         {"side": ["small", "large"], "cutoff_wavelength": cutoffs, "bound": ["low", "high"]},
@@ -296,7 +297,7 @@ def test_changes_are_read_outside_and_inside_the_published_band(band):
         near(inference.smoothest_ratio(band.sortby("cutoff_wavelength", ascending=order)), 4.0)
 
 
-def test_the_edge_of_a_curve_that_never_leaves_is_its_last_cutoff(band):
+def test_an_open_edge_is_its_bound(band):
     near(inference.band_edge(band), [46.0, 1750.0])
     ratio = inference.critical_over_interaction_radius(band, PAPER)
     near(ratio.sel(side="large"), 1750 / 1673, rtol=1e-3)
@@ -315,6 +316,7 @@ def test_the_first_edge_is_that_of_the_first_surface_to_leave():
                 np.stack([curve] * 3, axis=1),
             ),
             "edge": (("side", "group"), edges),
+            "edge_bound": (("side", "group"), np.where(np.isnan(edges), 20.0, np.nan)),
             "edge_interval": (
                 ("side", "group", "bound"), np.multiply.outer(edges, [0.9, 1.1])
             ),
@@ -353,7 +355,7 @@ def test_edge_and_change_of_a_curve_give_the_same_verdict(seed):
         {"surface": [f"s{number}" for number in range(40)], "side": ["small", "large"],
          "cutoff_wavelength": cutoffs},
     )  # fmt: skip
-    curves = critical_band(scales, 0.1, Sampling(0, 0, 0.95))
+    curves = edges_of_realizations(scales, 0.1, Sampling(0, 0, 0.95))
     edge = inference.band_edge(curves)["value"]
     change = inference.change_outside_band(curves, PAPER)["value"]
     is_inside = {"small": edge.sel(side="small") > 43, "large": edge.sel(side="large") < 1800}

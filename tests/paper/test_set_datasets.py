@@ -5,12 +5,12 @@ import pytest
 import xarray as xr
 from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 
-from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling
+from hardcontact.inference.edges import edges_of_realizations
 from hardcontact.paper.judged_sets import (
     sample_set_scans,
     set_adhesion,
-    set_band,
+    set_edges,
     set_topography,
 )
 from hardcontact.surfaces.height_map import METRICS
@@ -71,15 +71,15 @@ def test_forces_on_measured_scans_change_by_one_factor_per_range():
 def test_equal_masters_have_the_band_of_one():
     masters = make_masters()
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
-    band = set_band(alike, 5, 0.1, NO_SAMPLES, 3)
-    single_band = critical_band(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
+    band = set_edges(alike, 5, 0.1, NO_SAMPLES, 3)
+    single_band = edges_of_realizations(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
     for name in ("filtered_force_ratio", "filtered_force_change", "edge"):
         np.testing.assert_allclose(band[name], single_band[name], rtol=1e-12)
 
 
 def test_masters_are_sampled_again_for_every_set_and_surface():
     masters = make_masters()
-    bands = [set_band(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
+    bands = [set_edges(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
     ratio = np.array([band["filtered_force_ratio"].values for band in bands])
     mean = (
         masters["filtered_force_ratio"].mean("realization").transpose("side", "surface", ...).values

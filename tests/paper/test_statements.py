@@ -43,7 +43,7 @@ def test_a_claim_follows_only_from_an_independent_claim():
 def test_replicated_claims_use_datasets_of_the_sets():
     replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
     names = set(replicated["dataset"].str.split("+").explode())
-    assert names == {"topography", "adhesion", "inference", "band", "paper"}
+    assert names == {"topography", "adhesion", "fit", "edges", "paper"}
     assert replicated["needs"].isin(["", "construction", "experiment", "measured"]).all()
 
 

@@ -87,7 +87,7 @@ def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     [("small", "short_edge", "open_above"), ("large", "long_edge", "open_below")],
 )
 def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
-    open_answer = answer(band=move_edge(side, np.nan))
+    open_answer = answer(edges=move_edge(side, np.nan))
     assert open_answer.numbers[name].status == status and answer().numbers[name].status == ""
 
 
@@ -169,8 +169,8 @@ def test_fits_with_protrusions_count_only_sets_that_agree():
     rare = data["protruded"].assign(agrees=data["protruded"]["agrees"].where([[True], [False]], 0))
     assert "protruded_sphere_work_of_adhesion" in numbers
     assert "protruded_sphere_work_of_adhesion" not in answer(protruded_sphere=rare).numbers
-    reduced_fits = data["leave_one_out"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
-    upper_end = reduced_fits["set_work_of_adhesion"].quantile(0.95).item()
+    reduced_fits = data["sets"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
+    upper_end = reduced_fits["work_without_surface"].quantile(0.95).item()
     assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(upper_end)
     disagreeing = data["protruded"].assign(agrees=0 * data["protruded"]["agrees"])
     assert "protruded_range_of_adhesion" not in answer(protruded=disagreeing).numbers

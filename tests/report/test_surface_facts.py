@@ -18,8 +18,8 @@ from answer_inputs import (
     unresolved_edges,
 )  # fmt: skip
 
-from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.number import Number, plain
+from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report import force_facts
 from hardcontact.report import surface_facts as facts
 from hardcontact.report.artificial import classify_edge, parts_of_change
@@ -67,9 +67,8 @@ def test_open_edges_are_bounds():
     row = rows(edges=open_edges())["long_edge"]
     bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
     assert plain(row.fact) == plain(bound)
-    assert row.about["reason"] == "beyond the cell"
     lower_bound = open_edges()
-    lower_bound["edge_bound_is_lower"].loc[{"side": "large"}] = 0
+    lower_bound["edge_status"].loc[{"side": "large"}] = "open_below"
     assert rows(edges=lower_bound)["long_edge"].fact.status == "open_below"
     lower_bound["edge_bound"].loc[{"side": "large"}] = 30_000.0
     assert (
@@ -96,11 +95,11 @@ def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
 
 
 @pytest.mark.parametrize(
-    ("is_lower_bound", "advice"), [(1, ("larger", 25_000.0)), (0, ("finer", 55.0))]
+    ("status", "advice"), [("open_above", ("larger", 25_000.0)), ("open_below", ("finer", 55.0))]
 )
-def test_an_open_edge_recommends_finer_or_larger_scans(is_lower_bound, advice):
+def test_an_open_edge_recommends_finer_or_larger_scans(status, advice):
     data = open_edges()
-    data["edge_bound_is_lower"].loc[{"side": "large"}] = is_lower_bound
+    data["edge_status"].loc[{"side": "large"}] = status
     measurements = facts.next_measurements(datasets(edges=data).select_surface(SURFACES[0]))
     long = [
         (measurement["code"], measurement["limit"].value)
@@ -237,7 +236,7 @@ def test_a_lopsided_interval_of_few_tests_is_marked(high, is_lopsided):
 @pytest.mark.parametrize(("work", "is_beyond_solids"), [(10.0, False), (50.8, True)])
 def test_a_work_beyond_that_of_solids_is_marked(work, is_beyond_solids):
     data = fit()
-    data["work_of_adhesion"] = data["work_of_adhesion"] * 0 + work
+    data["work_by_range"] = data["work_by_range"] * 0 + work
     assert rows(data)["measured_work"].about["beyond_solids"] is is_beyond_solids
 
 
@@ -252,14 +251,14 @@ def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():
     assert (status["best_range"].value, status["best_work"].value) == (5.6, WORK)
     assert (status["region_range"].low, plain(status["region_range"].high)) == (3.2, None)
     assert status["allows_range"] and status["range"].value == 5.6
-    short_range = fit(2).assign_attrs(range_of_adhesion=1.0)  # the region begins at 3.2 nm
+    short_range = fit(2).assign_attrs(assumed_range=1.0)  # the region begins at 3.2 nm
     assert not fit_status(short_range)["allows_range"]
     parted = fit(2)
-    parted["region"].loc[{"rho": slice(6, 9)}] = np.nan
-    rho = parted["rho"].values
+    parted["region"].loc[{"rho_fine": slice(6, 9)}] = np.nan
+    rho = parted["rho_fine"].values
     assert fit_status(parted)["gaps"] == [[rho[rho < 6].max(), rho[rho > 9].min()]]
     nothing = fit(2)
     nothing["region"] *= np.nan
     assert fit_status(nothing)["status"] == "none"
-    nothing["work_of_adhesion_interval"] *= np.nan
+    nothing["work_by_range_interval"] *= np.nan
     assert fit_status(nothing)["status"] == "no_interval"

@@ -9,9 +9,9 @@ from known_spectra import rough
 from scipy import stats
 from scipy.special import erf
 
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.statistics import Sampling, bounds
 from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.edge_scaling import (

@@ -9,8 +9,8 @@ import xarray as xr
 from scipy.special import gamma
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.error_map import fit_range_and_work
-from hardcontact.paper.inference import Pair
+from hardcontact.inference.error_map import fit_range_and_work
+from hardcontact.inference.published_fit import Pair
 from hardcontact.paper.law_comparison import compare_laws
 from hardcontact.theory.interaction_laws import LAWS, law_forces, range_grid
 

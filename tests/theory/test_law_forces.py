@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
-from hardcontact.band.filtered_masters import Filters
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import flattened_gaps, gap_map
 from hardcontact.contact.pull_off import pull_off_force
+from hardcontact.inference.filtered_masters import Filters
 from hardcontact.theory.interaction_laws import LAWS, law_forces, pressure, range_grid
 from hardcontact.theory.law_forces import (
     LARGEST_EXPONENT,

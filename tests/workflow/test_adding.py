@@ -25,12 +25,12 @@ from matplotlib.figure import Figure
 
 TITLE = "fits"
 CHAPTER = "3. Adhesion"
-CAPTION = """Range and work of adhesion. Drawn from inference.nc."""
+CAPTION = """Range and work of adhesion. Drawn from fit.nc."""
 
 
-def draw(inference: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+def draw(fit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw the range of adhesion of each contact model."""
-    table = inference["range_of_adhesion"].to_dataframe().reset_index()
+    table = fit["range_of_adhesion"].to_dataframe().reset_index()
     figure = Figure()
     figure.subplots().bar(table["contact_model"], table["range_of_adhesion"])
     return table, figure
@@ -69,9 +69,9 @@ def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_c
     claims = pd.read_csv(results / "claims.csv").set_index("id")
     assert claims.loc["largest_force_uncd", "computed"] > 1e-9
     figure_table = pd.read_csv(results / "figures/fig_mine.csv")
-    with xr.open_dataset(results / "inference.nc") as inference:
-        computed_range = inference["range_of_adhesion"].values
+    with xr.open_dataset(results / "fit.nc") as fit:
+        computed_range = fit["range_of_adhesion"].values
         np.testing.assert_allclose(figure_table["range_of_adhesion"], computed_range, rtol=1e-6)
-        assert '"percentile":0.8' in inference.attrs["parameters"]
+        assert '"percentile":0.8' in fit.attrs["parameters"]
     with xr.open_dataset(results / "laws.nc") as laws:
         assert laws["fit_error"].sel(law="steep", range_choice="fitted").notnull()

@@ -60,7 +60,7 @@ def assert_honest(results, fitted=False):
     assert left_out >= LEFT_OUT | (set() if fitted else {"fit"})
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
     files = {path.name for path in results.iterdir()}
-    assert not files & {"claims.csv", "inference.nc", "band.nc", "report"}
+    assert not files & {"claims.csv", "sets.nc", "report"}
 
 
 def assert_bounded(side):
@@ -110,8 +110,8 @@ def test_surfaces_on_different_grids_have_their_own_answers(several):
 def test_the_interval_from_own_forces_contains_the_true_work(several):
     fit = xr.load_dataset(several / "fit.nc").sel(contact_model="plastic")
     assert fit.test_count.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
-    works = fit.work_of_adhesion_interval
-    low, high = works.sel(surface="twin").sel(rho=RANGE, method="nearest").values
+    works = fit.work_by_range_interval
+    low, high = works.sel(surface="twin").sel(rho_fine=RANGE, method="nearest").values
     assert low < WORK < high < 5 * low
     # The scan of the film is too small for an interval, so that no pair is known.
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()

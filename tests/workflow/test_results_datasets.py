@@ -25,13 +25,13 @@ def test_every_number_has_a_unit(final):
         and "units" not in variable.attrs
         and (name, key) != ("sets", "value")  # of claims, each in its own unit
     ]
-    assert final.keys() >= {"topography", "adhesion", "scales", "inference", "band"}
+    assert final.keys() >= {"topography", "adhesion", "scales", "fit", "edges"}
     assert missing_units == []
 
 
 def test_substitutes_are_labelled(final, finished):
     surfaces = {name: data for name, data in final.items() if "basis" in data}
-    assert surfaces.keys() >= {"topography", "adhesion", "scales", "inference", "band"}
+    assert surfaces.keys() >= {"topography", "adhesion", "scales", "fit", "edges"}
     for name, data in surfaces.items():
         assert set(data.basis.values.ravel()) <= {"substitute"}, name
     assert set(SUBSTRATES) <= set(final["adhesion"].surface.values)

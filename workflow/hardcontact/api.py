@@ -14,8 +14,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from hardcontact.band.critical_band import logarithmic_limits
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
     check_contact,
@@ -35,7 +33,8 @@ from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
-from hardcontact.own.open_edges import edges_of_curves
+from hardcontact.inference.edges import edges_of_curves
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
@@ -316,11 +315,10 @@ def force_ratios(
     Returns
     -------
     xarray.Dataset
-        ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``,
-        ``"found"`` or the reason for an open edge; ``edge_bound`` in nm, a lower bound of an open
-        edge if ``edge_bound_is_lower`` is 1, else an upper bound; ``filtered_force_ratio`` (side,
-        cutoff_wavelength) of the mean plastic force to the force on the unfiltered scan, NaN at
-        cutoffs of the other side.
+        ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``
+        (side), ``"found"``, or ``"open_above"`` or ``"open_below"`` if the edge lies above or below
+        ``edge_bound`` (side) in nm; ``filtered_force_ratio`` (side, cutoff_wavelength) of the mean
+        plastic force to the force on the unfiltered scan, NaN at cutoffs of the other side.
 
     Examples
     --------
@@ -348,20 +346,14 @@ def force_ratios(
         )
         forces["scan", 0, side] = side_forces.isel(radius=0, load=0, rho=0, drop=True)
     ratio = stacked_forces(forces).filtered_force_ratio.isel(surface=0, realization=0, drop=True)
-    logarithm = np.log(ratio)
-    curves = xr.Dataset(
+    ratios = xr.Dataset(
         {
-            "logarithm": logarithm,
-            "logarithm_interval": logarithm.expand_dims(bound=2, axis=-1) * np.nan,
-            "cell": ("side", np.full(len(cutoffs), surface.size)),
+            "filtered_force_ratio": ratio,
+            "filtered_force_ratio_interval": ratio.expand_dims(bound=2, axis=-1) * np.nan,
         }
     )
-    edges = edges_of_curves(curves, logarithmic_limits(tolerance))
-    names = ("edge", "edge_status", "edge_bound", "edge_bound_is_lower")
-    return xr.Dataset(
-        {"filtered_force_ratio": ratio} | {name: edges[name] for name in names},
-        attrs={"rho": rho, "tolerance": tolerance},
-    )
+    edges = edges_of_curves(ratios, tolerance)[["edge", "edge_status", "edge_bound"]]
+    return edges.assign(filtered_force_ratio=ratio).assign_attrs(rho=rho, tolerance=tolerance)
 
 
 def predict(

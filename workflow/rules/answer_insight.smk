@@ -3,7 +3,7 @@
 from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe_figure
 
 #: The dataset of each figure, and the band.
-INSIGHT_SOURCES = ["band", *(describe_figure(name).inputs[0] for name in INSIGHT_FIGURES)]
+INSIGHT_SOURCES = ["edges", *(describe_figure(name).inputs[0] for name in INSIGHT_FIGURES)]
 
 
 rule answer_insight:

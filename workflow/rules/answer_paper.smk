@@ -9,9 +9,8 @@ rule answer_paper:
             for name in (
                 "topography",
                 "scales",
-                "band",
+                "edges",
                 "sets",
-                "leave_one_out",
                 "protruded",
                 "protruded_sphere",
                 "scan_size",

@@ -4,7 +4,7 @@
 rule apply_classical_models:
     """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
-        inference=rules.infer.output[0],
+        fit=rules.fit_published.output[0],
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],

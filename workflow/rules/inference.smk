@@ -1,19 +1,19 @@
-# Inference: range and work of adhesion, log-normal statistics.
+# Fit: range and work of adhesion from published forces, log-normal statistics.
 
 
-rule infer:
-    """Infer range and work of adhesion from computed and published forces: inference.nc."""
+rule fit_published:
+    """Fit range and work of adhesion to the published forces: fit.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("infer.py"),
+        code=code_inputs("fit_published.py"),
     output:
-        PATTERNS.dataset("inference"),
+        PATTERNS.dataset("fit"),
     log:
-        PATTERNS.log("infer"),
+        PATTERNS.log("fit_published"),
     benchmark:
-        PATTERNS.benchmark("infer")
+        PATTERNS.benchmark("fit_published")
     params:
         canonical=canonical(
             {
@@ -23,4 +23,4 @@ rule infer:
             }
         ),
     script:
-        "../scripts/infer.py"
+        "../scripts/fit_published.py"

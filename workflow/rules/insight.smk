@@ -45,7 +45,7 @@ rule compare_statistics:
     input:
         **PUBLISHED_TABLES,
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
-        inference=PATTERNS.dataset("inference"),
+        fit=PATTERNS.dataset("fit"),
         validation="resources/validation/statistics.csv",
         code=code_inputs("compare_statistics.py"),
     output:

@@ -90,21 +90,21 @@ rule predict_force:
         "../scripts/predict_force.py"
 
 
-rule fit_forces:
+rule fit_measured:
     """Fit range and work of adhesion to own pull-off forces: fit.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
         force=rules.predict_force.output.force,
         topography=rules.aggregate_topography.output[0],
         forces=[] if STUDY["forces"] == NONE else STUDY["forces"],
-        code=code_inputs("fit_forces.py"),
+        code=code_inputs("fit_measured.py"),
     output:
         PATTERNS.dataset("fit"),
     log:
-        PATTERNS.log("fit_forces"),
+        PATTERNS.log("fit_measured"),
     benchmark:
-        PATTERNS.benchmark("fit_forces")
+        PATTERNS.benchmark("fit_measured")
     params:
         canonical=canonical(SAMPLING),
     script:
-        "../scripts/fit_forces.py"
+        "../scripts/fit_measured.py"

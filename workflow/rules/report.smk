@@ -8,7 +8,7 @@ rule write_pages:
     input:
         **{chapter: f"workflow/report/{chapter}.md" for chapter in CHAPTERS},
         claims=PATTERNS.result("claims.csv"),
-        band=PATTERNS.dataset("band"),
+        edges=PATTERNS.dataset("edges"),
         sets=PATTERNS.dataset("sets"),
         environment=PINS[0],
         templates=template_inputs("claims.html", "chapter.html", "parameters.html", "verdicts.html"),

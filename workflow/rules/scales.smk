@@ -1,4 +1,4 @@
-# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the critical band.
+# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the edges of the band.
 
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
@@ -105,17 +105,17 @@ rule aggregate_scales:
         "../scripts/aggregate_scales.py"
 
 
-rule find_critical_band:
-    """Find the wavelengths whose removal changes the force: band.nc."""
+rule find_edges:
+    """Find the wavelengths whose removal changes the force: edges.nc."""
     input:
         scales=rules.aggregate_scales.output[0],
-        code=code_inputs("find_critical_band.py"),
+        code=code_inputs("find_edges.py"),
     output:
-        PATTERNS.dataset("band"),
+        PATTERNS.dataset("edges"),
     log:
-        PATTERNS.log("find_critical_band"),
+        PATTERNS.log("find_edges"),
     benchmark:
-        PATTERNS.benchmark("find_critical_band")
+        PATTERNS.benchmark("find_edges")
     params:
         canonical=canonical(
             {
@@ -124,4 +124,4 @@ rule find_critical_band:
             }
         ),
     script:
-        "../scripts/find_critical_band.py"
+        "../scripts/find_edges.py"

@@ -89,27 +89,25 @@ rule judge_sets:
         "../scripts/judge_sets.py"
 
 
-rule find_fit_influences:
-    """Find what decides the fit of range and work: leave_one_out.nc, protruded(_sphere).nc, standoff.nc."""
+rule fit_protruded:
+    """Find what decides the fit of range and work: protruded(_sphere).nc, standoff.nc."""
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
-        inference=rules.infer.output[0],
         sets=rules.judge_sets.output[0],
         protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(FILES.protruded_coating)),
         protruded_sphere=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(SPHERE)),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("find_fit_influences.py"),
+        code=code_inputs("fit_protruded.py"),
     output:
-        leave_one_out=PATTERNS.dataset("leave_one_out"),
         protruded=PATTERNS.dataset("protruded"),
         protruded_sphere=PATTERNS.dataset("protruded_sphere"),
         standoff=PATTERNS.dataset("standoff"),
     log:
-        PATTERNS.log("find_fit_influences"),
+        PATTERNS.log("fit_protruded"),
     benchmark:
-        PATTERNS.benchmark("find_fit_influences")
+        PATTERNS.benchmark("fit_protruded")
     params:
         canonical=canonical(
             {
@@ -119,4 +117,4 @@ rule find_fit_influences:
             }
         ),
     script:
-        "../scripts/find_fit_influences.py"
+        "../scripts/fit_protruded.py"

@@ -16,7 +16,7 @@ with job(snakemake) as job:
     figures = {}
     for path in map(Path, job.input.figures):
         figures[path.stem] = path.read_bytes(), caption(path.stem, job.parameters)
-    names = ["band", *(describe_figure(figure).inputs[0] for figure in INSIGHT_FIGURES)]
+    names = ["edges", *(describe_figure(figure).inputs[0] for figure in INSIGHT_FIGURES)]
     claims = read_verdicts(job.input.claims)
     statements = read_statements(job.input.statements)[["id", "dataset", "quantity"]]
     page = insight_page(

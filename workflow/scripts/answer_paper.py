@@ -14,7 +14,7 @@ from hardcontact.report.paper_page import paper_head, paper_page
 from hardcontact.report.quantities import answer_json
 
 DATASETS = (
-    "topography", "scales", "band", "sets", "leave_one_out", "protruded", "protruded_sphere",
+    "topography", "scales", "edges", "sets", "protruded", "protruded_sphere",
     "scan_size",
 )  # fmt: skip
 

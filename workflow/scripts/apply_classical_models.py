@@ -10,7 +10,7 @@ with job(snakemake) as job:
     params = job.parameters
     job.write(
         apply_classical_models(
-            read(job.input.inference),
+            read(job.input.fit),
             published.constants(job.input.published_constants),
             published.table1(job.input.published_table1),
             published.printed_pull_off(job.input.published_pull_off),

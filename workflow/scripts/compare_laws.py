@@ -5,7 +5,7 @@ from hardcontact.base.dataset import read_all, stack
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.all_surfaces import stacked_forces, with_names
-from hardcontact.paper.inference import Pair
+from hardcontact.inference.published_fit import Pair
 from hardcontact.paper.law_comparison import compare_laws
 from hardcontact.surfaces.synthesis import SIDES
 

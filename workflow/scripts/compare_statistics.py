@@ -28,7 +28,7 @@ with job(snakemake) as job:
     )
     compared = with_comparison(
         scatter,
-        read(job.input.inference),
+        read(job.input.fit),
         published.pull_off(job.input.published_pull_off),
         pd.read_csv(job.input.validation),
     )

@@ -1,9 +1,9 @@
 """Forces of a scan and of its filtered masters at the ranges that are mixed for every law."""
 
-from hardcontact.band.filtered_masters import Filters
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.filtered_masters import Filters
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import SIDES, synthesize_master

@@ -2,10 +2,10 @@
 
 from itertools import product
 
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off, varied_master
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, varied_master
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.synthesis import SIDES
 

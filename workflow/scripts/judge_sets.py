@@ -6,7 +6,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import single_masters, stacked_forces
-from hardcontact.paper.inference import Pair, PublishedFit
+from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.judged_sets import SetSettings, gather_sources, judge_sets
 
 with job(snakemake) as job:

@@ -3,8 +3,8 @@
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
-from hardcontact.own.master_forces import Masters
-from hardcontact.own.open_edges import band_edges
+from hardcontact.inference.edges import describe_edges, edges_of_scans
+from hardcontact.inference.mean_forces import Masters
 from hardcontact.own.predicted_force import fewest_places, own_force
 
 with job(snakemake) as job:
@@ -14,7 +14,7 @@ with job(snakemake) as job:
     masters = Masters(params["scans"], params["tiles"], fewest_places(adhesion))
     limits = {name: params[name] for name in ("tolerance", "confidence")}
     job.write(
-        band_edges(scales, masters, **limits),
+        describe_edges(edges_of_scans(scales, masters, **limits), scales, **limits),
         title="pull-off force against cutoff wavelength, and the edges of the band",
         output="edges",
     )

@@ -11,7 +11,7 @@ from hardcontact.report.report_pages import pages
 with job(snakemake) as job:
     params = job.parameters
     chapters = [Path(path) for path in job.input if path.endswith(".md")]
-    datasets_with_edges = [read(job.input.band), read(job.input.sets)]
+    datasets_with_edges = [read(job.input.edges), read(job.input.sets)]
     page_texts = pages(
         add_open_ends(read_verdicts(job.input.claims), datasets_with_edges),
         {path.stem: path.read_text("utf-8") for path in chapters},

@@ -4,7 +4,6 @@ There are forces on the scans, and forces with roughness extrapolated beyond the
 """
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -15,20 +14,18 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.own.master_forces import (
+from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
+    fewest_places,
+    forces_of_surface,
     half_width_over_masters,
     summarize_masters,
 )
-from hardcontact.own.scan_parts import (
-    ScanParts,
-    delete_one_logarithms,
+from hardcontact.inference.scan_parts import (
     half_width,
     jackknife_variance,
     logarithmic_interval,
-    parts_of_scans,
-    quarters_of_contacts,
 )
 from hardcontact.surfaces.spectrum import spectrum_of_dataset
 from hardcontact.theory.edge_scaling import regime_coordinates
@@ -93,51 +90,6 @@ def own_force(
     stiffness = tabor(contact, assumed_modulus(contact.hardness))
     return force.merge(regime_coordinates(spectra_by_surface, contact)).assign_attrs(
         tabor_parameter=stiffness.value, bodies=stiffness.status
-    )
-
-
-class SurfaceForces(NamedTuple):
-    """Mean forces of one surface, over scans, scans of the sphere and contacts."""
-
-    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
-    delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
-    scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
-
-
-def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
-    """Return the fewest places that the contacts on a scan touch.
-
-    For several scans of the sphere, the scan with the most touched places counts.
-
-    adhesion: adhesion.nc, with ``touched_places`` (surface, scan, sphere_scan).
-    Returns number of places by surface.
-    """
-    places = adhesion.touched_places.max("sphere_scan").min("scan")
-    return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
-
-
-def forces_of_surface(
-    forces: xr.DataArray, size: float, radius: float, places: float
-) -> SurfaceForces:
-    """Return the mean forces of one surface and contact model, with and without each part.
-
-    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
-    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `places` comes from
-    `fewest_places`.
-    """
-    scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
-    scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
-    scans = np.arange(scan_forces.sizes["scan"])
-    quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
-    scan_parts = [
-        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), places)
-        for rho in scan_forces.rho.values
-    ]
-    delete_one_log_means = delete_one_logarithms(
-        scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
-    )
-    return SurfaceForces(
-        scan_forces.mean(CONTACT_AXES).mean("scan").values, delete_one_log_means, scan_parts
     )
 
 

@@ -24,7 +24,7 @@ METRIC_PREFIXES = {"afm": "afm", "all_scales": "all"}
 
 
 def apply_classical_models(
-    inference: xr.Dataset,
+    fit: xr.Dataset,
     constants: pd.DataFrame,
     table1: pd.DataFrame,
     printed: pd.DataFrame,
@@ -32,7 +32,7 @@ def apply_classical_models(
 ) -> xr.Dataset:
     """Return effective works of adhesion, and forces and errors of classical models.
 
-    inference: inference.nc of the study: mean forces of plastic contact at the published pair.
+    fit: fit.nc of the study: mean forces of plastic contact at the published pair.
     constants, table1, printed: from `published.constants`, `published.table1` and
         `published.printed_pull_off`.
     sampling: samples the roughness of Table 1 within its uncertainty.
@@ -52,7 +52,7 @@ def apply_classical_models(
         for body in ("sphere", "substrate")
     ]
     sphere = ElasticSphere(
-        inference.attrs["sphere_radius"],
+        fit.attrs["sphere_radius"],
         smooth_sphere.effective_modulus(*bodies),
         value["equilibrium_spacing"],
     )
@@ -60,9 +60,9 @@ def apply_classical_models(
     rows = rows.dropna()
     printed = printed.dropna(subset="mean_force")
     published = rows.index.intersection(printed.index)
-    surfaces = [name for name in inference["surface"].values.tolist() if name in published]
+    surfaces = [name for name in fit["surface"].values.tolist() if name in published]
     rows = rows.loc[surfaces]
-    plastic = inference.sel(contact_model="plastic", pair="published", surface=surfaces)
+    plastic = fit.sel(contact_model="plastic", pair="published", surface=surfaces)
     interval = plastic["mean_force_at_pair_interval"].transpose("surface", "bound")
     forces = {
         "published": rounding_intervals(printed.loc[surfaces, "mean_force"]),
@@ -109,15 +109,15 @@ def apply_classical_models(
         .merge(stack(effective, ["force_source"]))
         .assign(mean_forces)
         .assign_coords(surface=surfaces)
-        .reindex(surface=inference["surface"].values)
+        .reindex(surface=fit["surface"].values)
         .assign(descriptions)
         .assign(
             tabor_parameter=((), tabor, DIMENSIONLESS),
             hertz_peak_pressure=((), hertz.peak_pressure, {"units": "Pa"}),
-            label=inference["label"],
-            basis=inference["basis"],
+            label=fit["label"],
+            basis=fit["basis"],
         )
-        .assign_attrs(error_threshold=inference.attrs["error_threshold"], confidence=confidence)
+        .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=confidence)
     )
 
 

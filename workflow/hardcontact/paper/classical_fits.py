@@ -12,7 +12,7 @@ from scipy.stats import truncnorm
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.paper import error_map
+from hardcontact.inference import error_map
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
 
 #: Works of adhesion (J/m²) among which the best fit is searched.

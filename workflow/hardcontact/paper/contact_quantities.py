@@ -48,14 +48,14 @@ def tabor_by_convention(classical: xr.Dataset) -> xr.Dataset:
     return number_with_interval(tabor, tabor, (9 / 4) ** (1 / 3) * tabor)
 
 
-def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
+def classical_over_numerical(classical: xr.Dataset, fit: xr.Dataset) -> xr.Dataset:
     """Return the smallest error of a classical model relative to that of the computed forces.
 
     Its dimensions are metrics, model, force_source and contact_model.
     """
     return quotient(
         variable_as_number(classical, "mean_relative_error"),
-        variable_as_number(inference, "best_error"),
+        variable_as_number(fit, "best_error"),
     )
 
 

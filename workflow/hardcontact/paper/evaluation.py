@@ -69,8 +69,8 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 
 #: Datasets that claims may name, besides `paper`.
 DATASETS = (
-    "topography", "adhesion", "scales", "band", "inference", "elastic", "indent",
-    "repeated_contact", "asperities", "classical", "enhancement", "leave_one_out", "protruded",
+    "topography", "adhesion", "scales", "edges", "fit", "elastic", "indent",
+    "repeated_contact", "asperities", "classical", "enhancement", "protruded",
 )  # fmt: skip
 #: Datasets that claims of the chapter on the critical band may name.
 INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")

@@ -48,11 +48,11 @@ def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
     return quotient(all_scales, afm)
 
 
-def mean_over_median(inference: xr.Dataset) -> xr.Dataset:
+def mean_over_median(fit: xr.Dataset) -> xr.Dataset:
     """Return the mean relative to the median pull-off force (contact_model, pair, surface)."""
     return quotient(
-        variable_as_number(inference, "mean_force_at_pair"),
-        variable_as_number(inference, "median_force_at_pair"),
+        variable_as_number(fit, "mean_force_at_pair"),
+        variable_as_number(fit, "median_force_at_pair"),
     )
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import xarray as xr
 from scipy import special
 
-from hardcontact.band.critical_band import POOLED, edges_or_last_cutoffs
 from hardcontact.base.statistics import bounds
+from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.paper.numbers import (
     mean_over_contacts,
     mean_over_scans,
@@ -20,34 +20,32 @@ from hardcontact.paper.numbers import (
 from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
 
 
-def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the mean force at the published work and the longest atomic range.
 
     It is interpolated linearly between the computed ranges (contact_model, surface).
     """
-    force = variable_as_number(inference, "mean_force")
+    force = variable_as_number(fit, "mean_force")
     atomic_force: xr.Dataset = force.interp(rho=paper["atomic_range_upper_bound"]).drop_vars("rho")
     return paper["work_of_adhesion"] * atomic_force
 
 
-def short_range_error(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def short_range_error(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the smallest error at the ranges of atomic interactions (contact_model)."""
-    error = inference["best_error_by_range"]
+    error = fit["best_error_by_range"]
     return number_with_interval(
         error.where(error["rho_fine"] <= paper["atomic_range_upper_bound"]).min("rho_fine")
     )
 
 
-def error_of_second_minimum(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the error at the second-best minimum along the range (contact_model).
 
     It is infinite if there is no second minimum, and NaN if the best error is above the published
     threshold.
     """
-    second_error = inference["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
-    return number_with_interval(
-        second_error.where(inference["best_error"] < paper["error_threshold"])
-    )
+    second_error = fit["error_at_minimum"].sel(minimum=2, drop=True).fillna(np.inf)
+    return number_with_interval(second_error.where(fit["best_error"] < paper["error_threshold"]))
 
 
 def error_overlap(laws: xr.Dataset) -> xr.Dataset:
@@ -80,19 +78,19 @@ def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
     return number_with_interval(ratio_at_rho, ratio_at_rho, pressure_ratio(power))
 
 
-def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:
+def least_ratio_error(fit: xr.Dataset) -> xr.Dataset:
     """Return the smallest mean relative error of the force ratios (contact_model)."""
-    return number_with_interval(inference["ratio_error"].min("rho_fine"))
+    return number_with_interval(fit["ratio_error"].min("rho_fine"))
 
 
-def half_width_of_range(inference: xr.Dataset) -> xr.Dataset:
+def half_width_of_range(fit: xr.Dataset) -> xr.Dataset:
     """Return half the extent in range of the region of small error (contact_model)."""
-    return _half_width(inference["low_error_range"])
+    return _half_width(fit["low_error_range"])
 
 
-def half_width_of_work(inference: xr.Dataset) -> xr.Dataset:
+def half_width_of_work(fit: xr.Dataset) -> xr.Dataset:
     """Return half the extent in work of adhesion of the region of small error (contact_model)."""
-    return _half_width(inference["low_error_work"])
+    return _half_width(fit["low_error_work"])
 
 
 def _half_width(region: xr.DataArray) -> xr.Dataset:
@@ -106,10 +104,10 @@ def interaction_radius(paper: xr.Dataset) -> xr.Dataset:
     return number_with_interval((paper["sphere_diameter"] * paper["range_of_adhesion"]) ** 0.5)
 
 
-def interaction_radius_at_fit(inference: xr.Dataset) -> xr.Dataset:
+def interaction_radius_at_fit(fit: xr.Dataset) -> xr.Dataset:
     """Return sqrt(D rho) in nm for the sphere of the study at the fitted range (contact_model)."""
-    diameter = 2 * inference.attrs["sphere_radius"]
-    area: xr.Dataset = diameter * variable_as_number(inference, "range_of_adhesion")
+    diameter = 2 * fit.attrs["sphere_radius"]
+    area: xr.Dataset = diameter * variable_as_number(fit, "range_of_adhesion")
     return area.map(np.sqrt)
 
 
@@ -136,83 +134,83 @@ def sinusoid_share(paper: xr.Dataset) -> xr.Dataset:
     return number_with_interval(xr.DataArray(share, {"rho": ranges}, "rho"))
 
 
-def band_edge(band: xr.Dataset) -> xr.Dataset:
+def band_edge(edges: xr.Dataset) -> xr.Dataset:
     """Return the edges of the critical band in nm, or bounds of them (side, group).
 
     The last cutoff of the side is the bound if the force never leaves its tolerance.
     """
-    return number_with_interval(edges_or_last_cutoffs(band), *bounds(band, "edge"))
+    return number_with_interval(edges_or_bounds(edges), *bounds(edges, "edge"))
 
 
-def first_edge(band: xr.Dataset) -> xr.Dataset:
+def first_edge(edges: xr.Dataset) -> xr.Dataset:
     """Return the `band_edge` of the surface whose force leaves its tolerance first (side)."""
-    edges = band_edge(band).drop_sel(group=POOLED)
-    short_edge = edges.sel(side="small").min("group")
-    long_edge = edges.sel(side="large").max("group")
+    wavelengths = band_edge(edges).drop_sel(group=POOLED)
+    short_edge = wavelengths.sel(side="small").min("group")
+    long_edge = wavelengths.sel(side="large").max("group")
     return xr.concat([short_edge, long_edge], "side")
 
 
-def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def critical_over_interaction_radius(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the edge relative to sqrt(D rho) (side, group).
 
     D is the diameter of the sphere of the study, rho the published range.
     """
-    radius = (2 * band.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
-    ratio: xr.Dataset = variable_as_number(band, "edge") / radius
+    radius = (2 * edges.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
+    ratio: xr.Dataset = variable_as_number(edges, "edge") / radius
     return ratio
 
 
-def change_outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change of the force by cutoffs outside the published band (side, group).
 
     Cutoffs up to the published one count for the small side, from it for the large one.
     """
-    return _largest_change(band, _outside_band(band, paper))
+    return _largest_change(edges, _outside_band(edges, paper))
 
 
-def change_inside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change of the force by cutoffs inside the published band (side, group)."""
-    return _largest_change(band, ~_outside_band(band, paper))
+    return _largest_change(edges, ~_outside_band(edges, paper))
 
 
-def small_scale_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def small_scale_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the largest change by cutoffs among the artificial small scales of a scan (group)."""
-    is_artificial = band["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
-    return _largest_change(band, is_artificial).sel(side="small", drop=True)
+    is_artificial = edges["cutoff_wavelength"] <= paper["small_scale_transition_wavelength"]
+    return _largest_change(edges, is_artificial).sel(side="small", drop=True)
 
 
-def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
+def _outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
     """Return whether each cutoff (side, cutoff_wavelength) is outside the published band."""
-    cutoff = band["cutoff_wavelength"]
+    cutoff = edges["cutoff_wavelength"]
     is_short = cutoff <= paper["edge_small"]
     is_long = cutoff >= paper["edge_large"]
-    return is_short.where(band["side"] == "small", is_long)
+    return is_short.where(edges["side"] == "small", is_long)
 
 
-def _largest_change(band: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
+def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
     """Return the largest change of the force by the selected cutoffs (side, group)."""
     return (
-        variable_as_number(band, "filtered_force_change")
+        variable_as_number(edges, "filtered_force_change")
         .where(is_selected)
         .max("cutoff_wavelength")
     )
 
 
-def smoothest_ratio(band: xr.Dataset) -> xr.Dataset:
+def smoothest_ratio(edges: xr.Dataset) -> xr.Dataset:
     """Return the force relative to the unfiltered force at the largest short cutoff (surface)."""
-    return _small_side_variable(band, "filtered_force_ratio").isel(cutoff_wavelength=-1, drop=True)
+    return _small_side_variable(edges, "filtered_force_ratio").isel(cutoff_wavelength=-1, drop=True)
 
 
-def stylus_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the change of the force at the short cutoff nearest to a stylus radius (group)."""
     radius = paper["stylus_radius"].item()
-    change = _small_side_variable(band, "filtered_force_change")
+    change = _small_side_variable(edges, "filtered_force_change")
     return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
-def _small_side_variable(band: xr.Dataset, name: str) -> xr.Dataset:
+def _small_side_variable(edges: xr.Dataset, name: str) -> xr.Dataset:
     """Return a variable of the small side at its cutoffs, in ascending order."""
-    values = variable_as_number(band, name).sel(side="small", drop=True)
+    values = variable_as_number(edges, name).sel(side="small", drop=True)
     cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
     return values.sel(cutoff_wavelength=np.sort(cutoffs))
 

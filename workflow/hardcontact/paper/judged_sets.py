@@ -11,12 +11,13 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.band.critical_band import critical_band
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
+from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.fit import WITHOUT_SURFACE
+from hardcontact.inference.published_fit import PublishedFit, fit_published
 from hardcontact.paper.evaluation import claim_values
-from hardcontact.paper.inference import PublishedFit, infer
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import METRICS
@@ -31,13 +32,13 @@ SampledScans = Mapping[str, xr.Dataset]
 MAX_TRIES = 1000
 #: Metrics that do not change with the height of a scan.
 HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
-#: Variables of the inference of a set that sets.nc contains.
+#: Variables of the fit of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
-    "error_at_minimum", "mean_force", "force_ratio",
+    "error_at_minimum", "mean_force", "force_ratio", *WITHOUT_SURFACE.values(),
 ]  # fmt: skip
-#: Variables of the critical band of a set that sets.nc contains.
-SET_BAND_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge"]
+#: Variables of the edges of a set that sets.nc contains.
+SET_EDGE_VARIABLES = ["filtered_force_ratio", "filtered_force_change", "edge", "edge_bound"]
 
 
 class Sources(NamedTuple):
@@ -213,7 +214,7 @@ def set_adhesion(
     )
 
 
-def set_band(
+def set_edges(
     masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, set_number: int
 ) -> xr.Dataset:
     """Return the critical band of masters of each substrate, sampled with replacement."""
@@ -228,7 +229,7 @@ def set_band(
         ratio = ratio.assign_coords(realization=range(realizations))
         surface_ratios.append(ratio.drop_vars("surface"))
     ratio = xr.concat(surface_ratios, masters["surface"])
-    return critical_band(
+    return edges_of_realizations(
         masters.drop_dims("realization").assign(filtered_force_ratio=ratio), tolerance, sampling
     )
 
@@ -246,7 +247,7 @@ def judge_sets(
     statements, constants: from `evaluation.replicated_statements` and `published.constants`.
     published: published forces, range and work of adhesion.
     settings: settings of the sampling and of the judgement.
-    Returns by set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_BAND_VARIABLES
+    Returns by set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_EDGE_VARIABLES
         (side, ...). ``sphere_factor`` (contact_model, surface, rho), NaN for a surface without a
         pool.
     """
@@ -258,8 +259,8 @@ def judge_sets(
         claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
         variables = [
             claims,
-            datasets["inference"][SET_FIT_VARIABLES],
-            datasets["band"][SET_BAND_VARIABLES],
+            datasets["fit"][SET_FIT_VARIABLES],
+            datasets["edges"][SET_EDGE_VARIABLES],
         ]
         sets.append(xr.merge(variables, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
@@ -280,13 +281,13 @@ def _set_datasets(
     sampling = Sampling(settings.seed, 0, settings.confidence)
     sampled_scans = sample_set_scans(sources, settings.seed, set_number)
     adhesion = set_adhesion(sources, sampled_scans, settings.seed, set_number)
-    band = set_band(
+    edges = set_edges(
         sources.masters, settings.realizations, settings.tolerance, sampling, set_number
     )
     return {
         "topography": set_topography(sources.topography, sampled_scans, settings.confidence),
         "adhesion": adhesion,
-        "inference": infer(
+        "fit": fit_published(
             adhesion,
             published,
             settings.reference_surface,
@@ -294,5 +295,5 @@ def _set_datasets(
             constants["force_floor"],
             sampling,
         ),
-        "band": band.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
+        "edges": edges.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
     }

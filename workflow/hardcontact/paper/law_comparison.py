@@ -14,12 +14,12 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import critical_band
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.force_curves import mean_forces
-from hardcontact.paper.error_map import fit_range_and_work, fit_work
-from hardcontact.paper.inference import Pair
+from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.error_map import fit_range_and_work, fit_work
+from hardcontact.inference.published_fit import Pair
 from hardcontact.theory.interaction_laws import (
     EXPONENTIAL,
     LAWS,
@@ -225,7 +225,7 @@ def _best_fit(relative: np.ndarray, lengths: np.ndarray) -> _Fit:
 def _band(
     law: Law, length: float, masters: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> xr.Dataset:
-    """Return the edges of `critical_band` of a law at one length (nm), with their intervals."""
+    """Return the edges of a law at one length (nm), with their intervals."""
 
     def law_force(name: str) -> xr.DataArray:
         forces: xr.DataArray = xr.apply_ufunc(
@@ -237,5 +237,5 @@ def _band(
 
     ratio = law_force("pull_off_force") / law_force("unfiltered_pull_off_force")
     scales = masters[["unfiltered_wavelength"]].assign(filtered_force_ratio=ratio)
-    band = critical_band(scales, tolerance, sampling)
+    band = edges_of_realizations(scales, tolerance, sampling)
     return band[["edge", "edge_interval"]]

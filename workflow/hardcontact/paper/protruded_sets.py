@@ -18,8 +18,8 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_forces, range_axis
-from hardcontact.paper.inference import PublishedFit
-from hardcontact.paper.leave_one_out import fitted_pairs
+from hardcontact.inference.fit import fit_mean_forces
+from hardcontact.inference.published_fit import PublishedFit
 from hardcontact.paper.pool import PoolSettings, PoolSources
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
@@ -171,7 +171,7 @@ def fit_protruded_sets(
     sets: sets.nc for plastic contact: ``mean_force`` (set, surface, rho) and ``sphere_factor``
         (surface, rho).
     published: published forces, range and work of adhesion.
-    Returns the `fitted_pairs` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
+    Returns the `fit_mean_forces` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
         ``median_force_at_fit`` (draw, set) of the coating in N; ``agrees`` (draw, set) is 1 if both
         are within the factor MAX_FORCE_FACTOR of the published forces. At the published pair
         ``mean_force_at_published`` and ``median_force_at_published`` (draw) in N and
@@ -192,7 +192,7 @@ def fit_protruded_sets(
     force_ratio = xr.concat(force_ratios, pd.Index(list(forces_by_surface), name="surface"))
     curves = sets["mean_force"] * force_ratio.reindex(surface=sets["surface"], fill_value=1.0)
     curves = curves.where(sets["surface"] != surface, forces.mean("contact"))
-    fits = fitted_pairs(curves.transpose("draw", "set", ...), published.forces["mean_force"])
+    fits = fit_mean_forces(curves.transpose("draw", "set", ...), published.forces["mean_force"])
     shape = tuple(fits.sizes.values())
     means = np.empty(shape)
     medians = np.empty(shape)

@@ -11,11 +11,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import critical_band
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.all_surfaces import single_masters, stacked_forces
-from hardcontact.paper.inference import infer_model
+from hardcontact.inference.edges import edges_of_realizations
+from hardcontact.inference.published_fit import fit_model
 
 #: Variables inferred from every variant of the forces.
 INFERENCE_VARIABLES = [
@@ -104,7 +104,7 @@ def _infer_range_and_work(
     stacked_scans = xr.concat(
         surface_forces, pd.Index(choices.substrates, name="surface"), join="outer"
     )
-    fits = infer_model(
+    fits = fit_model(
         stacked_scans.expand_dims(["contact_y", "contact_x"], [-2, -1]),
         target,
         choices.substrates.index(choices.reference_surface),
@@ -123,5 +123,5 @@ def _pooled_band(masters: KeyedMasters, variant: dict[str, Any], choices: Choice
     ]
     curves = stacked_forces(single_masters(files, choices.realizations, variant["load"]))
     curves = curves.sel(surface=choices.substrates)
-    band = critical_band(curves, choices.tolerance, choices.sampling)
+    band = edges_of_realizations(curves, choices.tolerance, choices.sampling)
     return band[BAND_VARIABLES].sel(group="pooled", drop=True)

@@ -16,7 +16,7 @@ import xarray as xr
 
 from hardcontact.base.units import NM
 from hardcontact.contact.smooth_sphere import dmt_pull_off
-from hardcontact.paper import error_map
+from hardcontact.inference import error_map
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.theory.closed_form import gaussian_share
 

@@ -11,8 +11,8 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from hardcontact.band.critical_band import last_cutoff
 from hardcontact.base.statistics import percentile_interval
+from hardcontact.inference.edges import last_cutoff
 
 BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable"
@@ -234,7 +234,7 @@ def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataF
     is open there, too.
 
     claims: from `read_verdicts`.
-    bands: the datasets that give the intervals, band.nc and sets.nc: ``filtered_force_change``
+    bands: the datasets that give the intervals, edges.nc and sets.nc: ``filtered_force_change``
         (..., side, group, cutoff_wavelength).
     Returns the claims with the column, from the function `open_end`; ``""`` for other claims.
     """

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 import xarray as xr
 
-from hardcontact.band.critical_band import computed_cutoffs
+from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.datasets import Datasets
 
 #: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements

@@ -28,7 +28,7 @@ Every dataset in `results/<study>/`, with its variables. Made from finished stud
 `python -m hardcontact.report.dataset_dictionary RESULTS...`. The unit `1` says that a number has
 none. A variable with \\* has an interval beside it, `<name>_interval`, over `bound` (low, high).
 Studies of own surfaces have `adhesion`, `edges`, `fit`, `force`, `scales`, `spectra` and
-`topography`. Of these the paper's study has `adhesion`, `scales` and `topography`.
+`topography`. Of these the paper's study has all but `force` and `spectra`.
 """
 
 

@@ -21,7 +21,7 @@ MAX_LOPSIDEDNESS = 2.0
 class AnswerRow(NamedTuple):
     """A row of the table of an answer: a number, and facts about it by their names.
 
-    Facts are the `reason` of an open edge, the `measured_share` of an edge or a force that comes
+    Facts are the `measured_share` of an edge or a force that comes
     from reliable wavelengths, `side`, `start` and `end` of extrapolated roughness, and the number
     of `tests` of a measured force.
     """
@@ -171,11 +171,11 @@ def measured_rows(fit: xr.Dataset, spectra: xr.Dataset) -> list[AnswerRow]:
 
     Both datasets hold this surface alone.
     """
-    fit_at_range = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
+    fit_at_range = fit.sel(rho_fine=fit.attrs["assumed_range"], method="nearest")
     force = number_of(fit, "measured_force", source="measured", strict=False)
     lopsided = np.log(force.high / force.value) > MAX_LOPSIDEDNESS * np.log(force.value / force.low)
     work = number_of(
-        fit_at_range, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
+        fit_at_range, "work_by_range", name="measured_work", source="from_measured", strict=False
     )
     rows = [
         AnswerRow(force, {"tests": int(fit["test_count"].item()), "lopsided": bool(lopsided)}),
@@ -200,24 +200,32 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     """
     allowed = np.isfinite(fit["region"].values).all(axis=-1)
     status = "region" if allowed.any() else "none"
-    if fit["work_of_adhesion_interval"].isnull().any():
+    if fit["work_by_range_interval"].isnull().any():
         status = "no_interval"
     if fit.sizes["surface"] == 1:
         status = "one_surface"
-    units = {"best_range": "nm", "best_work": "J m-2", "best_error": "1"}
-    numbers = {name: Number(name, fit[name].item(), unit) for name, unit in units.items()}
+    best = {
+        "best_range": Number("best_range", fit["range_of_adhesion"].item(), "nm"),
+        "best_work": Number("best_work", fit["work_of_adhesion"].item(), "J m-2"),
+        "best_error": Number("best_error", fit["best_error"].item()),
+    }
+    numbers = {}
     for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
         low, high = fit[name].values.tolist()
         numbers[name] = bounds_only(name, low, high, unit)
-    rho = fit["rho"].values
-    configured_range = fit.attrs["range_of_adhesion"]
-    return numbers | {
-        "status": status,
-        "exact_pairs": int(fit["exact_pairs"].item()),
-        "gaps": _gaps(rho, allowed),
-        "range": Number("range", configured_range, "nm"),
-        "allows_range": bool(allowed[np.abs(rho - configured_range).argmin()]),
-    }
+    rho = fit["rho_fine"].values
+    configured_range = fit.attrs["assumed_range"]
+    return (
+        best
+        | numbers
+        | {
+            "status": status,
+            "exact_pairs": int(fit["exact_pairs"].item()),
+            "gaps": _gaps(rho, allowed),
+            "range": Number("range", configured_range, "nm"),
+            "allows_range": bool(allowed[np.abs(rho - configured_range).argmin()]),
+        }
+    )
 
 
 def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:

@@ -13,8 +13,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import POOLED
 from hardcontact.base.number import Number
+from hardcontact.inference.edges import POOLED
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import describe_figure
 from hardcontact.report.quantities import number_of, on_scans
@@ -48,7 +48,7 @@ def insight_page(
     """
     # The band has the bases of the study's own surfaces, validation tables those of others.
     bases: dict[str, str] = {}
-    for dataset in (datasets["band"], *datasets.values()):
+    for dataset in (datasets["edges"], *datasets.values()):
         if "surface" in dataset.dims:
             labels = zip(dataset["label"].values, dataset["basis"].values, strict=True)
             bases = dict(labels) | bases

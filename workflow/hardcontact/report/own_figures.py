@@ -13,8 +13,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.statistics import bounds
+from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
     measurement_name,
@@ -189,26 +189,26 @@ def draw_works(datasets: Datasets) -> TableAndFigure:
     fit = datasets.fit.sel(contact_model=preferred_model(datasets.fit))
     labels = datasets.labels()
     names = [str(name) for name in fit["surface"].values]
-    rho = fit["rho"].values
+    rho = fit["rho_fine"].values
     colours = style.colours(labels)
     figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     for name in names:
         curve = fit.sel(surface=name)
-        ends = [end / style.MILLIJOULE for end in bounds(curve, "work_of_adhesion")]
+        ends = [end / style.MILLIJOULE for end in bounds(curve, "work_by_range")]
         look = {"color": colours[name], "label": labels[name]}
-        _draw_curve(axes, rho, curve["work_of_adhesion"] / style.MILLIJOULE, ends, look)
+        _draw_curve(axes, rho, curve["work_by_range"] / style.MILLIJOULE, ends, look)
     region = fit["region"].values / style.MILLIJOULE
     if len(names) > 1 and np.isfinite(region).any():
         middle = np.sqrt(region[:, 0] * region[:, 1])
         _draw_curve(
             axes, rho, middle, list(region.T), {"color": FITS_ALL_COLOUR, "label": "fits all"}
         )
-    _mark_positions(axes, [fit.attrs["range_of_adhesion"]])
+    _mark_positions(axes, [fit.attrs["assumed_range"]])
     _scale(axes, "range of adhesion (nm)", "work of adhesion (mJ/m²)", rho)
     style.label_logarithmic(axes.yaxis)
     _add_legend(figure)
-    return _table_rows(fit, {"work_of_adhesion": "J/m2"}), figure
+    return _table_rows(fit, {"work_by_range": "J/m2"}), figure
 
 
 OWN_DRAWINGS: dict[str, Callable[[Datasets], TableAndFigure]] = {

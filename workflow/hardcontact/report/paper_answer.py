@@ -8,11 +8,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import POOLED, edges_or_last_cutoffs
 from hardcontact.base.number import Number
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.paper.leave_one_out import NONE_LEFT_OUT
+from hardcontact.inference.edges import POOLED, edges_or_bounds
+from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
 from hardcontact.report.quantities import QuantityMapping, number_of, on_scans, quantity_mapping
 from hardcontact.report.table1 import table1_rows
@@ -71,13 +71,13 @@ def paper_answer(
     """Return the answer, in the units of the claims.
 
     claims: the table that `verdicts.read_verdicts` returns.
-    datasets: final datasets: `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded`,
+    datasets: final datasets: `topography`, `scales`, `edges`, `sets`, `protruded`,
         `protruded_sphere` and `scan_size`.
     constants, published_table1: the tables that `published.constants` and `published.table1`
         return.
     """
     topography = datasets["topography"]
-    band = datasets["band"]
+    band = datasets["edges"]
     sets = datasets["sets"]
     transitions = datasets["scales"]["transition"]
     claims = add_open_ends(claims, [band, sets])
@@ -87,10 +87,9 @@ def paper_answer(
         if claim in rows:
             numbers += _numbers_of_claim(name, rows[claim], band, transitions)
     numbers += _fit_numbers(sets, rows.get(ANSWER_CLAIMS["range_exceeds"]))
-    fits = datasets["leave_one_out"]
     protruded = {name: datasets[name] for name in ("protruded", "protruded_sphere")}
-    decisive = _decisive_surface(fits)
-    numbers += _decisive_numbers(fits, protruded, decisive, sets.attrs["confidence"])
+    decisive = _decisive_surface(sets)
+    numbers += _decisive_numbers(sets, protruded, decisive, sets.attrs["confidence"])
     numbers += _settings(datasets, constants)
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
@@ -155,8 +154,8 @@ def _numbers_of_surface(
     numbers = {}
     for edge, (side, _) in EDGE_SIDES.items():
         labels = {"side": side, "group": name}
-        value = edges_or_last_cutoffs(band).sel(labels).item()
-        replicas = edges_or_last_cutoffs(sets).sel(labels).values
+        value = edges_or_bounds(band).sel(labels).item()
+        replicas = edges_or_bounds(sets).sel(labels).values
         interval = bounds(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
@@ -186,15 +185,14 @@ def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
             yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
 
 
-def _decisive_surface(fits: xr.Dataset) -> str:
+def _decisive_surface(sets: xr.Dataset) -> str:
     """Return the surface without which the sets spread least over the range of adhesion."""
-    reduced_fits = fits.sel(contact_model=PLASTIC).drop_sel(left_out=NONE_LEFT_OUT)
-    ranges = reduced_fits["set_range_of_adhesion"].transpose("left_out", "set").values
-    return str(reduced_fits["left_out"].values[np.log(ranges).std(axis=1).argmin()])
+    ranges = sets["range_without_surface"].sel(contact_model=PLASTIC).transpose("left_out", "set")
+    return str(ranges["left_out"].values[np.log(ranges.values).std(axis=1).argmin()])
 
 
 def _decisive_numbers(
-    fits: xr.Dataset, protruded: Mapping[str, xr.Dataset], decisive: str, confidence: float
+    sets: xr.Dataset, protruded: Mapping[str, xr.Dataset], decisive: str, confidence: float
 ) -> Iterator[Number]:
     """Yield range and work of adhesion without the decisive surface, and with protrusions.
 
@@ -202,13 +200,12 @@ def _decisive_numbers(
     protrusions, only those are used whose forces agree with the published forces.
     """
     tail = (1 - confidence) / 2
-    set_fits = {name: fits[f"set_{name}"].sel(contact_model=PLASTIC) for name in FITTED_UNITS}
+    plastic_sets = sets.sel(contact_model=PLASTIC)
+    reduced_sets = plastic_sets.sel(left_out=decisive)
     samples = {
-        "all_surfaces": {
-            name: fit.sel(left_out=NONE_LEFT_OUT).values for name, fit in set_fits.items()
-        },
+        "all_surfaces": {name: plastic_sets[name].values for name in FITTED_UNITS},
         "without_decisive": {
-            name: fit.sel(left_out=decisive).values for name, fit in set_fits.items()
+            name: reduced_sets[WITHOUT_SURFACE[name]].values for name in FITTED_UNITS
         },
     }
     for prefix, dataset in protruded.items():
@@ -227,7 +224,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     """Yield the settings of the study, and the sizes of its grids and of the paper's grids."""
     topography = datasets["topography"]
     scales = datasets["scales"]
-    band = datasets["band"]
+    band = datasets["edges"]
     sizes = {
         "scan_pixels": topography.sizes["row"],
         "scan_size": topography["scan_size"].min().item(),
@@ -238,7 +235,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
         published = float(constants["value"][name])
         yield Number(f"{name}_published", published, unit, source="published")
     yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
-    yield Number("tolerance", float(band.attrs["scale_tolerance"]), source="given")
+    yield Number("tolerance", float(band.attrs["tolerance"]), source="given")
     yield Number("confidence", float(band.attrs["confidence"]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")

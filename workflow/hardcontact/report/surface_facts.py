@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.band.critical_band import computed_cutoffs
 from hardcontact.base.number import Number
+from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
     classify_edge,
@@ -46,8 +46,7 @@ def edge_fact(side_edges: xr.Dataset, name: str, source: str = "computed") -> Nu
     bound = side_edges["edge_bound"].item()
     low, high = ends(side_edges, "edge")
     if np.isnan(edge):
-        status = "open_above" if side_edges["edge_bound_is_lower"].item() else "open_below"
-        return Number(name, bound, "nm", low, high, status, source)
+        return Number(name, bound, "nm", low, high, side_edges["edge_status"].item(), source)
     scatter = side_edges["filtered_force_ratio_interval"]
     is_unbounded = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
     return Number(name, edge, "nm", low, high, "not_bounded" if is_unbounded else "", source)
@@ -81,7 +80,6 @@ def edge_rows(data: Datasets) -> list[AnswerRow]:
             edge = edge._replace(status=edge.status or "no_interval")
         edge = with_reason(edge._replace(low=low, high=high), data.edges["interval_source"])
         about = {
-            "reason": str(side_edges["edge_status"].item()),
             "measured_share": Number("measured_share", measured_share_at_edge(data, side)),
         }
         if edge.status == "no_interval":

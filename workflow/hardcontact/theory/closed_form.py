@@ -27,9 +27,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.band.critical_band import interpolate_edge, logarithmic_limits
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.inference.curve_edges import interpolate_edge, logarithmic_limits
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.summits import (
     ApexLevels,

@@ -30,8 +30,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.band.critical_band import interpolate_edge
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.curve_edges import interpolate_edge
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import SUMMIT_SIZE, contact_share, gaussian_share
 from hardcontact.theory.summits import ApexLevels, apex_levels, moment, rough_waves

@@ -13,7 +13,6 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.band.critical_band import POOLED, critical_band
 from hardcontact.base.statistics import (
     Sampling,
     jackknife_interval,
@@ -28,6 +27,7 @@ from hardcontact.contact.all_surfaces import (
     with_names,
 )
 from hardcontact.contact.contact import CONTACT_AXES, Contact, contact_of_area
+from hardcontact.inference.edges import POOLED, edges_of_realizations
 from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.closed_form import closed_form
@@ -116,7 +116,7 @@ def force_exponent(scaling: xr.Dataset, contact: Contact, confidence: float) -> 
 def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return ``edge`` (side, surface, radius, area, rho) in nm, with its interval.
 
-    `critical_band` gets every combination of radius, area and range as a surface of its own.
+    Every combination of radius, area and range counts as a surface of its own.
     """
     combinations = scaling["filtered_force_ratio"].isel(
         realization=0, cutoff_wavelength=0, drop=True
@@ -126,8 +126,8 @@ def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Data
     cases = cases.stack(case=["surface", *COMBINATION])
     names = [":".join(map(str, case)) for case in cases["case"].values]
     unlabelled = cases.drop_vars(["case", "surface", *COMBINATION]).rename(case="surface")
-    band = critical_band(unlabelled.assign_coords(surface=names), tolerance, sampling)
-    edges = band[["edge", "edge_interval"]].drop_sel(group=POOLED).rename(group="case")
+    band = edges_of_realizations(unlabelled.assign_coords(surface=names), tolerance, sampling)
+    edges: xr.Dataset = band[["edge", "edge_interval"]].drop_sel(group=POOLED).rename(group="case")
     unstacked = edges.assign_coords(cases["case"].coords).unstack("case")
     return unstacked.reindex(surface=scaling["surface"])
 

@@ -87,7 +87,7 @@ def force_scatter(
 
 
 def with_comparison(
-    scatter: xr.Dataset, inference: xr.Dataset, pull_off: pd.DataFrame, table: pd.DataFrame
+    scatter: xr.Dataset, fit: xr.Dataset, pull_off: pd.DataFrame, table: pd.DataFrame
 ) -> xr.Dataset:
     """Return the predicted scatter of forces beside published and computed scatter.
 
@@ -101,7 +101,7 @@ def with_comparison(
     plastic = {"contact_model": "plastic", "pair": "published"}
     name = "lognormal_shape"
     names = {name: "computed_log_force_std", f"{name}_interval": "computed_log_force_std_interval"}
-    computed = inference[list(names)].sel(plastic, drop=True).rename(names)
+    computed = fit[list(names)].sel(plastic, drop=True).rename(names)
     published = pull_off.reindex(scatter["surface"].values)
     shapes = lognormal_shape(published["mean_force"], published["median_force"])
     columns = [

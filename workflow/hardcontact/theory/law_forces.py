@@ -13,12 +13,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.band.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.contact.bearing_area import all_lowest_gaps, as_tiles, lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE, WORK_OF_ADHESION, pull_off_force, range_axis
 from hardcontact.contact.sphere_sums import Contacts, outside_sums
+from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]

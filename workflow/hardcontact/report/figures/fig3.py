@@ -32,7 +32,7 @@ logarithmic and have all forces. Above the lower panels stands the shape s, the 
 of the logarithm of the force. Published: s = √(2 ln(mean/median)); here: that of the fit, with its
 {{ inference.confidence | percent }} interval over scans. In the fit, forces below the sensitivity
 count as censored. The measured forces are not public. The upper panels show the published
-distribution over the bins of the computed ones. Drawn from adhesion.nc and inference.nc; published
+distribution over the bins of the computed ones. Drawn from adhesion.nc and fit.nc; published
 values from parameters.csv and pull_off.csv of resources/paper.
 """
 
@@ -58,7 +58,7 @@ Pairs = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" 
 
 def draw(
     adhesion: xr.Dataset,
-    inference: xr.Dataset,
+    fit: xr.Dataset,
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
@@ -68,12 +68,12 @@ def draw(
     probability density of each bin from `force_low` to `force_high`, for the linear panels "1" and
     the logarithmic panels "2", and the numbers of the log-normals.
     """
-    fit = inference.sel(contact_model=PLASTIC)
-    floor = inference.attrs["force_floor"]
+    plastic_fit = fit.sel(contact_model=PLASTIC)
+    floor = fit.attrs["force_floor"]
     work = adhesion.attrs["work_of_adhesion"]
     pairs: dict[str, pd.Series | xr.Dataset] = {
         "published": published_constants["value"],
-        "fitted": fit,
+        "fitted": plastic_fit,
     }
     forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
     forces_of_all = {
@@ -81,8 +81,8 @@ def draw(
         * (float(pair["work_of_adhesion"]) / work)
         for name, pair in pairs.items()
     }
-    colours = style.colours(inference["surface"].values)
-    figure = drawing.create(5.0, inference)
+    colours = style.colours(fit["surface"].values)
+    figure = drawing.create(5.0, fit)
     grid = figure.subplots(2, len(colours), squeeze=False)
     frames = []
     for letter, (surface, colour), (linear, logarithmic) in zip(
@@ -92,7 +92,7 @@ def draw(
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
             for name, values in forces_of_all.items()
         }
-        statistics_rows = _statistics_rows(published_pull_off, fit.sel(surface=surface))
+        statistics_rows = _statistics_rows(published_pull_off, plastic_fit.sel(surface=surface))
         values = statistics_rows.pivot(index="pair", columns="quantity", values="value")
         lognormals = [
             lognorm(values["lognormal_shape"][pair], scale=values["lognormal_median"][pair])
@@ -103,9 +103,9 @@ def draw(
             _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour),
             statistics_rows,
         ]
-        label = fit["label"].sel(surface=surface).item()
+        label = plastic_fit["label"].sel(surface=surface).item()
         style.label_panel(linear, f"{letter}_1", str(label))
-        published_pair = fit.sel(surface=surface, pair="published")
+        published_pair = plastic_fit.sel(surface=surface, pair="published")
         shape_and_interval = tables.value_and_bounds(published_pair, "lognormal_shape")
         shape = f"published $s$ = {values['lognormal_shape']['']:.2f}"
         shape += f"\nhere {format_with_interval(shape_and_interval, '.2f')}"
@@ -125,7 +125,7 @@ def draw(
         Patch(color="0.85", label=f"not resolved: below {floor * 1e9:.0f} nN"),
     ]
     style.legend_above(figure, handles, 3)
-    return tables.label_rows(frames, inference, COLUMNS), figure
+    return tables.label_rows(frames, fit, COLUMNS), figure
 
 
 def _statistics_rows(published: pd.DataFrame, fit: xr.Dataset) -> pd.DataFrame:

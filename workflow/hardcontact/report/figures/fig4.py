@@ -25,7 +25,7 @@ means over the study's scans. Bars: {{ inference.confidence | percent }} interva
 over scans; the axis ends a decade beyond the curves. Bands: 90 % of many sets of substitute
 scans; a set is as good as the study's scans. Cross in (b): the ρ that fits all published ratios
 best, with its interval over scans. Open symbols in (c): forces at the ρ and W that fit the
-published means best. Drawn from contact.nc, inference.nc and sets.nc; published values from
+published means best. Drawn from contact.nc, fit.nc and sets.nc; published values from
 parameters.csv and pull_off.csv of resources/paper.
 """
 
@@ -39,7 +39,7 @@ RATIO_FIT: style.Look = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
 
 def draw(
     contact: xr.Dataset,
-    inference: xr.Dataset,
+    fit: xr.Dataset,
     sets: xr.Dataset,
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
@@ -50,10 +50,10 @@ def draw(
     over "scans" are means with their interval. Values over "sets" are medians, with the ends of
     SHARE_OF_SETS.
     """
-    fit = inference.sel(contact_model=PLASTIC)
+    plastic_fit = fit.sel(contact_model=PLASTIC)
     set_fits = sets.sel(contact_model=PLASTIC)
     figure, ((pressure, separation, key), (ratios, forces)) = drawing.create_rows(
-        5.6, inference, (1, (1.3, 1, 1)), (1.5, (1, 1))
+        5.6, fit, (1, (1.3, 1, 1)), (1.5, (1, 1))
     )
     _draw_pressure(pressure, contact)
     distances = contact["separation"].values
@@ -65,18 +65,20 @@ def draw(
     curve = tables.quantity_rows("a", "force", "N", x=distances, value=contact_forces)
     frames = [
         curve.assign(surface=contact.attrs["surface"]),
-        _draw_ratios(ratios, fit, set_fits, published_pull_off["mean_force"]),
-        _draw_forces(forces, fit, set_fits, published_constants, published_pull_off["mean_force"]),
+        _draw_ratios(ratios, plastic_fit, set_fits, published_pull_off["mean_force"]),
+        _draw_forces(
+            forces, plastic_fit, set_fits, published_constants, published_pull_off["mean_force"]
+        ),
     ]
     style.label_panel(separation, "a_2", style.print_pair(published_constants["value"]))
     for axes in (ratios, forces):
         style.draw_published_range(axes, published_constants)
-        axes.set_xlim(fit["rho"].values[[0, -1]])
+        axes.set_xlim(plastic_fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1, 3))
     key.set_axis_off()
-    key.legend(handles=_legend_handles(fit, published_constants), loc="center")
-    return tables.tidy_table(frames, inference, "over", "x"), figure
+    key.legend(handles=_legend_handles(plastic_fit, published_constants), loc="center")
+    return tables.tidy_table(frames, fit, "over", "x"), figure
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.band.critical_band import POOLED, last_cutoff
 from hardcontact.base.formatting import format_share
+from hardcontact.inference.edges import POOLED, last_cutoff
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Fig. 6: the length scales that matter"
@@ -29,7 +29,7 @@ between the first of them and the end of the unfiltered spectrum. An arrow shows
 beyond the last computed cutoff. Hatched: wavelengths below {{ scales.small.transition }} and above
 {{ scales.large.transition }}, where roughness made from the spectrum replaces that of the scan, as
 in the paper. Long edges above {{ scales.large.transition }} come from this artificial roughness
-alone. Drawn from scales.nc, band.nc and resources/paper/parameters.csv.
+alone. Drawn from scales.nc, edges.nc and resources/paper/parameters.csv.
 """
 
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
@@ -41,7 +41,7 @@ NUMBER_COLUMNS = ["value", "low", "high"]
 
 
 def draw(
-    band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame
+    edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
 
@@ -49,7 +49,7 @@ def draw(
     minus one, against `cutoff_wavelength` (nm), and the edges. Numbers beyond the last computed
     cutoff are empty; the column `beyond` lists which of value, low and high these are.
     """
-    figure = drawing.create(6.2, band)
+    figure = drawing.create(6.2, edges)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
     frames = []
     published_edges = {
@@ -57,18 +57,18 @@ def draw(
     }
     for letter, side, column in zip("ab", published_edges, grid.T, strict=True):
         published_edge = published_edges[side]
-        side_band = band.sel(side=side)
+        side_band = edges.sel(side=side)
         curves = {
             name: tables.value_and_interval(side_band, name).dropna("cutoff_wavelength", how="all")
             for name in ("filtered_force_ratio", "filtered_force_change")
         }
         end_cutoff = last_cutoff(side_band["filtered_force_ratio"], side)
-        edges = tables.number_rows(tables.value_and_interval(side_band, "edge"))
+        edge_rows = tables.number_rows(tables.value_and_interval(side_band, "edge"))
         # A missing edge is drawn at the last cutoff, and empty in the table.
-        edges["value"] = edges["value"].fillna(end_cutoff)
-        _draw_ratios(column[0], curves["filtered_force_ratio"], band.attrs["scale_tolerance"])
-        _draw_changes(column[1], curves["filtered_force_change"], band)
-        _draw_edges(column[2], edges, side_band, end_cutoff)
+        edge_rows["value"] = edge_rows["value"].fillna(end_cutoff)
+        _draw_ratios(column[0], curves["filtered_force_ratio"], edges.attrs["tolerance"])
+        _draw_changes(column[1], curves["filtered_force_change"], edges)
+        _draw_edges(column[2], edge_rows, side_band, end_cutoff)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "small" else (transition, np.inf)
         for axes in column:
@@ -82,16 +82,16 @@ def draw(
         published = pd.DataFrame(
             [{"group": POOLED, "origin": "published", "value": published_edge}]
         )
-        rows = pd.concat([_edge_rows(edges, end_cutoff), published])
+        rows = pd.concat([_edge_rows(edge_rows, end_cutoff), published])
         frames.append(rows.assign(quantity="edge", unit="nm", side=side))
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
         for axes in row:
             style.label_logarithmic(axes.yaxis, digits=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
-    style.legend_above(figure, _legend_handles(band, *published_edges.values()))
+    style.legend_above(figure, _legend_handles(edges, *published_edges.values()))
     figure.align_ylabels(grid[:2, 0])
-    return tables.label_rows(frames, band, COLUMNS, "group"), figure
+    return tables.label_rows(frames, edges, COLUMNS, "group"), figure
 
 
 def _edge_rows(edges: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
@@ -102,9 +102,9 @@ def _edge_rows(edges: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
     return edges.assign(**numbers, beyond=names, origin="computed")
 
 
-def _looks(band: xr.Dataset) -> dict[str, style.Look]:
+def _looks(edges: xr.Dataset) -> dict[str, style.Look]:
     """Return colour and marker of each group: a surface, or all surfaces pooled (black)."""
-    return {**style.looks(band["surface"].values), POOLED: {"color": "black", "marker": "h"}}
+    return {**style.looks(edges["surface"].values), POOLED: {"color": "black", "marker": "h"}}
 
 
 def _draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
@@ -116,16 +116,16 @@ def _draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 
 
-def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
+def _draw_changes(axes: Axes, change: xr.Dataset, edges: xr.Dataset) -> None:
     """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
     percent = change / style.PERCENT
     cutoffs = percent["cutoff_wavelength"]
-    looks = _looks(band)
+    looks = _looks(edges)
     pooled_look = looks.pop(POOLED)
     for surface, look in looks.items():
         axes.plot(cutoffs, percent["value"].sel(group=surface), color=look["color"], lw=0.8)
     style.draw_bars(axes, cutoffs, percent.sel(group=POOLED), elinewidth=0.9, lw=1.8, **pooled_look)
-    axes.axhline(band.attrs["scale_tolerance"] / style.PERCENT, color="0.6", lw=0.8, zorder=0)
+    axes.axhline(edges.attrs["tolerance"] / style.PERCENT, color="0.6", lw=0.8, zorder=0)
     axes.set(yscale="log", ylabel="change (%)")
 
 
@@ -148,13 +148,13 @@ def _draw_edges(axes: Axes, edges: pd.DataFrame, side_band: xr.Dataset, end_cuto
     axes.set(ylim=(len(looks) - 0.4, -0.6), xlabel="cutoff wavelength (nm)")
 
 
-def _legend_handles(band: xr.Dataset, short: float, long: float) -> list[Artist]:
+def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist]:
     """Return one entry a group and one for each kind of line."""
-    confidence = format_share(band.attrs["confidence"])
-    tolerance = format_share(band.attrs["scale_tolerance"])
+    confidence = format_share(edges.attrs["confidence"])
+    tolerance = format_share(edges.attrs["tolerance"])
     return [
-        *style.surface_handles(band),
-        Line2D([], [], lw=1.8, label="mean change of all", **_looks(band)[POOLED]),
+        *style.surface_handles(edges),
+        Line2D([], [], lw=1.8, label="mean change of all", **_looks(edges)[POOLED]),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(color="0.88", lw=0, label=f"change below {tolerance}"),
         Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED_LINE),

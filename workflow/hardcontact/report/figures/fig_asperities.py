@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from hardcontact.band.critical_band import POOLED
 from hardcontact.base.formatting import format_share
+from hardcontact.inference.edges import POOLED
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "The asperities that carry the force"
@@ -25,7 +25,7 @@ from one or two asperities. The circle of (d) is about the centre of force. Blac
 same diameter for a smooth sphere on a plane (solid), and √(2Rρ) (dash-dotted). The paper compares
 √(2Rρ), the interaction radius, with the long edge of the critical band. Grey line and band: this
 edge as computed for all substrates at the range of Fig. 6, with its
-{{ inference.confidence | percent }} interval. Drawn from asperities.nc, band.nc and
+{{ inference.confidence | percent }} interval. Drawn from asperities.nc, edges.nc and
 resources/paper/parameters.csv.
 """
 
@@ -40,7 +40,7 @@ QUANTITIES = {  # title, axis, unit, printed unit
 
 
 def draw(
-    asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
+    asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw the force on (a) the largest patch and (b) two, (c) their number, (d) their extent.
 
@@ -67,7 +67,7 @@ def draw(
         axes.axhline(0.5, color="0.4", lw=0.8, ls=":", label="half of the force (a, b)")
         axes.set_ylim(0, 1)
     frames.append(_draw_smooth(grid[1, 1], asperities))
-    frames.append(_draw_critical(grid[1, 1], band, published_constants))
+    frames.append(_draw_critical(grid[1, 1], edges, published_constants))
     for axes in grid[1]:
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)
@@ -95,13 +95,15 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
     return pd.concat(frames)
 
 
-def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+def _draw_critical(
+    axes: Axes, edges: xr.Dataset, published_constants: pd.DataFrame
+) -> pd.DataFrame:
     """Draw the long edge (µm) of the mean force, computed and published."""
-    pooled_band = band.sel(side="large", group=POOLED)
+    pooled_band = edges.sel(side="large", group=POOLED)
     edge = tables.value_and_bounds(pooled_band, "edge")
     value, low, high = np.array([edge["value"], edge["low"], edge["high"]]) / MICROMETRE
     published = tables.published_edge(published_constants, "large")
-    confidence = format_share(band.attrs["confidence"])
+    confidence = format_share(edges.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():
         axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.band.critical_band import POOLED
 from hardcontact.base.formatting import format_share
+from hardcontact.inference.edges import POOLED
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "The short edge with and without plasticity and a long range"

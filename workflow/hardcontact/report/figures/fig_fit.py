@@ -25,7 +25,7 @@ Contact is plastic, in (a) also rigid. Vertical line and brackets in (a):
 each of many sets of substitute scans; a set is as good as the study's scans. The verdicts take the
 spread of these fits as interval. White dots in (b): fits to samples of the mean forces, from
 the scatter of the scans. White line: around errors below the paper's threshold, if there are any.
-Bars at the black point: published uncertainty. Drawn from inference.nc, sets.nc and
+Bars at the black point: published uncertainty. Drawn from fit.nc, sets.nc and
 resources/paper/parameters.csv.
 """
 
@@ -40,46 +40,48 @@ COLUMNS = ["panel", "origin", "quantity", "x", *tables.VALUE_COLUMNS]
 
 
 def draw(
-    inference: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+    fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw the error of the fit (a) against the range and (b) over range and work of adhesion.
 
     The column `x` has the range of adhesion (nm).
     """
-    fit = inference.sel(contact_model=PLASTIC)
+    plastic_fit = fit.sel(contact_model=PLASTIC)
     set_fits = sets.sel(contact_model=PLASTIC)
-    figure = drawing.create(3.6, inference)
+    figure = drawing.create(3.6, fit)
     curves, error_map = figure.subplots(1, 2)
     frames = [
-        _draw_least_error(curves, inference, set_fits),
-        _draw_error_map(error_map, fit, published_constants),
+        _draw_least_error(curves, fit, set_fits),
+        _draw_error_map(error_map, plastic_fit, published_constants),
     ]
     for axes in (curves, error_map):
         style.draw_published_range(axes, published_constants)
-        axes.set_xlim(fit["rho"].values[[0, -1]])
+        axes.set_xlim(plastic_fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, digits=(1, 3))
     return pd.concat(frames, ignore_index=True).reindex(columns=COLUMNS), figure
 
 
-def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -> pd.DataFrame:
+def _draw_least_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> pd.DataFrame:
     """Draw the error, least over W, against rho (nm), and the best fit of each set."""
-    fit = inference.sel(contact_model=PLASTIC)
-    threshold = inference.attrs["error_threshold"]
+    plastic_fit = fit.sel(contact_model=PLASTIC)
+    threshold = fit.attrs["error_threshold"]
     set_look: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
     set_ranges = set_fits["range_of_adhesion"].values
     set_errors = set_fits["best_error"].values
     axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **set_look)
     frames = [tables.quantity_rows("a", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
-    for model in [name for name in MODEL_LOOKS if name in inference["contact_model"]]:
-        curve = inference["best_error_by_range"].sel(contact_model=model)
+    for model in [name for name in MODEL_LOOKS if name in fit["contact_model"]]:
+        curve = fit["best_error_by_range"].sel(contact_model=model)
         ranges = curve["rho_fine"].values
         axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODEL_LOOKS[model])
         name = f"least_error_{model}"
         frames.append(tables.quantity_rows("a", name, "1", x=ranges, value=curve.values))
-    best = tables.value_and_bounds(fit, "best_error")
-    axes.plot([fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0)
-    style.draw_fit(axes, fit, "error")
+    best = tables.value_and_bounds(plastic_fit, "best_error")
+    axes.plot(
+        [plastic_fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0
+    )
+    style.draw_fit(axes, plastic_fit, "error")
     axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
     position: Any = {"transform": axes.get_yaxis_transform(), "va": "bottom"}
     axes.text(0.02, threshold, f"paper: below {threshold:g}", **position, **style.NOTE_LOOK)
@@ -93,7 +95,7 @@ def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -
         axes, "a", f"smallest error {format_with_interval(best, '.2g')}{interval_note}"
     )
     frames.append(tables.quantity_rows("a", "best_error", "1", **best))
-    return pd.concat([*frames, _minimum_rows(fit, "a", "error", "1")])
+    return pd.concat([*frames, _minimum_rows(plastic_fit, "a", "error", "1")])
 
 
 def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:

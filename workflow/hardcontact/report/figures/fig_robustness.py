@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.band.critical_band import POOLED
+from hardcontact.inference.edges import POOLED
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "How far the results depend on choices"
@@ -30,8 +30,8 @@ Small open circles: other local minima of the error, to which a fit may jump. Ba
 {{ inference.confidence | percent }} intervals over scans (a, b) or realizations, random surfaces
 of one spectrum (c, d). An interval that ends at the longest or shortest computed range is open
 there. Grey: the published uncertainty. "Not affected": the choice concerns Fig. 6 alone. "Never
-reached": the force stays within the band at all cutoffs. Drawn from robustness.nc, inference.nc,
-band.nc and resources/paper/parameters.csv.
+reached": the force stays within the band at all cutoffs. Drawn from robustness.nc, fit.nc,
+edges.nc and resources/paper/parameters.csv.
 """
 
 BASELINE = "baseline"
@@ -57,8 +57,8 @@ MINIMUM_VARIABLES = {"range_of_adhesion": "range_at_minimum", "work_of_adhesion"
 
 def draw(
     robustness: xr.Dataset,
-    inference: xr.Dataset,
-    band: xr.Dataset,
+    fit: xr.Dataset,
+    edges: xr.Dataset,
     published_constants: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work of adhesion, (c, d) edges, one row a variant.
@@ -67,10 +67,10 @@ def draw(
     quantity, or if the force stays within the tolerance.
     """
     # Results of the study itself, with plastic contact and the mean over all substrates.
-    study = inference.sel(contact_model="plastic").merge(band.sel(group=POOLED), compat="override")
+    study = fit.sel(contact_model="plastic").merge(edges.sel(group=POOLED), compat="override")
     group = robustness["variant_kind"].values
     row_positions = np.concatenate([[0], np.cumsum(1 + GROUP_GAP * (group[1:] != group[:-1]))])
-    figure = drawing.create(0.24 * row_positions[-1] + 1.8, inference)
+    figure = drawing.create(0.24 * row_positions[-1] + 1.8, fit)
     panels = figure.subplots(1, len(QUANTITIES), sharey=True)
     frames = []
     for letter, axes, (name, (unit, printed_unit, title, axis)) in zip(

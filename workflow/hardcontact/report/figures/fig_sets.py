@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.band.critical_band import last_cutoff
 from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
+from hardcontact.inference.edges import last_cutoff
 from hardcontact.report.figures import drawing, style, tables
 
 TITLE = "Many sets of substitutes"
@@ -25,7 +25,7 @@ and standard deviation of Table 1. (a) Plastic (filled) and rigid contact (dashe
 Plastic contact. Grey rings: further ranges at which the error of a set has a minimum. Purple ring:
 other minima of the study's own scans. Black: published result, 46.3 mJ/m² and 5.6 nm, with its
 uncertainty. (c, d) Lines: medians. Dashed: the published range, in (c, d) the published edges of
-the critical band. The table has the edge of each surface, too. Drawn from sets.nc, inference.nc
+the critical band. The table has the edge of each surface, too. Drawn from sets.nc, fit.nc
 and resources/paper/parameters.csv.
 """
 
@@ -48,24 +48,24 @@ COLUMNS = [
 
 
 def draw(
-    sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame
+    sets: xr.Dataset, fit: xr.Dataset, published_constants: pd.DataFrame
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a, b) the best fits of all sets, (c, d) filtered surfaces.
 
     The table has (a) the share of the sets whose best range lies between `range_low` and
     `range_high`, and (c, d) medians over the sets with the ends of SHARE_OF_SETS.
     """
-    fit = inference.sel(contact_model=PLASTIC)
+    plastic_fit = fit.sel(contact_model=PLASTIC)
     set_fits = sets.sel(contact_model=PLASTIC)
     figure, ((count_panel, fit_panel), ratios) = drawing.create_rows(
-        5.6, inference, (1, (1, 1)), (1, (1, 1))
+        5.6, fit, (1, (1, 1)), (1, (1, 1))
     )
     frames = [
-        _draw_histograms(count_panel, sets, inference["rho"].values[[0, -1]]),
+        _draw_histograms(count_panel, sets, fit["rho"].values[[0, -1]]),
         _draw_best_fits(fit_panel, set_fits),
         tables.published_rows(published_constants, FITTED_UNITS, "b"),
     ]
-    style.draw_fit(fit_panel, fit, "work", style.MILLIJOULE)
+    style.draw_fit(fit_panel, plastic_fit, "work", style.MILLIJOULE)
     style.draw_published_fit(fit_panel, published_constants)
     for axes in (count_panel, fit_panel):
         style.draw_published_range(axes, published_constants)
@@ -79,14 +79,14 @@ def draw(
     style.end_near_values([ratios[0]])
     ratios[0].set_ylabel("pull-off force / unfiltered")
     handles = [
-        *style.surface_handles(inference, marker=""),
+        *style.surface_handles(fit, marker=""),
         style.sets_handle(),
         Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
         *style.legend_entries([fit_panel]).values(),
         Line2D([], [], label="published range and edges", **style.PUBLISHED_RANGE),
     ]
     style.legend_above(figure, handles, 4)
-    return tables.label_rows(frames, inference, COLUMNS, "group"), figure
+    return tables.label_rows(frames, fit, COLUMNS, "group"), figure
 
 
 def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataFrame:

@@ -18,7 +18,6 @@ PAPER_FIGURES = (
     "fig4",
     "fig_fit",
     "fig_sets",
-    "fig_leave_one_out",
     "fig_standoff",
     "fig_protruded",
     "fig_classical",

@@ -6,12 +6,12 @@ from functools import cache
 import numpy as np
 import pytest
 
-from hardcontact.band.filtered_masters import Filters, filtered_pull_off
 from hardcontact.base.random import generator
 from hardcontact.contact.all_surfaces import stacked_forces, with_spectrum_shifts
 from hardcontact.contact.contact import Contact
-from hardcontact.own.master_forces import Masters
-from hardcontact.own.open_edges import band_edges
+from hardcontact.inference.edges import edges_of_scans
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.inference.mean_forces import Masters
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.scans import Measurement
@@ -49,7 +49,7 @@ def assert_held(low, high, edge, finite):
 #: cutoffs, so that fewer of them would widen every interval, or bound it where they end.
 SMALL = Filters("small", 256, [43.0, 60.0, 85.0, 120.0, 170.0, 240.0, 340.0, 480.0])
 LARGE = Filters("large", 128, [200.0, 280.0, 400.0, 560.0, 800.0, 1130.0, 1600.0, 2260.0])
-#: Edges in nm of the mean over 300 other scans, by `band_edges` of the draws 1000 to 1299;
+#: Edges in nm of the mean over 300 other scans, by `edges_of_scans` of the draws 1000 to 1299;
 #: 95 % of 2000 samples of these scans with replacement give 135 to 138 nm and 671 to 705 nm.
 TRUTH = {"small": 137.0, "large": 688.0}
 
@@ -68,7 +68,7 @@ def edges_of_draw(draw):
     small = small_scale_master(rng, stitched, 256, 160.0, known_density)
     large = large_scale_master(rng, stitched, 1, 1000.0, known_density)
     scales = forces([(1, SMALL, small), (1, LARGE, large)], CONTACT)
-    return band_edges(scales, Masters({"a": 1}, 1, {"a": 99}), 0.1, 0.95).isel(surface=0)
+    return edges_of_scans(scales, Masters({"a": 1}, 1, {"a": 99}), 0.1, 0.95).isel(surface=0)
 
 
 @pytest.mark.parametrize("filters", [SMALL, LARGE], ids=TRUTH)
@@ -96,7 +96,9 @@ SURFACES = {SIZE / 3: 1.2e6, 3 * SIZE: 6e8}
 
 
 def long_edges(scales, scans):
-    return band_edges(scales, Masters({"a": scans}, TILES, {"a": 99}), 0.1, 0.95).sel(side="large")
+    return edges_of_scans(scales, Masters({"a": scans}, TILES, {"a": 99}), 0.1, 0.95).sel(
+        side="large"
+    )
 
 
 def true_edge(density):

@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from hardcontact.paper.leave_one_out import NONE_LEFT_OUT, fitted_pairs, leave_one_out_fits
+from hardcontact.inference.fit import WITHOUT_SURFACE, fit_mean_forces, fit_without_each_surface
 
 RANGES = np.geomspace(0.5, 20, 9)
 RANGE, WORK = 5.0, 0.05
@@ -22,12 +22,14 @@ def forces_at_one_joule():
 def test_the_pair_is_recovered_without_the_contradicting_surface():
     forces = pd.Series({name: WORK * 1e-3 * np.exp(-m / RANGE) for name, m in STANDOFFS.items()})
     forces["odd"] *= 5
-    fits = leave_one_out_fits(forces_at_one_joule(), forces)
-    assert fits["left_out"].values.tolist() == [NONE_LEFT_OUT, *STANDOFFS]
+    fits = fit_without_each_surface(forces_at_one_joule(), forces)
+    assert fits["left_out"].values.tolist() == list(STANDOFFS)
     fits_without_odd = fits.sel(left_out="odd", set=2)
-    assert fits_without_odd["range_of_adhesion"].item() == pytest.approx(RANGE, rel=0.01)
-    assert fits_without_odd["work_of_adhesion"].item() == pytest.approx(WORK, rel=0.03)
-    assert fits_without_odd["best_error"].item() < 0.02
-    fits_of_unmeasured = fitted_pairs(forces_at_one_joule(), forces.drop("odd")).sel(set=2)
-    xr.testing.assert_equal(fits_of_unmeasured, fits_without_odd.drop_vars("left_out"))
-    assert (fits["best_error"].sel(left_out=[NONE_LEFT_OUT, "a", "b"]) > 0.1).all()
+    assert fits_without_odd["range_without_surface"].item() == pytest.approx(RANGE, rel=0.01)
+    assert fits_without_odd["work_without_surface"].item() == pytest.approx(WORK, rel=0.03)
+    assert fits_without_odd["error_without_surface"].item() < 0.02
+    fit_to_others = fit_mean_forces(forces_at_one_joule(), forces.drop("odd")).sel(set=2)
+    for name, name_without in WITHOUT_SURFACE.items():
+        assert fit_to_others[name].item() == fits_without_odd[name_without].item()
+    assert (fits["error_without_surface"].sel(left_out=["a", "b"]) > 0.1).all()
+    assert (fit_mean_forces(forces_at_one_joule(), forces)["best_error"] > 0.1).all()

@@ -1,4 +1,4 @@
-"""Inference from forces of known range and work of adhesion."""
+"""Fits to forces of known range and work of adhesion."""
 
 import numpy as np
 import pytest
@@ -8,17 +8,19 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.paper import error_map, inference
+from hardcontact.inference import error_map
+from hardcontact.inference import published_fit as fit
+from hardcontact.inference.published_fit import Pair, PublishedFit
 
 SAMPLING = Sampling(1, 50, 0.95)
 
 
-def infer_model(forces, published=MEAN_FORCE, sampling=SAMPLING):
-    return inference.infer_model(forces, published, 1, 0.1, sampling)
+def fit_model(forces, published=MEAN_FORCE, sampling=SAMPLING):
+    return fit.fit_model(forces, published, 1, 0.1, sampling)
 
 
-def test_inference_finds_the_range_and_work_that_made_the_forces():
-    fits = infer_model(power_forces())
+def test_the_fit_finds_the_range_and_work_that_made_the_forces():
+    fits = fit_model(power_forces())
     assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
     assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
     assert float(fits.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
@@ -29,8 +31,8 @@ def test_inference_finds_the_range_and_work_that_made_the_forces():
 
 
 def test_intervals_have_the_requested_confidence():
-    narrow = infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.5))
-    wide = infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.95))
+    narrow = fit_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.5))
+    wide = fit_model(power_forces(spread=0.3), sampling=Sampling(1, 200, 0.95))
     assert narrow.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
     narrow_widths = narrow.mean_force_interval.diff("bound").values
     assert (narrow_widths < wide.mean_force_interval.diff("bound").values).all()
@@ -43,7 +45,7 @@ def test_a_surface_without_a_published_force_does_not_enter_the_fit():
     forces = power_forces()
     forces[0] *= 100
     published = np.where(np.arange(4) == 0, np.nan, MEAN_FORCE)
-    fits = infer_model(forces, published)
+    fits = fit_model(forces, published)
     assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
     assert float(fits.range_from_ratios) == pytest.approx(4.0, rel=0.01)
     assert fits.mean_force.sizes["surface"] == 4
@@ -79,7 +81,7 @@ def two_ranges():
 
 
 def test_ratios_met_at_two_ranges_give_two_minima():
-    fits = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
+    fits = fit.fit_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
     assert sorted(fits.range_at_minimum.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
     np.testing.assert_allclose(fits.work_at_minimum[:2], 0.05, rtol=0.02)
     assert fits.error_at_minimum[0] <= fits.error_at_minimum[1] < 0.02
@@ -96,7 +98,7 @@ def test_an_end_of_the_sweep_is_a_minimum_if_the_error_falls_towards_it():
 
 
 def test_one_scan_is_fitted_without_interval():
-    fits = infer_model(power_forces(scans=1))
+    fits = fit_model(power_forces(scans=1))
     assert float(fits.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
     for name in ("range_of_adhesion", "work_of_adhesion", "best_error", "mean_force"):
         assert fits[f"{name}_interval"].isnull().all(), name
@@ -112,17 +114,17 @@ def make_adhesion(plastic):
     )
 
 
-PUBLISHED = inference.PublishedFit(TABLE.iloc[::-1], inference.Pair(5.0, 0.04))  # in any order
+PUBLISHED = PublishedFit(TABLE.iloc[::-1], Pair(5.0, 0.04))  # in any order
 
 
-def infer(plastic, sampling=SAMPLING):
-    return inference.infer(make_adhesion(plastic), PUBLISHED, "uncd", 0.1, 30e-9, sampling)
+def fit_published(plastic, sampling=SAMPLING):
+    return fit.fit_published(make_adhesion(plastic), PUBLISHED, "uncd", 0.1, 30e-9, sampling)
 
 
 def test_a_published_range_beyond_the_sweep_has_no_forces():
-    distant = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
+    distant = PUBLISHED._replace(pair=Pair(11.0, 0.04))
     adhesion = make_adhesion(power_forces())
-    fits = inference.infer(adhesion, distant, "uncd", 0.1, 30e-9, SAMPLING)
+    fits = fit.fit_published(adhesion, distant, "uncd", 0.1, 30e-9, SAMPLING)
     assert fits.mean_force_at_pair.sel(pair="published").isnull().all()
     assert fits.ratio_at_pair_interval.sel(pair="published").isnull().all()
     assert fits.mean_force_at_pair.sel(pair="fitted").notnull().all()
@@ -130,7 +132,7 @@ def test_a_published_range_beyond_the_sweep_has_no_forces():
 
 def test_models_are_compared_with_the_same_samples():
     """Twice the work fits half the force equally well: the ratio is certain."""
-    fits = infer(power_forces(spread=0.5))
+    fits = fit_published(power_forces(spread=0.5))
     assert fits.model_error_ratio.dims == ()
     assert float(fits.model_error_ratio) == pytest.approx(1.0)
     np.testing.assert_allclose(fits.model_error_ratio_interval, 1.0)
@@ -142,7 +144,7 @@ def test_models_are_compared_with_the_same_samples():
 
 def test_forces_are_given_at_the_published_and_the_fitted_pair():
     forces = power_forces(spread=0.1)
-    fits = infer(forces).sel(contact_model="plastic")
+    fits = fit_published(forces).sel(contact_model="plastic")
     mean = 0.04 * forces.sel(rho=5.0).mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(fits["mean_force_at_pair"].sel(pair="published"), mean)
     np.testing.assert_allclose(fits["ratio_at_pair"].sel(pair="published"), mean / mean[1])

@@ -4,7 +4,7 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.tables import measured_forces
-from hardcontact.own.own_fit import add_extrapolated_work, fit_measured
+from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
 
 with job(snakemake) as job:
     params = job.parameters

@@ -1,11 +1,11 @@
-"""Range and work of adhesion that the user's measured forces permit: fit.nc.
+"""Range and work of adhesion that the user's measured forces permit, for fit.nc.
 
 Forces F are measured, and forces f are computed at 1 J/m². At every range, the work W = F/f(rho)
 makes them agree. One surface gives a curve W(rho). For several surfaces, the region contains the
 pairs of range and work within the intervals of all surfaces at once. Tests scatter log-normally.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,18 +23,12 @@ from hardcontact.base.statistics import (
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.own.predicted_force import (
-    SurfaceForces,
-    fewest_places,
-    forces_of_surface,
-)
-from hardcontact.own.scan_parts import sampled_deviations
-from hardcontact.paper.error_map import fit_range_and_work
+from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
+from hardcontact.inference.mean_forces import SurfaceForces, fewest_places, forces_of_surface
+from hardcontact.inference.scan_parts import sampled_deviations
 
 #: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
 MAX_LOG_DEVIATION = 50.0
-#: Number of ranges of adhesion on the curves, from the shortest to the longest computed range.
-CURVE_RANGE_COUNT = 401
 
 
 class MeasuredTests(NamedTuple):
@@ -89,69 +83,58 @@ def fit_measured(
     adhesion: computed forces at 1 J/m², as in adhesion.nc.
     forces: measured forces in N, from `config.tables.measured_forces`.
     scan_sizes: side of the scans of each surface in nm.
-    sampling: seed, number of samples and confidence.
     Returns ``measured_force`` (surface) in N with its interval, ``test_count``, label and
-        ``interval_source``, for the surfaces with forces; ``work_of_adhesion`` (contact_model,
-        surface, rho) in J/m² with its interval, on a fine grid of ranges; ``region``
-        (contact_model, rho, bound), the lowest and highest work in J/m² that all surfaces allow, or
-        NaN; its extent ``region_range`` in nm and ``region_work``, NaN if the region reaches the
-        shortest or longest computed range, and ``region_status``: found, open or none. For several
-        surfaces, ``best_range``, ``best_work`` and ``best_error`` are the best fit. For two
-        surfaces, ``exact_pairs`` counts the pairs that give both forces. If there are any, two
-        unknowns fit two numbers by construction, and ``best_error`` is NaN.
+        ``interval_source``, for the surfaces with forces; by contact_model the variables of
+        `_fit_model`.
     """
-    radius = float(adhesion.attrs["sphere_radius"])
-    rhos = adhesion.rho.values
-    surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
+    measured = set(forces.surface)
+    surfaces = [name for name in adhesion.surface.values.tolist() if name in measured]
     tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
-    measured_forces = np.array([test.mean for test in tests])
-    measured_samples = [
+    samples = [
         sampled_means(sampling.generator("tests", name), test, sampling.samples)
         for name, test in zip(surfaces, tests, strict=True)
     ]
-    models = {}
-    sources = []
-    touched_places = fewest_places(adhesion)
+    force_samples = np.stack(samples, axis=1)
+    test_means = np.array([test.mean for test in tests])
+    fits = {}
     for model in adhesion.contact_model.values.tolist():
-        model_forces = adhesion.pull_off_force.sel(contact_model=model)
-        forces_by_surface = [
-            forces_of_surface(
-                model_forces.sel(surface=name), scan_sizes[name], radius, touched_places[name]
-            )
-            for name in surfaces
-        ]
-        works = [
-            mean[:, None] / _sampled_forces(surface_forces, name, sampling)
-            for mean, surface_forces, name in zip(
-                measured_samples, forces_by_surface, surfaces, strict=True
-            )
-        ]
-        computed_forces = np.array([surface_forces.mean for surface_forces in forces_by_surface])
-        models[(model,)] = _fit_model(
-            computed_forces, measured_forces, np.stack(works, axis=1), rhos, sampling.confidence
-        )
-        # Tests and parts of scans, and so the sources of intervals, are the same for all models.
-        sources = [
-            surface_forces.scan_parts[0].source if test.test_count > 1 else "one_test"
-            for surface_forces, test in zip(forces_by_surface, tests, strict=True)
-        ]
+        computed = _computed_forces(adhesion.sel(contact_model=model), surfaces, scan_sizes)
+        fits[(model,)] = _fit_model(computed, test_means, force_samples, sampling)
+    # Tests and parts of scans, and so the sources of intervals, are the same for all models.
+    sources = [
+        computed[name].scan_parts[0].source if test.test_count > 1 else "one_test"
+        for name, test in zip(surfaces, tests, strict=True)
+    ]
     variables = sampling.with_interval(
-        "measured_force",
-        "surface",
-        measured_forces.tolist(),
-        np.stack(measured_samples, axis=1),
-        NEWTON,
+        "measured_force", "surface", test_means, force_samples, NEWTON
     ) | {
         "test_count": ("surface", [test.test_count for test in tests], DIMENSIONLESS),
         "interval_source": ("surface", sources),
         "label": adhesion.label.sel(surface=surfaces),
     }
-    fitted = stack(models, ["contact_model"]).assign_coords(surface=surfaces).assign(variables)
-    return fitted.assign_attrs(
-        basis="measured",
-        confidence=sampling.confidence,
-        sphere_radius=adhesion.attrs["sphere_radius"],
+    return (
+        stack(fits, ["contact_model"])
+        .assign(variables)
+        .assign_attrs(
+            basis="measured",
+            confidence=sampling.confidence,
+            sphere_radius=adhesion.attrs["sphere_radius"],
+        )
     )
+
+
+def _computed_forces(
+    adhesion: xr.Dataset, surfaces: Sequence[str], scan_sizes: Mapping[str, float]
+) -> dict[str, SurfaceForces]:
+    """Return the computed mean forces of the surfaces in one contact model."""
+    radius = float(adhesion.attrs["sphere_radius"])
+    places = fewest_places(adhesion)
+    return {
+        name: forces_of_surface(
+            adhesion.pull_off_force.sel(surface=name), scan_sizes[name], radius, places[name]
+        )
+        for name in surfaces
+    }
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
@@ -168,63 +151,79 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
 
 
 def _fit_model(
-    computed_forces: np.ndarray,
+    computed: Mapping[str, SurfaceForces],
     measured_forces: np.ndarray,
-    sampled_works: np.ndarray,
-    rhos: np.ndarray,
-    confidence: float,
+    force_samples: np.ndarray,
+    sampling: Sampling,
 ) -> xr.Dataset:
-    """Return the fit of one contact model.
+    """Return the fit of one contact model to measured forces (surface,) and samples of them in N.
 
-    Computed forces (surface, rho) at 1 J/m² and measured forces (surface,) are in N. Sampled works
-    (sample, surface, rho) in J/m² come from resampled tests and scans. The region takes the
-    intervals of n independent surfaces at the confidence c^(1/n), so that all intervals together
-    contain the true pair with the confidence c.
+    Returns ``work_by_range`` (surface, rho_fine) in J/m² with its interval; ``region`` (rho_fine,
+        bound), the lowest and highest work in J/m² that all surfaces allow, or NaN, with its
+        `_extent`; and the variables of `_best_pair`.
     """
-    count = len(measured_forces)
-    # A single computed range is not interpolated.
-    range_count = CURVE_RANGE_COUNT if len(rhos) > 1 else 1
-    fine_ranges = np.union1d(np.geomspace(rhos[0], rhos[-1], range_count), rhos)
-    fine_forces = interpolate_to_ranges(computed_forces, rhos, fine_ranges)
-
-    def work_intervals(confidence_level: float) -> np.ndarray:
-        """Return the central intervals of the works (surface, fine rho, 2)."""
-        ends = np.moveaxis(percentile_interval(sampled_works, confidence_level), -1, 0)
-        return np.moveaxis(interpolate_to_ranges(ends, rhos, fine_ranges), 0, -1)
-
-    joint_intervals = work_intervals(confidence ** (1 / count))
-    region = np.stack(
-        [joint_intervals[..., 0].max(axis=0), joint_intervals[..., 1].min(axis=0)], axis=-1
+    rhos = next(iter(computed.values())).ranges
+    # The computed ranges are among those of the curves, so that their works are exact.
+    ranges = np.union1d(fine_ranges(rhos), rhos)
+    means = np.array([surface_forces.mean for surface_forces in computed.values()])
+    curves = interpolate_to_ranges(means, rhos, ranges)
+    force_curves = [
+        _sampled_forces(surface_forces, name, sampling) for name, surface_forces in computed.items()
+    ]
+    sampled_works = force_samples[:, :, None] / np.stack(force_curves, axis=1)
+    works = measured_forces[:, None] / curves
+    confidence = sampling.confidence
+    intervals = _work_intervals(sampled_works, rhos, ranges, confidence)
+    # All intervals of n independent surfaces contain the true pair with the confidence c if each
+    # has the confidence c^(1/n).
+    joint_confidence = confidence ** (1 / len(computed))
+    region = _common_region(_work_intervals(sampled_works, rhos, ranges, joint_confidence))
+    return xr.Dataset(
+        with_interval(
+            "work_by_range", ("surface", "rho_fine"), works, intervals, JOULE_PER_M2, confidence
+        )
+        | {"region": (("rho_fine", "bound"), region, JOULE_PER_M2)}
+        | _extent(region, ranges)
+        | _best_pair(curves, measured_forces, ranges),
+        {"surface": list(computed), "rho_fine": ("rho_fine", ranges, NM)},
     )
-    region[~(region[:, 0] < region[:, 1])] = np.nan
-    work_of_adhesion = measured_forces[:, None] / fine_forces
-    best_range = np.nan
-    best_work = np.nan
-    best_error = np.nan
+
+
+def _work_intervals(
+    sampled_works: np.ndarray, rhos: np.ndarray, ranges: np.ndarray, confidence: float
+) -> np.ndarray:
+    """Return the central intervals (surface, range, 2) of sampled works (sample, surface, rho)."""
+    ends = np.moveaxis(percentile_interval(sampled_works, confidence), -1, 0)
+    return np.moveaxis(interpolate_to_ranges(ends, rhos, ranges), 0, -1)
+
+
+def _common_region(intervals: np.ndarray) -> np.ndarray:
+    """Return the works (range, 2) in all intervals (surface, range, 2), NaN if there are none."""
+    region = np.stack([intervals[..., 0].max(axis=0), intervals[..., 1].min(axis=0)], axis=-1)
+    is_empty = ~(region[:, 0] < region[:, 1])
+    return np.where(is_empty[:, None], np.nan, region)
+
+
+def _best_pair(
+    curves: np.ndarray, measured_forces: np.ndarray, ranges: np.ndarray
+) -> dict[str, Any]:
+    """Return the `best_fit` of curves (surface, range) and the number of pairs that fit exactly.
+
+    One surface has no best range: all are NaN. For two surfaces ``exact_pairs`` counts the pairs
+    that give both forces. If there are any, two unknowns fit two numbers by construction, and
+    ``best_error`` is NaN: the remaining error comes from the grid of ranges alone.
+    """
+    fit = best_fit(curves, measured_forces, ranges)
     exact_pairs = 0
-    if count > 1:
-        best_index, work, error = fit_range_and_work(fine_forces, measured_forces)
-        best_range = fine_ranges[best_index]
-        best_work = float(work)
-        best_error = float(error)
-    if count == 2:
-        second_exceeds_first = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
-        exact_pairs = int(np.count_nonzero(np.diff(second_exceeds_first)))
+    if len(curves) == 1:
+        fit = dict.fromkeys(fit, np.array(np.nan))
+    if len(curves) == 2:
+        first_work, second_work = measured_forces[:, None] / curves
+        exact_pairs = int(np.count_nonzero(np.diff(second_work > first_work)))
     if exact_pairs:
-        best_error = np.nan  # The remaining error comes from the grid of ranges alone.
-    variables = with_interval(
-        "work_of_adhesion", ("surface", "rho"), work_of_adhesion, work_intervals(confidence),
-        JOULE_PER_M2, confidence,
-    ) | {
-        "region": (("rho", "bound"), region, JOULE_PER_M2),
-        "best_range": ((), best_range, NM),
-        "best_work": ((), best_work, JOULE_PER_M2),
-        "best_error": ((), best_error, DIMENSIONLESS),
-        "exact_pairs": ((), exact_pairs, DIMENSIONLESS),
-    }  # fmt: skip
-    return xr.Dataset(variables, {"rho": ("rho", fine_ranges, NM)}).assign(
-        _extent(region, fine_ranges)
-    )
+        fit["best_error"] = np.array(np.nan)
+    variables = {name: ((), fit[name], attributes) for name, attributes in FIT_UNITS.items()}
+    return variables | {"exact_pairs": ((), exact_pairs, DIMENSIONLESS)}
 
 
 def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
@@ -263,7 +262,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     Returns the fit with ``extrapolated_work`` (surface, side) in J/m² and its interval, in which
         the independent errors of the logarithms of measured and computed force are added in
         squares; ``extrapolation_matters`` and ``transition`` of the forces; the attribute
-        ``range_of_adhesion``, at which ``work_of_adhesion`` can be compared.
+        ``assumed_range``, at which ``work_by_range`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)
     measured_force = fitted.measured_force
@@ -297,5 +296,5 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
             extrapolation_matters=surface_force.extrapolation_matters,
             transition=surface_force.transition,
         )
-        .assign_attrs(range_of_adhesion=force.attrs["range_of_adhesion"])
+        .assign_attrs(assumed_range=force.attrs["range_of_adhesion"])
     )

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.band import critical_band as band
 from hardcontact.base.statistics import Sampling, bounds, student_log_interval
+from hardcontact.inference.edges import edges_of_realizations
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 SMALL = [1.0, 1.2, np.nan, np.nan]
@@ -36,20 +36,8 @@ def scales(ratios):
     )
 
 
-def test_an_edge_is_interpolated_in_log_wavelength():
-    cutoffs, changes = np.array([1.0, 10.0, 100.0]), np.array([0.0, 0.05, 0.15])
-    limits = (-0.1, 0.1)
-    assert band.interpolate_edge(cutoffs, changes, limits) == pytest.approx(10**1.5)
-    assert band.interpolate_edge(cutoffs, -changes, limits) == pytest.approx(10**1.5)
-    assert band.interpolate_edge(cutoffs, 2 * changes, limits) == pytest.approx(10.0)
-    assert np.isnan(band.interpolate_edge(cutoffs, np.array([0.0, 0.05, 0.1]), limits))
-    # From -0.1 to 0.2 through zero: two thirds of the decade, not none of it.
-    through = np.array([0.0, -0.1, 0.2])
-    assert band.interpolate_edge(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
-
-
 def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
-    bands = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
+    bands = edges_of_realizations(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
     for group, sides in EDGES.items():
         for side, wavelength in sides.items():
             selected = bands.sel(side=side, group=group)
@@ -60,7 +48,7 @@ def test_each_edge_is_the_first_cutoff_from_the_unfiltered_end():
 def test_pooled_change_is_the_mean_of_absolute_changes():
     increasing = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
     decreasing = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
-    bands = band.critical_band(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
+    bands = edges_of_realizations(scales([[increasing], [decreasing]]), 0.1, Sampling(0, 0, 0.95))
     np.testing.assert_allclose(
         bands.filtered_force_change.sel(group="pooled"),
         [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
@@ -78,15 +66,17 @@ FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
 
 
 def test_curves_within_the_tolerance_have_the_last_cutoff_as_interval():
-    bands = band.critical_band(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
+    bands = edges_of_realizations(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
     assert bands.edge.isnull().all()
+    np.testing.assert_array_equal(bands.edge_bound, [[100.0] * 2, [1000.0] * 2])
+    np.testing.assert_array_equal(bands.edge_status, [["open_above"] * 2, ["open_below"] * 2])
     np.testing.assert_allclose(bands.edge_interval.sel(side="small"), 100.0)
     np.testing.assert_allclose(bands.edge_interval.sel(side="large"), 1000.0)
 
 
 def test_intervals_describe_the_scatter_of_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
-    bands = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
+    bands = edges_of_realizations(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
     small = bands.sel(side="small", cutoff_wavelength=100.0)
     ratio_interval = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
     np.testing.assert_allclose(small.filtered_force_ratio_interval[0], ratio_interval, rtol=0.03)

@@ -3,13 +3,13 @@
 from hardcontact.base import dataset, published
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
-from hardcontact.paper.inference import Pair, PublishedFit, infer
+from hardcontact.inference.published_fit import Pair, PublishedFit, fit_published
 
 with job(snakemake) as job:
     params = job.parameters
     constants = published.constants(job.input.published_constants)["value"]
     job.write(
-        infer(
+        fit_published(
             dataset.read(job.input.adhesion),
             PublishedFit(
                 published.pull_off(job.input.published_pull_off),

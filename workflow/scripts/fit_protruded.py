@@ -1,32 +1,19 @@
-"""Influences on range and work of adhesion: single surfaces, rare protrusions, apex heights."""
+"""Influences on range and work of adhesion: rare protrusions, apex heights."""
 
 import numpy as np
-import xarray as xr
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.paper.inference import Pair, PublishedFit
-from hardcontact.paper.leave_one_out import leave_one_out_fits
+from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.protruded_sets import empty_protruded_forces, fit_protruded_sets
 from hardcontact.paper.standoff import infer_apex_heights
 
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
     pull_off = published.pull_off(job.input.published_pull_off)
-    inference = read(job.input.inference)
     sets = read(job.input.sets)
-
-    fits = leave_one_out_fits(inference["mean_force"], pull_off["mean_force"])
-    set_fits = leave_one_out_fits(sets["mean_force"], pull_off["mean_force"])
-    set_fits = set_fits.rename({name: f"set_{name}" for name in set_fits.data_vars})
-    job.write(
-        xr.merge([fits, set_fits, inference[["label", "basis"]]], combine_attrs="drop_conflicts"),
-        title="range and work of adhesion fitted without one surface",
-        output="leave_one_out",
-    )
-
     plastic_sets = sets.sel(contact_model=PLASTIC)
     pair = Pair(constants["range_of_adhesion"], constants["work_of_adhesion"])
     coating = job.parameters["surface"]

@@ -7,7 +7,7 @@ import xarray as xr
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.own.own_fit import (
+from hardcontact.inference.measured_fit import (
     MeasuredTests,
     add_extrapolated_work,
     fit_measured,
@@ -66,7 +66,7 @@ def sampled_fit(seed, **options):
 
 
 def holds(fit, rho=RHO, work=WORK):
-    low, high = fit.region.interp(rho=rho).values
+    low, high = fit.region.interp(rho_fine=rho).values
     return low <= work <= high
 
 
@@ -74,8 +74,8 @@ def test_without_scatter_range_and_work_are_recovered():
     rng = np.random.default_rng(0)
     exact = adhesion(rng, spread=1e-4, contact_spread=1e-4)
     fit = fitted(exact, sampled_tests(rng, number=400, shape=0.01))
-    assert float(fit.best_range) == pytest.approx(RHO, rel=0.02)
-    assert float(fit.best_work) == pytest.approx(WORK, rel=0.02)
+    assert float(fit.range_of_adhesion) == pytest.approx(RHO, rel=0.02)
+    assert float(fit.work_of_adhesion) == pytest.approx(WORK, rel=0.02)
     assert fit.region_status.values.tolist() == ["found", "found"]
     for true_value, (low, high) in ((RHO, fit.region_range.values), (WORK, fit.region_work.values)):
         assert (
@@ -100,7 +100,7 @@ def test_the_region_from_one_scan_per_surface_contains_the_true_pair():
 def test_two_forces_fit_two_unknowns_by_construction():
     rng = np.random.default_rng(0)
     tests, fit = sampled_tests(rng), sampled_fit(0)
-    assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.best_range.notnull()
+    assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.range_of_adhesion.notnull()
     weak_tests = tests.assign(mean=tests["mean"] * np.where(tests.surface == "a", 1e4, 1))
     fit = fitted(adhesion(rng), weak_tests)
     assert fit.exact_pairs == 0 and fit.best_error > 0.1  # no range has this ratio of forces
@@ -109,10 +109,10 @@ def test_two_forces_fit_two_unknowns_by_construction():
 def test_one_surface_gives_a_curve_of_works_and_no_range():
     rng = np.random.default_rng(5)
     fit = fitted(adhesion(rng), sampled_tests(rng, surfaces="a"))
-    true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho)
-    low, high = fit.work_of_adhesion_interval.sel(surface="a").transpose("bound", "rho")
+    true_work = WORK * mean_force("a", RHO) / mean_force("a", fit.rho_fine)
+    low, high = fit.work_by_range_interval.sel(surface="a").transpose("bound", "rho_fine")
     assert ((low < true_work) & (true_work < high)).all()
-    assert fit.best_range.isnull() and fit.region_range.isnull().all()
+    assert fit.range_of_adhesion.isnull() and fit.region_range.isnull().all()
 
 
 @pytest.mark.parametrize(
@@ -130,8 +130,8 @@ def test_an_unknown_region_has_no_work(ranges, number, factor, status):
     tests.loc[tests.surface == "b", ["mean", "median"]] *= factor
     fit = fitted(computed_forces, tests)
     assert fit.region_status.values.tolist() == status and fit.region_work.isnull().all()
-    assert fit.work_of_adhesion.notnull().all()
-    assert fit.work_of_adhesion_interval.notnull().all() == (number > 1)
+    assert fit.work_by_range.notnull().all()
+    assert fit.work_by_range_interval.notnull().all() == (number > 1)
 
 
 # Tests

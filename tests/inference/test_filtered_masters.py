@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.band.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.contact.all_surfaces import stacked_forces
+from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.

@@ -1,4 +1,4 @@
-"""Forces on the masters of one surface, and the intervals of their means.
+"""Mean forces on own scans and on masters made of them, with the parts that give intervals.
 
 A master is a scan with artificial roughness, and each realization has its own roughness. The mean
 over realizations therefore varies with the scans and, on the same scans, with the random numbers.
@@ -12,7 +12,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import stack
 from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.own.scan_parts import (
+from hardcontact.inference.scan_parts import (
     ScanParts,
     Variance,
     delete_one_logarithms,
@@ -21,6 +21,51 @@ from hardcontact.own.scan_parts import (
     parts_of_scans,
     quarters_of_contacts,
 )
+
+
+class SurfaceForces(NamedTuple):
+    """Mean forces of one surface, over scans, scans of the sphere and contacts."""
+
+    ranges: np.ndarray  #: (rho,) of adhesion in nm.
+    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
+    delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
+    scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
+
+
+def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
+    """Return the fewest places that the contacts on a scan touch.
+
+    For several scans of the sphere, the scan with the most touched places counts.
+
+    adhesion: adhesion.nc, with ``touched_places`` (surface, scan, sphere_scan).
+    Returns number of places by surface.
+    """
+    places = adhesion.touched_places.max("sphere_scan").min("scan")
+    return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}
+
+
+def forces_of_surface(
+    forces: xr.DataArray, size: float, radius: float, places: float
+) -> SurfaceForces:
+    """Return the mean forces of one surface and contact model, with and without each part.
+
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
+    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `places` comes from
+    `fewest_places`.
+    """
+    scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
+    scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
+    scans = np.arange(scan_forces.sizes["scan"])
+    quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
+    scan_parts = [
+        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), places)
+        for rho in scan_forces.rho.values
+    ]
+    delete_one_log_means = delete_one_logarithms(
+        scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
+    )
+    mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
+    return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts)
 
 
 class Masters(NamedTuple):
@@ -39,27 +84,25 @@ class MasterForces(NamedTuple):
     #: ``filtered_force_ratio`` of their means over contacts.
     forces: xr.Dataset
     scan_parts: ScanParts
-    cell: float  #: The longest wavelength in nm.
 
 
 def forces_of_masters(
     scales: xr.Dataset, surface: str, side: str, masters: Masters
 ) -> MasterForces:
     """Return the forces, as in scales.nc, on the existing masters of one surface and side."""
-    cell = float(scales.unfiltered_wavelength.sel(surface=surface, side="large"))
+    large_master = float(scales.unfiltered_wavelength.sel(surface=surface, side="large"))
     tiles = masters.tiles if side == "large" else 1
-    cell *= tiles / masters.tiles
     forces = scales.sel(surface=surface, side=side).dropna(
         "realization", how="all", subset=["filtered_force_ratio"]
     )
     scan_parts = parts_of_scans(
         (forces.realization.values - 1) % masters.scans[surface],
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
-        cell / tiles / 2,
+        large_master / masters.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
         masters.places[surface],
     )
-    return MasterForces(forces, scan_parts, cell)
+    return MasterForces(forces, scan_parts)
 
 
 def summarize_masters(

@@ -3,8 +3,8 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.band.enhancement import CONTACT_MODELS, bands_by_contact
 from hardcontact.base.statistics import Sampling
+from hardcontact.inference.enhancement import CONTACT_MODELS, edges_by_contact
 
 CUTOFFS = np.array([20.0, 40.0, 80.0, 160.0])
 
@@ -24,7 +24,7 @@ def test_each_contact_model_has_the_edge_of_its_forces():
             )
         }
     ).assign(unfiltered_wavelength=(("surface", "side"), [[2.0]]))
-    bands = bands_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
+    bands = edges_by_contact(forces, 0.1, Sampling(1, 0, 0.95))
     critical = bands["edge"].sel(group="a", side="small")
     assert bands["contact_model"].values.tolist() == CONTACT_MODELS
     for model, edge in {"plastic": edges[0], "rigid": edges[1]}.items():
@@ -43,7 +43,7 @@ def test_edges_that_scatter_together_have_a_certain_ratio():
     forces = xr.Dataset({"filtered_force_ratio": ratio}, {"area": ("load", [400.0, 1.0])}).assign(
         unfiltered_wavelength=(("surface", "side"), [[2.0]])
     )
-    bands = bands_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
+    bands = edges_by_contact(forces, 0.1, Sampling(1, 50, 0.95)).sel(group="a")
     low, high = np.moveaxis(bands["edge_interval"].values, -1, 0)
     assert (high > 1.2 * low).all()
     np.testing.assert_allclose(bands["edge_ratio_interval"], 1)

@@ -5,8 +5,8 @@ import pytest
 from scipy import fft, stats
 
 from hardcontact.contact.geometry import contact_positions
-from hardcontact.own import scan_parts
-from hardcontact.own.scan_parts import (
+from hardcontact.inference import scan_parts
+from hardcontact.inference.scan_parts import (
     ScanParts,
     half_width,
     jackknife_variance,

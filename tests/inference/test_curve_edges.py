@@ -1,0 +1,109 @@
+"""Edges of curves that leave their tolerance at a known cutoff, or nowhere."""
+
+import numpy as np
+import pytest
+
+from hardcontact.inference.curve_edges import (
+    RatioCurve,
+    edge_interval,
+    find_edge,
+    interpolate_edge,
+)
+
+CUTOFFS = np.array([10.0, 100.0, 1000.0])
+UNKNOWN = [np.nan] * 3
+
+
+def edge(side, value, lowest=UNKNOWN, highest=UNKNOWN):
+    """The edge of a curve of changes, in the order of growing effect, and its interval."""
+    cutoffs = CUTOFFS if side == "small" else CUTOFFS[::-1]
+    curve = RatioCurve(side, cutoffs, np.array(value), (-np.inf, 0.1))
+    return find_edge(curve), edge_interval(curve, np.array(lowest), np.array(highest))
+
+
+def edge_of_ratios(side, cutoffs, ratio, low, high):
+    """The edge of one surface, whose ratios have a sign, and its interval."""
+    curve = RatioCurve(side, cutoffs, np.log(ratio), (np.log(0.9), np.log(1.1)))
+    return find_edge(curve).value, edge_interval(curve, np.log(low), np.log(high))
+
+
+def test_an_edge_is_interpolated_in_log_wavelength():
+    cutoffs, changes = np.array([1.0, 10.0, 100.0]), np.array([0.0, 0.05, 0.15])
+    limits = (-0.1, 0.1)
+    assert interpolate_edge(cutoffs, changes, limits) == pytest.approx(10**1.5)
+    assert interpolate_edge(cutoffs, -changes, limits) == pytest.approx(10**1.5)
+    assert interpolate_edge(cutoffs, 2 * changes, limits) == pytest.approx(10.0)
+    assert np.isnan(interpolate_edge(cutoffs, np.array([0.0, 0.05, 0.1]), limits))
+    assert np.isnan(interpolate_edge(cutoffs, np.array([0.2, 0.3, 0.4]), limits))
+    # From -0.1 to 0.2 through zero: two thirds of the decade, not none of it.
+    through = np.array([0.0, -0.1, 0.2])
+    assert interpolate_edge(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
+
+
+def test_the_edge_of_a_ratio_that_crosses_one_is_where_it_leaves_the_tolerance():
+    # The known curve is (3 µm / cutoff)^0.16: 1 at 3 µm, 0.91 and 1.12 at the cutoffs around it.
+    cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
+    ratio = (3e3 / cutoffs) ** 0.16
+    ratio[0] = 0.95  # flat again where no roughness remains to be removed
+    value, interval = edge_of_ratios("large", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
+    log_ratio = np.log(ratio[1:3])
+    share = (np.log(1.1) - log_ratio[0]) / (log_ratio[1] - log_ratio[0])
+    assert value == pytest.approx(5380 * (1450 / 5380) ** share)
+    # The ratio reaches 1.1 at 1.65 µm; a line between both |ratio - 1| would reach 0.1 at 3.6 µm.
+    assert value == pytest.approx(3e3 / 1.1 ** (1 / 0.16), rel=1e-9)
+    np.testing.assert_allclose(interval, [1450, 5380])
+
+
+@pytest.mark.parametrize("spread", [0.02, 0.3])
+def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
+    rng = np.random.default_rng(5)
+    for _ in range(50):
+        true_edge = 10 ** rng.uniform(1.3, 3.4)
+        power = rng.uniform(0.5, 6)
+        cutoffs = 10.0 ** np.arange(1, 4.5, 0.6)
+        ratio = 1 + 0.1 * (cutoffs / true_edge) ** power
+        _, (low, high) = edge_of_ratios(
+            "small", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
+        )
+        assert not low > true_edge and not high < true_edge
+
+
+def test_an_edge_and_its_interval_are_found_between_cutoffs():
+    small, interval = edge("small", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
+    assert small.value == pytest.approx(10**1.5)
+    assert small.status == "found" and np.isnan(small.bound)
+    np.testing.assert_allclose(interval, [10, 1000])
+    large, interval = edge("large", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
+    assert large.value == pytest.approx(10**2.5)
+    np.testing.assert_allclose(interval, [10, 1000])
+
+
+@pytest.mark.parametrize(
+    "side, changes, bound, status",
+    [
+        ("small", [0.2, 0.3, 0.4], 10, "open_below"),
+        ("small", [0.0, 0.05, 0.1], 1000, "open_above"),
+        ("large", [0.2, 0.3, 0.4], 1000, "open_above"),
+        ("large", [0.0, 0.05, 0.1], 10, "open_below"),
+    ],
+)
+def test_an_edge_beyond_the_cutoffs_is_open(side, changes, bound, status):
+    result, interval = edge(side, changes)
+    assert np.isnan(result.value) and (result.bound, result.status) == (bound, status)
+    assert np.isnan(interval).all()
+
+
+def test_an_open_edge_may_have_one_end_of_its_interval():
+    result, interval = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5])
+    assert result.bound == 1000 and np.isnan(result.value)
+    np.testing.assert_allclose(interval, [100, np.nan])
+
+
+def test_an_interval_open_on_both_sides_is_left_out():
+    result, interval = edge("small", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
+    assert result.bound == 10 and np.isnan(interval).all()
+
+
+def test_an_exact_curve_has_its_edge_between_two_cutoffs():
+    changes = [0.05, 0.15, 0.4]
+    assert edge("small", changes, changes, changes)[1].tolist() == [10, 100]

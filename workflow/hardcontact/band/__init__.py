@@ -1,1 +1,0 @@
-"""Scales of roughness: filtered masters, the critical band and its edges."""

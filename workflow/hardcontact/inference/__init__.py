@@ -1,0 +1,1 @@
+"""What forces tell: means and intervals, edges of the band, range and work of adhesion."""

@@ -1,0 +1,101 @@
+"""The edge of one curve: the cutoff at which the change of the force exceeds the tolerance."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+#: Codes of `Edge.status`.
+FOUND = "found"
+OPEN_ABOVE = "open_above"
+OPEN_BELOW = "open_below"
+
+
+class RatioCurve(NamedTuple):
+    """A measure of the change of the force on one side, zero without a filter."""
+
+    side: str  #: small: wavelengths below the cutoff are removed; large: wavelengths above it.
+    #: (k,) in nm, in the order of growing effect: ascending on the small side, descending on the
+    #: large side.
+    cutoffs: np.ndarray
+    #: (k,) ln(ratio) for a single surface, which passes through zero where the ratio crosses one;
+    #: the mean of |ratio - 1| for several.
+    values: np.ndarray
+    limits: tuple[float, float]  #: Lower and upper limit; a change within them does not count.
+
+
+class Edge(NamedTuple):
+    """The edge of a curve, or a bound of it."""
+
+    value: float  #: In nm; NaN if the edge is open.
+    bound: float  #: Cutoff in nm beyond which an open edge lies; NaN if the edge is found.
+    status: str  #: FOUND; OPEN_ABOVE if the edge is longer than its bound, OPEN_BELOW if shorter.
+
+
+def logarithmic_limits(tolerance: float) -> tuple[float, float]:
+    """Return the limits of ln(ratio) between which the force counts as unchanged.
+
+    The tolerance is a relative change of the force.
+    """
+    return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
+
+
+def first_outside(lowest: np.ndarray, highest: np.ndarray, limits: tuple[float, float]) -> int:
+    """Return the index of the first cutoff at which a curve is outside its limits.
+
+    The lowest values (k,) are compared with the lower limit, the highest values with the upper
+    limit. The number of cutoffs if the curve is never outside.
+    """
+    lower, upper = limits
+    is_outside = (lowest < lower) | (highest > upper)
+    return int(is_outside.argmax()) if is_outside.any() else len(is_outside)
+
+
+def interpolate_edge(cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]) -> float:
+    """Return the cutoff (nm) at which a curve first leaves its limits.
+
+    Cutoffs and curve (k,) are in the order of growing effect; the curve is interpolated linearly in
+    the logarithm of the wavelength. NaN if the curve never leaves its limits, or has no value
+    before.
+    """
+    crossing = first_outside(curve, curve, limits)
+    if crossing in (0, len(curve)):
+        return np.nan
+    lower, upper = limits
+    limit = upper if curve[crossing] > upper else lower
+    share = (limit - curve[crossing - 1]) / (curve[crossing] - curve[crossing - 1])
+    step = np.log(cutoffs[crossing] / cutoffs[crossing - 1])
+    return float(np.exp(np.log(cutoffs[crossing - 1]) + share * step))
+
+
+def find_edge(curve: RatioCurve) -> Edge:
+    """Return the edge of a curve.
+
+    It is open if the curve is outside its limits at the first cutoff already, or within them up to
+    the last cutoff.
+    """
+    edge = interpolate_edge(curve.cutoffs, curve.values, curve.limits)
+    if np.isfinite(edge):
+        return Edge(edge, np.nan, FOUND)
+    is_outside_at_once = first_outside(curve.values, curve.values, curve.limits) == 0
+    bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
+    is_open_below = is_outside_at_once == (curve.side == "small")
+    return Edge(np.nan, bound, OPEN_BELOW if is_open_below else OPEN_ABOVE)
+
+
+def edge_interval(curve: RatioCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:
+    """Return the cutoffs (2,) in nm between which the edge lies, from the intervals of a curve.
+
+    lowest, highest: ends (k,) of the intervals of the values. One end is the last cutoff before any
+    value within the intervals leaves the limits. The other end is the first cutoff at which all
+    values have left. The only assumption is that the curve does not cross its limits twice between
+    two cutoffs. NaN for an end before the first or after the last cutoff, or without intervals.
+    """
+    if np.isnan([lowest, highest]).any():
+        return np.full(2, np.nan)
+    bounds = np.concatenate([[np.nan], curve.cutoffs, [np.nan]])
+    first_possible = first_outside(lowest, highest, curve.limits)
+    last_possible = first_outside(highest, lowest, curve.limits)
+    interval = np.array(
+        [bounds[first_possible], bounds[last_possible + 1] if last_possible else np.nan]
+    )
+    return interval if curve.side == "small" else interval[::-1]

@@ -1,0 +1,290 @@
+"""The critical band: ratios of forces by cutoff and the edges where they change, for edges.nc.
+
+Masters of substitutes are random surfaces: realizations are independent, and their roughness ends
+at the unfiltered wavelength. Masters of own scans share few scans, and the roughness of the surface
+goes on beyond their ends: an edge before the first cutoff is open, and intervals come from the
+parts of the scans.
+"""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.statistics import (
+    BOUNDS,
+    Sampling,
+    student_log_samples,
+    with_interval,
+)
+from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.inference.curve_edges import (
+    RatioCurve,
+    edge_interval,
+    find_edge,
+    interpolate_edge,
+    logarithmic_limits,
+)
+from hardcontact.inference.mean_forces import (
+    MasterForces,
+    Masters,
+    half_width_over_masters,
+    summarize_masters,
+)
+from hardcontact.inference.scan_parts import logarithmic_interval
+
+#: The group of all surfaces.
+POOLED = "pooled"
+AXES = ("side", "surface", "cutoff_wavelength")
+RATIO = DIMENSIONLESS | {
+    "long_name": "mean pull-off force with roughness beyond the cutoff removed, relative to the "
+    "force with all roughness",
+}
+CHANGE = DIMENSIONLESS | {
+    "long_name": "magnitude of the relative change of the force without roughness beyond the cutoff"
+}
+EDGE = NM | {"long_name": "cutoff at which the change of the force exceeds the tolerance"}
+BOUND = NM | {"long_name": "cutoff beyond which an open edge lies"}
+STATUS = {"long_name": "whether the edge is found, or on which side of its bound it lies"}
+
+
+def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
+    """Return the ascending cutoffs (nm) at which any value (..., cutoff_wavelength) is finite."""
+    dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
+    cutoffs = values["cutoff_wavelength"].values[values.notnull().any(dimensions).values]
+    return np.sort(cutoffs)
+
+
+def last_cutoff(values: xr.DataArray, side: str) -> float:
+    """Return the cutoff (nm) of a side, "small" or "large", that removes most of the roughness.
+
+    The values (..., cutoff_wavelength) of this side are NaN at the cutoffs of the other side.
+    """
+    return float(computed_cutoffs(values)[-1 if side == "small" else 0])
+
+
+def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
+    """Return the edges (..., side, group) in nm, with their bounds in place of open edges."""
+    return edges["edge"].fillna(edges["edge_bound"])
+
+
+def describe_edges(
+    edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return edges.nc: edges with the names of the surfaces and what the edges hold for."""
+    return edges.assign(label=scales["label"], basis=scales["basis"]).assign_attrs(
+        tolerance=tolerance,
+        confidence=confidence,
+        rho=scales.attrs["rho"],
+        sphere_radius=scales.attrs["sphere_radius"],
+    )
+
+
+# Masters whose realizations are independent
+
+
+def edges_of_realizations(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+    """Return ratio curves, changes of the force and edges, by side; mean ratios are sampled.
+
+    scales: ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at cutoffs
+        of the other side; ``unfiltered_wavelength`` (surface, side) in nm.
+    Returns with intervals: ``filtered_force_ratio`` (side, surface, cutoff_wavelength);
+        ``filtered_force_change`` (side, group, cutoff_wavelength), |ratio - 1|, and its mean over
+        surfaces for the group POOLED; ``edge`` (side, group) in nm, NaN if open. Without intervals:
+        ``edge_bound`` (side, group) in nm and ``edge_status`` (side, group) of `Edge`.
+    """
+    return edges_with_samples(scales, tolerance, sampling)[0]
+
+
+def edges_with_samples(
+    scales: xr.Dataset, tolerance: float, sampling: Sampling
+) -> tuple[xr.Dataset, np.ndarray]:
+    """Return the dataset of `edges_of_realizations`, and sampled edges (sample, side, group) in nm.
+
+    Each surface has its own random numbers. Other forces on the same masters share them. The sample
+    of an open edge is its bound.
+    """
+    ratio, ratio_samples = _mean_ratios(scales, sampling)
+    edges = []
+    samples = []
+    for curve, sampled_values in _curves(scales, ratio, ratio_samples, tolerance):
+        edges.append(find_edge(curve))
+        samples.append(_sampled_edges(curve, sampled_values))
+    shape = scales.sizes["side"], scales.sizes["surface"] + 1
+    edge_samples = np.reshape(np.transpose(samples), (len(ratio_samples), *shape))
+    axes = ("side", "group")
+    variables: dict[str, Any] = (
+        sampling.with_interval("filtered_force_ratio", AXES, ratio, ratio_samples, RATIO)
+        | sampling.with_interval(
+            "filtered_force_change",
+            (*axes, "cutoff_wavelength"),
+            _changes(ratio),
+            _changes(ratio_samples),
+            CHANGE,
+        )
+        | sampling.with_interval(
+            "edge", axes, np.reshape([edge.value for edge in edges], shape), edge_samples, EDGE
+        )
+        | {
+            "edge_bound": (axes, np.reshape([edge.bound for edge in edges], shape), BOUND),
+            "edge_status": (axes, np.reshape([edge.status for edge in edges], shape), STATUS),
+        }
+    )
+    coordinates = {
+        "side": scales["side"].values,
+        "surface": scales["surface"].values,
+        "group": [*scales["surface"].values.tolist(), POOLED],
+        "cutoff_wavelength": scales["cutoff_wavelength"],
+    }
+    return xr.Dataset(variables, coordinates), edge_samples
+
+
+def _mean_ratios(scales: xr.Dataset, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
+    """Return the mean ratios over realizations (AXES), and samples of them (sample, AXES)."""
+    realizations = scales["filtered_force_ratio"].transpose("realization", *AXES)
+    samples = [
+        student_log_samples(
+            sampling.generator("scales", str(surface)),
+            realizations.sel(surface=surface).dropna("realization", how="all").values,
+            sampling.samples,
+        )
+        for surface in scales["surface"].values
+    ]
+    return realizations.mean("realization").values, np.stack(samples, axis=2)
+
+
+def _changes(ratios: np.ndarray) -> np.ndarray:
+    """Return |ratio - 1| (..., group, cutoff) of ratios (..., surface, cutoff).
+
+    The last group is the mean over surfaces.
+    """
+    changes = np.abs(ratios - 1)
+    return np.concatenate([changes, changes.mean(axis=-2, keepdims=True)], axis=-2)
+
+
+def _curves(
+    scales: xr.Dataset, ratio: np.ndarray, ratio_samples: np.ndarray, tolerance: float
+) -> Iterator[tuple[RatioCurve, np.ndarray]]:
+    """Yield the curve of each side and group, and samples (sample, k) of its values.
+
+    Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. Each curve begins
+    at the unfiltered wavelength, where it is zero.
+    """
+    ratios = np.concatenate([ratio[None], ratio_samples])
+    curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
+    cutoffs = scales["cutoff_wavelength"].values
+    unfiltered = scales["unfiltered_wavelength"].transpose("side", "surface").values
+    unfiltered = np.concatenate([unfiltered, unfiltered.mean(axis=1, keepdims=True)], axis=1)
+    limits = [logarithmic_limits(tolerance)] * ratio.shape[1] + [(-np.inf, tolerance)]
+    for (index, side), group in product(enumerate(scales["side"].values), range(len(limits))):
+        computed = np.flatnonzero(np.isfinite(curves[0, index, group]))
+        order = computed if side == "small" else computed[::-1]
+        values = np.pad(curves[:, index, group, order], ((0, 0), (1, 0)))
+        ordered_cutoffs = np.append(unfiltered[index, group], cutoffs[order])
+        yield RatioCurve(str(side), ordered_cutoffs, values[0], limits[group]), values[1:]
+
+
+def _sampled_edges(curve: RatioCurve, sampled_values: np.ndarray) -> np.ndarray:
+    """Return the edges (sample,) in nm of a curve with other values (sample, k).
+
+    The last cutoff stands for an open edge. NaN if the values are NaN.
+    """
+    edges = np.array(
+        [interpolate_edge(curve.cutoffs, values, curve.limits) for values in sampled_values]
+    )
+    never_leaves = np.isnan(edges) & np.isfinite(sampled_values).all(axis=1)
+    return np.where(never_leaves, curve.cutoffs[-1], edges)
+
+
+# Masters of the same few scans
+
+
+def edges_of_scans(
+    scales: xr.Dataset, masters: Masters, tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return the edges of the band of every surface, with intervals from scans or their parts.
+
+    scales: the forces on the filtered masters, as in scales.nc.
+    Returns ``filtered_force_ratio`` (surface, side, cutoff_wavelength), the mean over realizations,
+        with its interval, which runs from zero to infinity if it is not bounded; the variables of
+        `edges_of_curves` (surface, side); and over surface ``interval_is_conditional``, 1 if the
+        interval is conditional on one or two scans, ``interval_source`` and ``interval_scans``.
+    """
+    curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
+    curves = curves.transpose("surface", "side", ...)
+    sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
+    return (
+        curves[["filtered_force_ratio", "filtered_force_ratio_interval"]]
+        .merge(sources.isel(side=0, drop=True))
+        .merge(edges_of_curves(curves, tolerance))
+    )
+
+
+def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
+    """Return the ratios of one surface and side, their intervals, and the source of these."""
+    half = half_width_over_masters(
+        masters, lambda filtered, unfiltered: filtered / unfiltered, "log_ratio_shift", confidence
+    )
+    ratio = masters.forces.filtered_force_ratio.mean("realization").values
+    interval = logarithmic_interval(ratio, half)
+    axis = "cutoff_wavelength"
+    return xr.Dataset(
+        with_interval("filtered_force_ratio", axis, ratio, interval, RATIO, confidence)
+        | {
+            "interval_is_conditional": int(masters.scan_parts.are_quarters),
+            "interval_source": masters.scan_parts.source,
+            "interval_scans": masters.scan_parts.scans,
+        },
+        {axis: masters.forces[axis].variable},
+    )
+
+
+def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
+    """Return the edges of several curves with the cutoffs between which they lie.
+
+    ratios: ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs that
+        a curve does not have; side as a coordinate.
+    Returns over the other dimensions ``edge``, ``edge_bound`` and ``edge_interval`` in nm, NaN if
+        they are open, and ``edge_status`` of `Edge`.
+    """
+    dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
+    shape = [ratios.sizes[dim] for dim in dimensions]
+    edges = []
+    intervals = []
+    for index in np.ndindex(*shape):
+        curve, lowest, highest = _curve_with_interval(
+            ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
+        )
+        edges.append(find_edge(curve))
+        intervals.append(edge_interval(curve, lowest, highest))
+    interval = np.reshape(intervals, (*shape, 2))
+    return xr.Dataset(
+        {
+            "edge": (dimensions, np.reshape([edge.value for edge in edges], shape), EDGE),
+            "edge_interval": ((*dimensions, "bound"), interval, EDGE),
+            "edge_bound": (dimensions, np.reshape([edge.bound for edge in edges], shape), BOUND),
+            "edge_status": (dimensions, np.reshape([edge.status for edge in edges], shape), STATUS),
+        },
+        {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS},
+    )
+
+
+def _curve_with_interval(
+    ratios: xr.Dataset, tolerance: float
+) -> tuple[RatioCurve, np.ndarray, np.ndarray]:
+    """Return one curve with the low and the high ends (k,) of the intervals of its values."""
+    side = str(ratios["side"].item())
+    ratios = ratios.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])
+    ratios = ratios.sortby("cutoff_wavelength", ascending=side == "small")
+    ratio = ratios["filtered_force_ratio"].values
+    interval = ratios["filtered_force_ratio_interval"].values
+    if not np.isnan(interval).all():
+        # Where the other ratios have intervals, a ratio without one is the same in all parts.
+        interval = np.where(np.isnan(interval), ratio[:, None], interval)
+    with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
+        lowest, highest = np.log(interval).T
+    cutoffs = ratios["cutoff_wavelength"].values
+    curve = RatioCurve(side, cutoffs, np.log(ratio), logarithmic_limits(tolerance))
+    return curve, lowest, highest

@@ -1,0 +1,51 @@
+"""Whether plasticity and a long range of adhesion enhance each other: edges with and without them.
+
+Source: the paper, Determining the Most Relevant Length-scales of Roughness.
+"""
+
+from itertools import product
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.dataset import stack
+from hardcontact.base.statistics import Sampling
+from hardcontact.base.units import DIMENSIONLESS
+from hardcontact.inference.edges import edges_with_samples
+
+#: Contact models in the order of their areas, the smallest first.
+CONTACT_MODELS = ["rigid", "plastic"]
+
+
+def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+    """Return the edges of the band of plastic and rigid contact at each range of adhesion.
+
+    forces: from `stacked_forces`, with a single radius, rho, and two loads: plastic and rigid.
+    tolerance: relative change of the force that counts.
+    sampling: random numbers and confidence of the intervals.
+    Returns `edges_of_realizations` by contact_model (CONTACT_MODELS) and rho. ``edge_ratio``
+        (removed_cause, side, group) with its interval: the edge in plastic contact at the longest
+        range, relative to the edge in rigid contact at this range (``"plasticity"``) or to the edge
+        in plastic contact at the shortest range (``"long_range"``).
+    """
+    sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
+    ranges = sorted_forces["rho"].values.tolist()
+    datasets = {}
+    edge_samples = {}
+    for (load, model), (column, rho) in product(enumerate(CONTACT_MODELS), enumerate(ranges)):
+        contact = sorted_forces.isel(load=load, rho=column, drop=True)
+        datasets[model, rho], edge_samples[model, rho] = edges_with_samples(
+            contact, tolerance, sampling
+        )
+    edges = stack(datasets, ["contact_model", "rho"])
+    complete = "plastic", max(ranges)
+    reduced = {"plasticity": ("rigid", max(ranges)), "long_range": ("plastic", min(ranges))}
+    ratios = [datasets[complete]["edge"] / datasets[key]["edge"] for key in reduced.values()]
+    samples = [edge_samples[complete] / edge_samples[key] for key in reduced.values()]
+    attributes = DIMENSIONLESS | {
+        "long_name": "edge relative to the edge without plasticity, or without the long range"
+    }
+    edge_ratio = sampling.with_interval(
+        "edge_ratio", ("removed_cause", "side", "group"), ratios, np.stack(samples, 1), attributes
+    )
+    return edges.assign_coords(removed_cause=list(reduced)).assign(edge_ratio)

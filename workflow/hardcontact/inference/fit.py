@@ -1,0 +1,76 @@
+"""Range and work of adhesion that fit mean forces best, on all surfaces and without one of them.
+
+All forces are computed for a work of adhesion of 1 J/m², to which they are proportional.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
+from hardcontact.contact.force_curves import interpolate_to_ranges
+from hardcontact.inference.error_map import fit_range_and_work
+
+#: Number of ranges of adhesion of a fit, from the shortest to the longest computed range.
+RANGE_COUNT = 801
+#: Variables of the best fit, with their units.
+FIT_UNITS = {
+    "range_of_adhesion": NM,
+    "work_of_adhesion": JOULE_PER_M2,
+    "best_error": DIMENSIONLESS,
+}
+#: Names of the variables of the best fit without one surface.
+WITHOUT_SURFACE = {
+    "range_of_adhesion": "range_without_surface",
+    "work_of_adhesion": "work_without_surface",
+    "best_error": "error_without_surface",
+}
+
+
+def fine_ranges(ranges: np.ndarray) -> np.ndarray:
+    """Return the ranges (nm) of a fit, from the shortest to the longest of the computed ranges."""
+    if len(ranges) == 1:
+        return ranges
+    return np.geomspace(ranges[0], ranges[-1], RANGE_COUNT)
+
+
+def best_fit(curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray) -> dict[str, np.ndarray]:
+    """Return the variables (...) of FIT_UNITS, NaN where a curve has NaN.
+
+    curves: computed mean forces (..., surface, range) in N at these ranges (nm).
+    targets: measured mean forces (surface,) in N.
+    """
+    best_index, work, error = fit_range_and_work(curves, targets)
+    best_range = np.where(np.isfinite(error), ranges[best_index], np.nan)
+    return {"range_of_adhesion": best_range, "work_of_adhesion": work, "best_error": error}
+
+
+def fit_mean_forces(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
+    """Return the `best_fit` (...) to mean forces (..., surface, rho) in N.
+
+    Surfaces without a measured mean force (N, by surface) do not enter the fit.
+    """
+    targets = measured_forces.reindex(mean_forces["surface"].values).dropna()
+    dimensions = [dim for dim in mean_forces.dims if dim not in ("surface", "rho")]
+    forces = mean_forces.sel(surface=targets.index).transpose(*dimensions, "surface", "rho")
+    ranges = fine_ranges(forces["rho"].values)
+    curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
+    fit = best_fit(curves, targets.to_numpy(), ranges)
+    return xr.Dataset(
+        {name: (dimensions, fit[name], attributes) for name, attributes in FIT_UNITS.items()},
+        {dim: forces[dim] for dim in dimensions},
+    )
+
+
+def fit_without_each_surface(mean_forces: xr.DataArray, measured_forces: pd.Series) -> xr.Dataset:
+    """Return the variables of WITHOUT_SURFACE (left_out, ...): fits without one surface at a time.
+
+    The arguments are those of `fit_mean_forces`.
+    """
+    surfaces: Sequence[str] = mean_forces["surface"].values.tolist()
+    fits = [
+        fit_mean_forces(mean_forces.drop_sel(surface=name), measured_forces) for name in surfaces
+    ]
+    return xr.concat(fits, pd.Index(surfaces, name="left_out")).rename(WITHOUT_SURFACE)

@@ -1,0 +1,16 @@
+"""The wavelengths whose removal changes the pull-off force, with their intervals."""
+
+from hardcontact.base import dataset
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.inference.edges import describe_edges, edges_of_realizations
+
+with job(snakemake) as job:
+    params = job.parameters
+    scales = dataset.read(job.input.scales)
+    sampling = Sampling(params["seed"], params["samples"], params["confidence"])
+    edges = edges_of_realizations(scales, params["tolerance"], sampling)
+    job.write(
+        describe_edges(edges, scales, params["tolerance"], params["confidence"]),
+        title="pull-off force against cutoff wavelength, and the edges of the band",
+    )
