@@ -1,4 +1,26 @@
-# Fit: range and work of adhesion from published forces, log-normal statistics.
+# Inference: edges of the band, range and work of adhesion from published forces.
+
+
+rule find_edges:
+    """Find the wavelengths whose removal changes the force: edges.nc."""
+    input:
+        scales=rules.aggregate_scales.output[0],
+        code=code_inputs("find_edges.py"),
+    output:
+        PATTERNS.dataset("edges"),
+    log:
+        PATTERNS.log("find_edges"),
+    benchmark:
+        PATTERNS.benchmark("find_edges")
+    params:
+        canonical=canonical(
+            {
+                "tolerance": STUDY["scales"]["tolerance"],
+                **SAMPLING,
+            }
+        ),
+    script:
+        "../scripts/find_edges.py"
 
 
 rule fit_published:

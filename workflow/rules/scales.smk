@@ -1,4 +1,4 @@
-# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the edges of the band.
+# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface.
 
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
@@ -103,25 +103,3 @@ rule aggregate_scales:
         ),
     script:
         "../scripts/aggregate_scales.py"
-
-
-rule find_edges:
-    """Find the wavelengths whose removal changes the force: edges.nc."""
-    input:
-        scales=rules.aggregate_scales.output[0],
-        code=code_inputs("find_edges.py"),
-    output:
-        PATTERNS.dataset("edges"),
-    log:
-        PATTERNS.log("find_edges"),
-    benchmark:
-        PATTERNS.benchmark("find_edges")
-    params:
-        canonical=canonical(
-            {
-                "tolerance": STUDY["scales"]["tolerance"],
-                **SAMPLING,
-            }
-        ),
-    script:
-        "../scripts/find_edges.py"

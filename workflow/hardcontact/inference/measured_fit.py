@@ -2,11 +2,11 @@
 
 Forces F are measured, and forces f are computed at 1 J/m². At every range, the work W = F/f(rho)
 makes them agree. One surface gives a curve W(rho). For several surfaces, the region contains the
-pairs of range and work within the intervals of all surfaces at once. Tests scatter log-normally.
+pairs of range and work within the intervals of all surfaces at once.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -16,7 +16,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import (
     Sampling,
     bounds,
-    lognormal_shape,
+    interval_between,
     percentile_interval,
     with_interval,
 )
@@ -24,53 +24,9 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
+from hardcontact.inference.force_tests import measured_tests, sampled_means
 from hardcontact.inference.mean_forces import SurfaceForces, fewest_places, forces_of_surface
 from hardcontact.inference.scan_parts import sampled_deviations
-
-#: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
-MAX_LOG_DEVIATION = 50.0
-
-
-class MeasuredTests(NamedTuple):
-    """Tests on one surface."""
-
-    mean: float  #: Mean force in N.
-    log_std: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
-    test_count: int  #: Number of tests.
-
-
-def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface from its rows of the table of measured forces."""
-    count = int(forces["count"].sum())
-    mean = float(np.average(forces["mean"], weights=forces["count"]))
-    if count < 2:
-        return MeasuredTests(mean, np.nan, count)
-    if len(forces) == 1:
-        return MeasuredTests(mean, float(lognormal_shape(mean, forces["median"].iloc[0])), count)
-    return MeasuredTests(mean, float(np.log(forces["mean"]).std(ddof=1)), count)
-
-
-def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Sample mean forces (samples,) in N of a log-normal distribution from a few tests.
-
-    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
-    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
-    of the logarithms of n tests, mu and sigma their true values. The deviation of the pivot from
-    y + s²/2 is added to the logarithm of the measured mean. NaN for a single test, whose scatter is
-    unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
-    """
-    if tests.test_count < 2:
-        return np.full(samples, np.nan)
-    freedom = tests.test_count - 1
-    variance = tests.log_std**2
-    sampled_variance = variance * freedom / rng.chisquare(freedom, samples)
-    normal = rng.standard_normal(samples)
-    deviation = (sampled_variance - variance) / 2 - normal * np.sqrt(
-        sampled_variance / tests.test_count
-    )
-    return np.asarray(
-        tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
-    )
 
 
 def fit_measured(
@@ -265,23 +221,14 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         ``assumed_range``, at which ``work_by_range`` can be compared.
     """
     surface_force = force.sel(surface=fitted.surface)
-    measured_force = fitted.measured_force
-    computed_force = surface_force.extrapolated_force
-    measured_low, measured_high = bounds(fitted, "measured_force")
-    measured_log_low = np.log(measured_low / measured_force)
-    measured_log_high = np.log(measured_high / measured_force)
-    low, high = bounds(surface_force, "extrapolated_force")
-    computed_log_high = np.log(high / computed_force)
-    # A lower end of zero is no bound: its logarithm is minus infinity.
-    computed_log_low = np.log(low.where(low > 0) / computed_force).where(low != 0, -np.inf)
-    work = (measured_force / (computed_force / force.attrs["work_of_adhesion"])).transpose(
-        "surface", "side"
+    computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]
+    work = (fitted.measured_force / computed_force).transpose("surface", "side")
+    measured_below, measured_above = _logarithmic_errors(fitted, "measured_force")
+    computed_below, computed_above = _logarithmic_errors(surface_force, "extrapolated_force")
+    interval = interval_between(
+        work * np.exp(-np.hypot(measured_below, computed_above)),
+        work * np.exp(np.hypot(measured_above, computed_below)),
     )
-    ends = [
-        -np.hypot(measured_log_low, computed_log_high),
-        np.hypot(measured_log_high, computed_log_low),
-    ]
-    interval = xr.concat([work * np.exp(end) for end in ends], "bound")
     variables = with_interval(
         "extrapolated_work",
         work.dims,
@@ -298,3 +245,15 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
         )
         .assign_attrs(assumed_range=force.attrs["range_of_adhesion"])
     )
+
+
+def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return how far the ends of an interval lie below and above a value, in the logarithm.
+
+    A lower end of zero is no bound: it lies infinitely far below.
+    """
+    low, high = bounds(data, name)
+    with np.errstate(divide="ignore"):
+        below: xr.DataArray = xr.apply_ufunc(np.log, data[name] / low)
+        above: xr.DataArray = xr.apply_ufunc(np.log, high / data[name])
+    return below, above
