@@ -123,7 +123,5 @@ def test_known_ratios_have_known_or_open_edges():
     assert edges["long_edge"].values[0] == pytest.approx(1000 * 0.25**share)
     assert edges["long_edge"].values[2] == pytest.approx(2000, rel=1e-3)
     assert np.isnan(edges["long_edge"][1]) and edges["long_edge_bound"][1] == 1000
-    assert (
-        edges["long_edge_status"][1] == "beyond the cell" and edges["long_edge_bound_is_lower"][1]
-    )
+    assert edges["long_edge_status"][1] == "open_above"
     assert edges["force_over_largest"].values.tolist() == [2.0, 3.0, 1.0]

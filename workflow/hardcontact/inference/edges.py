@@ -47,7 +47,7 @@ CHANGE = DIMENSIONLESS | {
 }
 EDGE = NM | {"long_name": "cutoff at which the change of the force exceeds the tolerance"}
 BOUND = NM | {"long_name": "cutoff beyond which an open edge lies"}
-STATUS = {"long_name": "whether the edge is found, or on which side of its bound it lies"}
+STATUS = {"long_name": "found, or open_above or open_below: the edge lies above or below its bound"}
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:

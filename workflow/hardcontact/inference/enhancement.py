@@ -48,4 +48,5 @@ def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -
     edge_ratio = sampling.with_interval(
         "edge_ratio", ("removed_cause", "side", "group"), ratios, np.stack(samples, 1), attributes
     )
-    return edges.assign_coords(removed_cause=list(reduced)).assign(edge_ratio)
+    coordinates = {"rho": sorted_forces["rho"], "removed_cause": list(reduced)}
+    return edges.assign_coords(coordinates).assign(edge_ratio)
