@@ -6,7 +6,7 @@ goes on beyond their ends: an edge before the first cutoff is open, and interval
 parts of the scans.
 """
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from itertools import product
 from typing import Any
 
@@ -21,6 +21,7 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
+    Edge,
     RatioCurve,
     edge_interval,
     find_edge,
@@ -82,6 +83,21 @@ def describe_edges(
     )
 
 
+def _edge_variables(
+    edges: Sequence[Edge], dimensions: Sequence[Hashable], shape: Sequence[int]
+) -> dict[str, Any]:
+    """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
+    columns = {
+        "edge": ([edge.value for edge in edges], EDGE),
+        "edge_bound": ([edge.bound for edge in edges], BOUND),
+        "edge_status": ([edge.status for edge in edges], STATUS),
+    }
+    return {
+        name: (dimensions, np.reshape(values, shape), attributes)
+        for name, (values, attributes) in columns.items()
+    }
+
+
 # Masters whose realizations are independent
 
 
@@ -115,23 +131,14 @@ def edges_with_samples(
     shape = scales.sizes["side"], scales.sizes["surface"] + 1
     edge_samples = np.reshape(np.transpose(samples), (len(ratio_samples), *shape))
     axes = ("side", "group")
-    variables: dict[str, Any] = (
-        sampling.with_interval("filtered_force_ratio", AXES, ratio, ratio_samples, RATIO)
-        | sampling.with_interval(
-            "filtered_force_change",
-            (*axes, "cutoff_wavelength"),
-            _changes(ratio),
-            _changes(ratio_samples),
-            CHANGE,
-        )
-        | sampling.with_interval(
-            "edge", axes, np.reshape([edge.value for edge in edges], shape), edge_samples, EDGE
-        )
-        | {
-            "edge_bound": (axes, np.reshape([edge.bound for edge in edges], shape), BOUND),
-            "edge_status": (axes, np.reshape([edge.status for edge in edges], shape), STATUS),
-        }
+    change, change_samples = _changes(ratio), _changes(ratio_samples)
+    variables = _edge_variables(edges, axes, shape)
+    _, edge, _ = variables["edge"]
+    variables |= sampling.with_interval("edge", axes, edge, edge_samples, EDGE)
+    variables |= sampling.with_interval(
+        "filtered_force_change", (*axes, "cutoff_wavelength"), change, change_samples, CHANGE
     )
+    variables |= sampling.with_interval("filtered_force_ratio", AXES, ratio, ratio_samples, RATIO)
     coordinates = {
         "side": scales["side"].values,
         "surface": scales["surface"].values,
@@ -259,16 +266,10 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
         )
         edges.append(find_edge(curve))
         intervals.append(edge_interval(curve, lowest, highest))
+    variables = _edge_variables(edges, dimensions, shape)
     interval = np.reshape(intervals, (*shape, 2))
-    return xr.Dataset(
-        {
-            "edge": (dimensions, np.reshape([edge.value for edge in edges], shape), EDGE),
-            "edge_interval": ((*dimensions, "bound"), interval, EDGE),
-            "edge_bound": (dimensions, np.reshape([edge.bound for edge in edges], shape), BOUND),
-            "edge_status": (dimensions, np.reshape([edge.status for edge in edges], shape), STATUS),
-        },
-        {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS},
-    )
+    variables["edge_interval"] = ((*dimensions, "bound"), interval, EDGE)
+    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS})
 
 
 def _curve_with_interval(
