@@ -87,7 +87,7 @@ def _edge_variables(
     edges: Sequence[Edge], dimensions: Sequence[Hashable], shape: Sequence[int]
 ) -> dict[str, Any]:
     """Return ``edge``, ``edge_bound`` and ``edge_status`` as variables of this shape."""
-    columns = {
+    columns: dict[str, tuple[list[Any], dict[str, str]]] = {
         "edge": ([edge.value for edge in edges], EDGE),
         "edge_bound": ([edge.bound for edge in edges], BOUND),
         "edge_status": ([edge.status for edge in edges], STATUS),
