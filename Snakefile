@@ -26,7 +26,6 @@ if COMPARED:
     include: "workflow/rules/asperities.smk"
     include: "workflow/rules/inference.smk"
     include: "workflow/rules/classical.smk"
-    include: "workflow/rules/robustness.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/insight.smk"

@@ -44,8 +44,8 @@ def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[He
 def mean_forces(surface: HeightMap, windows: Windows) -> Floats:
     """Return the plastic pull-off (rho,) in N at 1 J/m² on a periodic surface, over contacts."""
     pair = bodies(surface, None, windows.contact)
-    forces = mean_pull_off_of_pair(pair, [windows.contact], windows.ranges)
-    return np.asarray(forces["pull_off_force"].values[0])
+    forces = mean_pull_off_of_pair(pair, windows.contact, windows.ranges)["pull_off_force"]
+    return np.asarray(forces.sel(contact_model="plastic").values)
 
 
 def window_forces(surface: HeightMap, windows: Windows) -> Floats:

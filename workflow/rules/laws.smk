@@ -5,7 +5,7 @@ rule compute_law_forces:
     """Compute the forces of a scan and its masters at the ranges that laws are mixtures of."""
     input:
         scan=PATTERNS.stitched_substrate,
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        spectrum=lambda w: FILES.spectrum(w.surface),
         sphere=FILES.first_sphere,
         code=code_inputs("compute_law_forces.py"),
     output:

@@ -1,4 +1,4 @@
-# Plasticity: the indents that contacts leave in the sphere, one by one and many at one place.
+# Plasticity: the indents that contacts leave in the sphere, and how it enhances the range of adhesion.
 
 INDENTED = STUDY["indent"]["surface"]
 
@@ -31,41 +31,6 @@ rule measure_indents:
         "../scripts/measure_indents.py"
 
 
-rule repeat_contact:
-    """Measure how far the indents of many contacts at one place overlap: repeated_contact.nc."""
-    input:
-        substrates=[FILES.stitched(INDENTED, scan) for scan, _ in FILES.repeated_pairs],
-        spheres=[FILES.stitched(SPHERE, sphere_scan) for _, sphere_scan in FILES.repeated_pairs],
-        spectrum=FILES.spectrum(INDENTED),
-        code=code_inputs("repeat_contact.py"),
-    output:
-        PATTERNS.dataset("repeated_contact"),
-    log:
-        PATTERNS.log("repeat_contact"),
-    benchmark:
-        PATTERNS.benchmark("repeat_contact")
-    params:
-        canonical=canonical(
-            {
-                "surface": INDENTED,
-                "label": SELECTION.labels[INDENTED],
-                "basis": SELECTION.basis[INDENTED],
-                "pairs": FILES.repeated_pairs,
-                "load": {
-                    "preload": max(STUDY["indent"]["preloads"]),
-                    "hardness": STUDY["contact"]["hardness"],
-                },
-                "contacts": STUDY["contact"]["count"] ** 2,
-                "radius": STUDY["sphere"]["radius"],
-                "size": max(STUDY["insight"]["sizes"]),
-                "seed": STUDY["seed"],
-                "confidence": STUDY["inference"]["confidence"],
-            }
-        ),
-    script:
-        "../scripts/repeat_contact.py"
-
-
 rule compare_enhancement:
     """Find the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
     input:
@@ -81,7 +46,7 @@ rule compare_enhancement:
         canonical=canonical(
             {
                 "masters": [row.surface for row in FILES.masters("enhancement")],
-                "realizations": STUDY["robustness"]["realizations"],
+                "realizations": STUDY["insight"]["realizations"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 **SAMPLING,
                 **NAMED_SURFACES,

@@ -11,8 +11,8 @@ SAMPLED = [] if COMPARED else FILES.masters("sampled")
 rule synthesize_masters:
     """Continue the roughness of a scan below its pixels and beyond its size."""
     input:
-        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization)),
+        spectrum=lambda w: FILES.spectrum(w.surface),
         code=code_inputs("synthesize_masters.py"),
     output:
         small=PATTERNS.small_master,
@@ -69,7 +69,7 @@ rule filter_masters:
                 "purpose": PURPOSE_NAMES.get(w.purpose, "master"),
                 "window": STUDY["contact"]["window"],
                 **FILES.filters(w.purpose),
-                **FILES.contact_grid(w.purpose, w.probe),
+                **FILES.contact_grid(w.purpose),
             }
         ),
     script:

@@ -23,12 +23,7 @@ rule calibrate_spectrum:
     benchmark:
         PATTERNS.benchmark("calibrate_spectrum", PATTERNS.calibrated_spectrum)
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "definitions": FILES.surface_variants[w.variant].table1_definitions,
-            }
-        ),
+        canonical=lambda w: canonical({"surface": w.surface}),
     script:
         "../scripts/calibrate_spectrum.py"
 
@@ -94,7 +89,6 @@ rule condition_scans:
                 "scans": SELECTION.scans_of_group(w.surface, int(w.group)),
                 "scan": SCAN_GRID,
                 "seed": STUDY["seed"],
-                "definitions": FILES.surface_variants[w.variant].table1_definitions,
             }
         ),
     script:
@@ -108,8 +102,8 @@ for scans, surfaces in FILES.scan_groups.items():
         name:
             f"make_scans_{'_'.join(map(str, scans))}"
         input:
-            spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-            conditioning=lambda w, scan=scans[0]: FILES.conditioning(w.surface, scan, w.variant),
+            spectrum=lambda w: FILES.spectrum(w.surface),
+            conditioning=lambda w, scan=scans[0]: FILES.conditioning(w.surface, scan),
             code=code_inputs("make_scans.py"),
         output:
             substitutes=expand(PATTERNS.substitute, scan=scans, allow_missing=True),
@@ -128,9 +122,7 @@ for scans, surfaces in FILES.scan_groups.items():
                     "scans": scans,
                     "scan": SCAN_GRID,
                     "seed": STUDY["seed"],
-                    "skewness": FILES.surface_variants[w.variant].heights(
-                        SELECTION.skewness(w.surface)
-                    ),
+                    "skewness": SELECTION.skewness(w.surface),
                     "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
                 }
             ),

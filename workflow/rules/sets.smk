@@ -6,7 +6,7 @@ from hardcontact.paper.evaluation import replicated_statements
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        spectrum=lambda w: FILES.spectrum(w.surface),
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compute_pool.py"),
@@ -22,10 +22,34 @@ rule compute_pool:
         "../scripts/compute_pool.py"
 
 
+rule average_smooth_sphere:
+    """Compute the mean forces of all scans of a surface on a smooth sphere."""
+    input:
+        scans=lambda w: [FILES.stitched(w.surface, scan) for scan in SELECTION.scans(w.surface)],
+        code=code_inputs("average_smooth_sphere.py"),
+    output:
+        PATTERNS.smooth_sphere,
+    log:
+        PATTERNS.log("average_smooth_sphere", PATTERNS.smooth_sphere),
+    benchmark:
+        PATTERNS.benchmark("average_smooth_sphere", PATTERNS.smooth_sphere)
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scans": SELECTION.scans(w.surface),
+                "contact": STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]},
+                "ranges": RANGES,
+            }
+        ),
+    script:
+        "../scripts/average_smooth_sphere.py"
+
+
 rule compute_protruded:
     """Compute the forces on some surfaces with rare protrusions on them or on the sphere."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        spectrum=lambda w: FILES.spectrum(w.surface),
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compute_protruded.py"),
@@ -55,8 +79,8 @@ rule judge_sets:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
-        smooth_spheres=FILES.paths(PATTERNS.mean_forces, FILES.smooth_forces),
-        masters=FILES.paths(PATTERNS.filtered, FILES.varied_masters("sets")),
+        smooth_spheres=FILES.paths(PATTERNS.smooth_sphere, FILES.pooled_surfaces),
+        masters=FILES.paths(PATTERNS.filtered, FILES.masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("judge_sets.py"),
@@ -71,7 +95,7 @@ rule judge_sets:
             {
                 "chunks": FILES.chunks,
                 "pooled": SELECTION.pooled,
-                "masters": [row.surface for row in FILES.varied_masters("sets")],
+                "masters": [row.surface for row in FILES.masters("sets")],
                 "realizations": STUDY["sets"]["realizations"],
                 "load": FILES.contact.load,
                 "statements": replicated_statements("resources/paper/claims.csv"),
@@ -90,10 +114,8 @@ rule judge_sets:
 
 
 rule fit_protruded:
-    """Find what decides the fit of range and work: protruded(_sphere).nc, standoff.nc."""
+    """Find what decides the fit of range and work: protruded(_sphere).nc."""
     input:
-        topography=rules.aggregate_topography.output[0],
-        adhesion=rules.aggregate_adhesion.output[0],
         sets=rules.judge_sets.output[0],
         protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(FILES.protruded_coating)),
         protruded_sphere=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(SPHERE)),
@@ -103,7 +125,6 @@ rule fit_protruded:
     output:
         protruded=PATTERNS.dataset("protruded"),
         protruded_sphere=PATTERNS.dataset("protruded_sphere"),
-        standoff=PATTERNS.dataset("standoff"),
     log:
         PATTERNS.log("fit_protruded"),
     benchmark:

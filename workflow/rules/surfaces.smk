@@ -1,9 +1,8 @@
-# The surfaces of the study, their variants, and the lists of their files.
+# The surfaces of the study, and the lists of their files.
 
 from hardcontact.config.files import Files
 from hardcontact.config.patterns import any_name_pattern
 from hardcontact.config.patterns import wildcard_constraints as constraints
-from hardcontact.config.variants import TABLE1_DEFINITIONS
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
@@ -12,7 +11,7 @@ FILES = Files(STUDY, SELECTION, PATTERNS)
 
 
 wildcard_constraints:
-    **constraints(SELECTION.surfaces, FILES.surface_variants),
+    **constraints(SELECTION.surfaces),
 
 
 def pool_parameters(wildcards):
@@ -23,7 +22,6 @@ def pool_parameters(wildcards):
         "last": int(wildcards.last),
         "scans": len(SELECTION.scans(wildcards.surface)),
         "scan": SCAN_GRID,
-        "definitions": FILES.surface_variants[wildcards.variant].table1_definitions,
         "rms_heights": STUDY["sets"]["rms_heights"],
         "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
         "ranges": RANGES,

@@ -21,7 +21,6 @@ rule aggregate_topography:
                 "conditioned": list(FILES.conditionings),
                 **NAMED_SURFACES,
                 "sphere_surface": SPHERE,
-                "definitions": TABLE1_DEFINITIONS,
                 "reference_surface": STUDY["reference_surface"],
                 "confidence": STUDY["inference"]["confidence"],
             }

@@ -9,11 +9,7 @@ with job(snakemake) as job:
     job.write(
         substitute_spectrum(
             job.input.description,
-            rows_of_surface(
-                published.table1(job.input.published_table1),
-                surface,
-                **job.parameters["definitions"],
-            ),
+            rows_of_surface(published.table1(job.input.published_table1), surface),
             published.constants(job.input.published_constants),
         ),
         title=f"power spectral density of the substitute for {surface}",

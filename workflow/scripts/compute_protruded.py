@@ -11,7 +11,6 @@ with job(snakemake) as job:
         published.table1(job.input.published_table1),
         published.constants(job.input.published_constants),
         params["coating"],
-        params["definitions"],
     )
     sources = read_pool_sources(job.input, params)
     numbers = range(params["first"], params["last"] + 1)

@@ -16,11 +16,8 @@ with job(snakemake) as job:
     grid = ScanGrid(**params["scan"])
     targets = scan_targets(
         spectrum_data,
-        rows_of_surface(
-            published.table1(job.input.published_table1), surface, **params["definitions"]
-        ),
+        rows_of_surface(published.table1(job.input.published_table1), surface),
         published.constants(job.input.published_constants),
-        params["definitions"],
         grid,
     )
     generator_functions = {

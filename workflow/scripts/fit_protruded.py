@@ -1,14 +1,10 @@
-"""Influences on range and work of adhesion: rare protrusions, apex heights."""
-
-import numpy as np
-
+"""Range and work of adhesion of all sets if one coating or the sphere had rare protrusions."""
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.protruded_sets import empty_protruded_forces, fit_protruded_sets
-from hardcontact.paper.standoff import infer_apex_heights
 
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
@@ -31,17 +27,3 @@ with job(snakemake) as job:
             title=f"range and work of adhesion if {body} had protrusions",
             output=output,
         )
-
-    topography = read(job.input.topography)
-    rms_heights = topography["rms_height_mean"]
-    sphere_rms_height = rms_heights.sel(surface=topography.attrs["sphere_surface"])
-    job.write(
-        infer_apex_heights(
-            read(job.input.adhesion).sel(contact_model=PLASTIC),
-            pull_off,
-            constants["work_of_adhesion"],
-            np.hypot(rms_heights, sphere_rms_height).to_series(),
-        ),
-        title="heights of the sphere's apex that follow from pull-off forces",
-        output="standoff",
-    )

@@ -79,7 +79,7 @@ def _paper_limits(
     surfaces = list(contacts.surface.unique())
     yield _surface_name_limit(config, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
-    for key in ("reference_surface", "indent.surface", "robustness.heights.surface"):
+    for key in ("reference_surface", "indent.surface", "sets.protruded_surface"):
         yield _surface_name_limit(config, key, substrates)
     reference = config["reference_surface"]
     accepted = f"a surface with a published pull-off force ({', '.join(compared)})"

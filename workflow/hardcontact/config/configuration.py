@@ -12,11 +12,12 @@ from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
 from hardcontact.config.model import NONE, PAPER, Study
+from hardcontact.contact.contact import Contact
 
 #: Targets of a study that is compared with the paper.
 PAPER_TARGETS = (
     "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
-    "robustness", "claims", "figures", "pages", "answer", "insight",
+    "claims", "figures", "pages", "answer", "insight",
 )  # fmt: skip
 #: Targets of a study of own surfaces; `fit` needs own forces.
 OWN_SURFACE_TARGETS = ("topography", "adhesion", "scales", "force", "fit", "answer")
@@ -28,7 +29,6 @@ REASONS = {
     "asperities": "patches are computed for comparison with statements of the paper",
     "classical": "classical models are fitted to the paper's forces",
     "sets": "sets are sampled from substitutes for the paper's surfaces",
-    "robustness": "it varies how substitutes for the paper's surfaces are made",
     "claims": "claims are statements of the paper about its own surfaces",
     "figures": "the figures are the paper's; those of own surfaces are in the answer",
     "insight": "its parts are made of substitutes for the paper's surfaces",
@@ -113,6 +113,13 @@ def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
             section = section[section_name]
         section[name] = value
     return updated
+
+
+def study_contact(config: Mapping[str, Any]) -> Contact:
+    """Return the contact of the study."""
+    return Contact(
+        **config["contact"], radius=config["sphere"]["radius"], range=config["scales"]["range"]
+    )
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:

@@ -1,18 +1,16 @@
-"""Every file of one study: for each surface, pair of scans, realization and variant."""
+"""Every file of one study: for each surface, pair of scans and realization."""
 
 from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import cached_property
 from itertools import cycle, product
 from typing import Any
 
 from hardcontact.base.units import path_token
-from hardcontact.config.configuration import get_key, master_keys
-from hardcontact.config.patterns import STUDY_VARIANT, Patterns
+from hardcontact.config.configuration import get_key, master_keys, study_contact
+from hardcontact.config.patterns import Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.store_keys import SCAN_KEYS, key_values, short_digest
-from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
@@ -22,18 +20,15 @@ MASTERS_CHUNK = 5
 PROTRUDED_CHUNK = 8
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
-#: Sections with realizations of their own of the masters of variants.
-VARIED = ("sets", "robustness")
-
 
 # Rows of lists: their fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")
 ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
+Surface = namedtuple("Surface", "surface")
 ProtrudedChunk = namedtuple("ProtrudedChunk", "surface protruded_body first last")
-MeanForces = namedtuple("MeanForces", "surface variant probe radii loads ranges")
 FilteredMasters = namedtuple(
-    "FilteredMasters", "purpose settings surface variant probe first last radii loads ranges"
+    "FilteredMasters", "purpose settings surface probe first last radii loads ranges"
 )
 
 
@@ -43,7 +38,7 @@ def _chunks(count: int, step: int) -> list[tuple[int, int]]:
 
 
 class Files:
-    """The files of one study, with its load and its ways to make substitutes, by name.
+    """The files of one study, with its load.
 
     Lists are of rows whose fields are wildcards of patterns: `paths` gives the files.
     """
@@ -62,20 +57,13 @@ class Files:
         }
         keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
         self._filter_values = key_values(configuration, keys)
-        #: The study's sphere of filtered masters.
-        self.probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
-        self.surface_variants = surface_variants(configuration)
-
-    @cached_property
-    def variants(self) -> list[Variant]:
-        """The variants of robustness, the study itself first."""
-        return variants(self._configuration, self._selection)
+        self._probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""
         sphere = surface == self._selection.sphere
         shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        defaults = {"variant": STUDY_VARIANT, "shape": shape, **self._swept}
+        defaults = {"shape": shape, **self._swept}
         return pattern.format(surface=surface, **defaults | wildcards)
 
     def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
@@ -84,12 +72,12 @@ class Files:
 
     # Surfaces
 
-    def spectrum(self, surface: str, variant: str = STUDY_VARIANT) -> str:
+    def spectrum(self, surface: str) -> str:
         """Return the spectrum of a surface at all scales."""
         is_measured = self._selection.basis[surface] == "measured"
-        patterns, variant = self._patterns, self.surface_variants[variant].spectrum
+        patterns = self._patterns
         pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
-        return self.path(pattern, surface, variant=variant)
+        return self.path(pattern, surface)
 
     def measurements(self, surface: str) -> list[str]:
         """Return the files of all scans of a measured surface; an empty list for a substitute."""
@@ -110,11 +98,10 @@ class Files:
         """Return the levelling and the tip radii (nm) of the measurements of a surface."""
         return {"tip_radii": self._selection.tip_radii(surface), **self.levelling(surface)}
 
-    def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
+    def conditioning(self, surface: str, scan: int) -> str:
         """Return the gain and factors that a substitute scan shares with its group."""
         group = self._selection.group(surface, scan)
-        variant = self.surface_variants[variant].spectrum
-        return self.path(self._patterns.conditioning, surface, variant=variant, group=group)
+        return self.path(self._patterns.conditioning, surface, group=group)
 
     @property
     def conditionings(self) -> dict[str, str]:
@@ -128,7 +115,7 @@ class Files:
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """The numbers of scans that are made together, and the substitutes that have such scans."""
-        realizations = max(self._configuration[key]["realizations"] for key in VARIED)
+        realizations = max(self._configuration[key]["realizations"] for key in ("sets", "insight"))
         selection = self._selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditionings:
@@ -137,12 +124,12 @@ class Files:
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
 
-    def stitched(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
+    def stitched(self, surface: str, scan: int) -> str:
         """Return a levelled scan with its mirror images."""
-        return self.path(self._patterns.stitched, surface, variant=variant, scan=scan)
+        return self.path(self._patterns.stitched, surface, scan=scan)
 
     def stitched_of_realization(
-        self, surface: str, realization: int, variant: str, own_scans: bool = False
+        self, surface: str, realization: int, own_scans: bool = False
     ) -> str:
         """Return the scan that a realization builds on, in turn where there are fewer scans.
 
@@ -152,7 +139,7 @@ class Files:
         scan = scans[(realization - 1) % len(scans)]
         if own_scans and self._selection.basis[surface] == "substitute":
             scan = self._selection.own_scan(surface, realization)
-        return self.stitched(surface, scan, variant)
+        return self.stitched(surface, scan)
 
     @property
     def first_sphere(self) -> str:
@@ -204,15 +191,9 @@ class Files:
         return list(product(scans, self._selection.sphere_scans))
 
     @property
-    def repeated_pairs(self) -> list[tuple[int, int]]:
-        """Scan of the indented surface and of the sphere in repeated contact, the first pairs."""
-        indented = self._configuration["indent"]["surface"]
-        pairs = [
-            (scan, sphere_scan)
-            for surface, scan, sphere_scan in self.pairs_in_turn
-            if surface == indented
-        ]
-        return pairs[: self._configuration["insight"]["realizations"]]
+    def pooled_surfaces(self) -> list[Surface]:
+        """Every substrate with a pool."""
+        return [Surface(surface) for surface in self._selection.pooled]
 
     @property
     def chunks(self) -> list[Chunk]:
@@ -223,7 +204,7 @@ class Files:
     @property
     def protruded_coating(self) -> str:
         """The coating that has protrusions in some sets: a substitute with a pool, if any."""
-        surface: str = self._configuration["robustness"]["heights"]["surface"]
+        surface: str = self._configuration["sets"]["protruded_surface"]
         pooled = self._selection.pooled
         return surface if surface in pooled or not pooled else pooled[0]
 
@@ -245,7 +226,7 @@ class Files:
 
     # Masters
 
-    def contact_grid(self, purpose: str, probe: str) -> dict[str, list[Any]]:
+    def contact_grid(self, purpose: str) -> dict[str, list[Any]]:
         """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
         scaling = self._configuration["insight"]["scaling"]
         contact = self.contact
@@ -254,14 +235,11 @@ class Files:
         if purpose == "scaling":
             contacts = [replace(contact, preload=preload) for preload in scaling["preloads"]]
             lengths = {name: scaling[name] for name in ("radii", "ranges")}
-        elif purpose == "sets":
-            contacts = [variant.contact for variant in self.variants if variant.probe == probe]
         elif purpose == "enhancement":
             contacts = [contact, replace(contact, plastic=False)]
             lengths["ranges"] = [SHORT_RANGE, contact.range]
-        different = {contact.load: contact for contact in contacts}.values()
         load_keys = ("preload", "hardness", "plastic")
-        loads = [{key: getattr(load, key) for key in load_keys} for load in different]
+        loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
         return {**lengths, "loads": loads}
 
     def filters(self, purpose: str) -> dict[str, Any]:
@@ -283,68 +261,43 @@ class Files:
             },
         }
 
-    def _grid_names(self, purpose: str, probe: str) -> dict[str, str]:
+    def _grid_names(self, purpose: str) -> dict[str, str]:
         """Return radii, loads and ranges of a grid as parts of paths."""
-        grid = self.contact_grid(purpose, probe)
+        grid = self.contact_grid(purpose)
         return {
             "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
             "loads": "+".join(replace(self.contact, **load).load for load in grid["loads"]),
             "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
         }
 
-    def _masters_of(
-        self, purpose: str, surface: str, realizations: int, variant: str, probe: str
-    ) -> list[FilteredMasters]:
+    def _masters_of(self, purpose: str, surface: str, realizations: int) -> list[FilteredMasters]:
         """Return the files of the first realizations of the masters of a surface."""
         step = 1 if purpose in ("scales", "sampled") else MASTERS_CHUNK
-        names = self._grid_names(purpose, probe)
+        probe = "smooth" if purpose == "scaling" else self._probe
+        names = self._grid_names(purpose)
         settings = short_digest([self.filters(purpose), self._filter_values])
         return [
-            FilteredMasters(purpose, settings, surface, variant, probe, *chunk, **names)
+            FilteredMasters(purpose, settings, surface, probe, *chunk, **names)
             for chunk in _chunks(realizations, step)
         ]
 
     def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of the study on its own sphere.
+        """Return the masters of a purpose, those for scaling on a smooth sphere.
 
         Spectra are sampled only for measured surfaces.
         """
         surfaces = self._selection.substrates
-        probe = self.probe
-        count = self._configuration["scales"]["realizations"]
         if purpose == "sampled":
             surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
-        if purpose == "scaling":
-            count = self._configuration["insight"]["realizations"]
-            probe = "smooth"
-        if purpose == "enhancement":
-            count = self._configuration["robustness"]["realizations"]
-        return [
-            row
-            for surface in surfaces
-            for row in self._masters_of(purpose, surface, count, STUDY_VARIANT, probe)
-        ]
-
-    def varied_masters(self, section: str) -> list[FilteredMasters]:
-        """Return the masters of the sets, which are the study's own, or those of robustness.
-
-        Both share the masters of the study itself.
-        """
-        counts = {key: self._configuration[key]["realizations"] for key in VARIED}
-        masters = dict[FilteredMasters, None]()  # in order, each once
-        for variant in self.variants[:1] if section == "sets" else self.variants:
-            for surface, name in variant.variant.items():
-                is_study = (name, variant.probe) == (STUDY_VARIANT, self.probe)
-                count = max(counts.values()) if is_study else counts["robustness"]
-                rows = self._masters_of("sets", surface, count, name, variant.probe)
-                masters |= dict.fromkeys(row for row in rows if row.first <= counts[section])
-        return list(masters)
+        sections = {"sets": "sets", "scaling": "insight", "enhancement": "insight"}
+        section = sections.get(purpose, "scales")
+        count = self._configuration[section]["realizations"]
+        return [row for surface in surfaces for row in self._masters_of(purpose, surface, count)]
 
     def master_sources(self, row: Any) -> dict[str, list[str]]:
         """Return the master files of a row of the study, or scans and spectra of another row."""
         realizations = range(int(row.first), int(row.last) + 1)
         surface = row.surface
-        variant = row.variant
         if row.purpose == "scales":
             return {
                 f"{side}_masters": [
@@ -353,46 +306,16 @@ class Files:
                 ]
                 for side in SIDES
             }
-        spectra = [self.spectrum(surface, variant) for _ in realizations]
+        spectra = [self.spectrum(surface) for _ in realizations]
         if row.purpose == "sampled":
             pattern = self._patterns.sampled_spectrum
             spectra = [self.path(pattern, surface, realization=number) for number in realizations]
         return {
             "scans": [
                 self.stitched_of_realization(
-                    surface, number, variant, row.purpose in ("sets", "enhancement")
+                    surface, number, row.purpose in ("sets", "enhancement")
                 )
                 for number in realizations
             ],
             "spectra": spectra,
         }
-
-    @property
-    def varied_surfaces(self) -> list[tuple[str, str]]:
-        """Every surface and variant of it that some variant of the study needs."""
-        variant_surfaces = (item for variant in self.variants for item in variant.variant.items())
-        return list(dict.fromkeys(variant_surfaces))
-
-    def mean_loads(self, probe: str) -> list[dict[str, float]]:
-        """Return the loads of mean forces: of the study, and of its variants on a rough sphere."""
-        purpose, filter_probe = ("sets", self.probe) if probe == "rough" else ("scales", probe)
-        loads: list[dict[str, float]] = self.contact_grid(purpose, filter_probe)["loads"]
-        return loads
-
-    @property
-    def varied_forces(self) -> list[MeanForces]:
-        """The mean forces on the rough sphere of every surface and variant of it."""
-        names = self._grid_names("sets", self.probe)
-        return [
-            MeanForces(surface, variant, "rough", **names)
-            for surface, variant in self.varied_surfaces
-        ]
-
-    @property
-    def smooth_forces(self) -> list[MeanForces]:
-        """The mean forces of the study's scans of each substrate with a pool on a smooth sphere."""
-        names = self._grid_names("scales", "smooth")
-        return [
-            MeanForces(surface, STUDY_VARIANT, "smooth", **names)
-            for surface in self._selection.pooled
-        ]

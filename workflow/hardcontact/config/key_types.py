@@ -109,10 +109,7 @@ Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 Lengths = Annotated[list[Length], Field(min_length=1, max_length=100), ASCENDING]
 Ranges = Annotated[list[Range], Field(min_length=1, max_length=100), ASCENDING]
 Radii = Annotated[list[Radius], Field(min_length=1, max_length=20), ASCENDING]
-#: Loads and hardnesses; robustness may have none.
-Forces = Annotated[list[Force], Field(max_length=20), ASCENDING]
-SomeForces = Annotated[list[Force], Field(min_length=1, max_length=20), ASCENDING]
-Pressures = Annotated[list[Pressure], Field(max_length=20), ASCENDING]
+Forces = Annotated[list[Force], Field(min_length=1, max_length=20), ASCENDING]
 
 #: Contacts along a side: 40 000 a pair of scans.
 Count = Annotated[int, Field(ge=1, le=200)]
@@ -125,9 +122,6 @@ Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
 MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
 TileCount = Annotated[int, Field(ge=1, le=256)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
-
-Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False)]
-Skewnesses = Annotated[list[Skewness], Field(max_length=20), ONCE]
 
 SurfaceId = Annotated[
     str,

@@ -23,7 +23,6 @@ from hardcontact.config.key_types import (
     MasterPixels,
     Pixels,
     Pressure,
-    Pressures,
     Radii,
     Radius,
     Range,
@@ -31,8 +30,6 @@ from hardcontact.config.key_types import (
     Realizations,
     ScanNumbers,
     ScanPixels,
-    Skewnesses,
-    SomeForces,
     StudyName,
     SurfaceId,
     TablePath,
@@ -207,7 +204,7 @@ class IndentKeys(Keys):
 
     surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere (Fig. 5a)."""
-    preloads: SomeForces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
+    preloads: Forces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
     """Loads, ascending; figures show the contact of median depth at the largest load."""
 
 
@@ -242,8 +239,8 @@ class SetsKeys(Keys):
     """Sets.
 
     Each set is as good as the substitute scans of the study. Sets are sampled from a pool. Each
-    claim reports the share of sets in which it holds. Robustness has the same contacts, pixels and
-    cutoffs. A larger `pool` and more realizations add scans and masters; existing ones stay.
+    claim reports the share of sets in which it holds. A larger `pool` and more realizations add
+    scans and masters; existing ones stay.
     """
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
@@ -254,41 +251,16 @@ class SetsKeys(Keys):
     """Number of rms heights at which the forces of each scan of the pool are computed; between
     them forces are interpolated."""
     protrusion_draws: Annotated[int, Field(ge=2, le=1000)] = 24
-    """Number of draws of rare protrusions, on `robustness.heights.surface` or on the sphere. Every
-    set is fitted with each draw. A quarter of the draws have no protrusions."""
+    """Number of draws of rare protrusions, on `sets.protruded_surface` or on the sphere. Every set
+    is fitted with each draw. A quarter of the draws have no protrusions."""
+    protruded_surface: SurfaceId = "polished_uncd"
+    """Substrate that has the protrusions."""
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20
     """Masters of each substrate on each side, from which bands are sampled."""
     small: SetSmallScaleKeys = SetSmallScaleKeys()
     large: SetLargeScaleKeys = SetLargeScaleKeys()
-
-
-class HeightsKeys(Keys):
-    """Other distributions of heights."""
-
-    surface: SurfaceId = "polished_uncd"
-    """Substrate whose substitutes get other heights."""
-    skewness: Skewnesses = [-1, -0.5, 0.5, 1]
-    """Other skewnesses of its heights; its own skewness is left out."""
-
-
-class RobustnessKeys(Keys):
-    """Robustness.
-
-    The main numbers are computed again with one other choice at a time. Contacts, pixels and
-    cutoffs are those of `sets`, and the sphere has its first scan alone. The row "as the study" has
-    the study's own choices on these grids. The other reading of curvature in Table 1 and the other
-    value of `scales.sphere_roughness` have a row without a key. Measured surfaces keep their scans.
-    """
-
-    preloads: Forces = key(["5 uN", "20 uN"], "`5 uN`: Methods; `20 uN`: The Role of Plasticity")
-    """Other preloads, ascending."""
-    hardnesses: Pressures = key(["16 GPa", "47 GPa"])
-    """Other hardnesses, ascending."""
-    heights: HeightsKeys = HeightsKeys()
-    realizations: Realizations = 3
-    """Masters of each substrate on each side, the first ones of `sets`."""
 
 
 class LawSmallScaleKeys(Keys):
@@ -336,7 +308,7 @@ class ScalingKeys(Keys):
     """Radii of the spheres for which edges of the band are found, ascending."""
     ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
     """Ranges of adhesion for which edges are found, ascending."""
-    preloads: SomeForces = key(["1.25 uN", "10 uN", "80 uN"])
+    preloads: Forces = key(["1.25 uN", "10 uN", "80 uN"])
     """Preloads for which edges are found, ascending; divided by the hardness they are the contact
     areas."""
     small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
@@ -353,8 +325,8 @@ class InsightKeys(Keys):
     """
 
     realizations: Realizations = 3
-    """Number of realizations per substrate: random surfaces of each size (closed form, repeated
-    contact), and masters (other laws, scaling)."""
+    """Number of realizations per substrate: random surfaces of each size (closed form), and masters
+    (other laws, scaling, enhancement)."""
     count: Count = 8
     """Contacts along a side of the array."""
     ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
@@ -362,7 +334,7 @@ class InsightKeys(Keys):
     pixels: Pixels = 1024
     """Pixels along a side of the random surfaces that are compared with the closed form."""
     sizes: Lengths = key(["5000 nm", "20000 nm"])
-    """Sides of these surfaces, ascending; repeated contact is on the largest."""
+    """Sides of these surfaces, ascending."""
     window: Length = key("80 um")
     """Side of the window within which other laws of attraction than Eq. 1 act, at least
     `contact.window`."""
@@ -410,5 +382,4 @@ class StudyKeys(Keys):
     indent: IndentKeys = IndentKeys()
     asperities: AsperitiesKeys = AsperitiesKeys()
     sets: SetsKeys = SetsKeys()
-    robustness: RobustnessKeys = RobustnessKeys()
     insight: InsightKeys = InsightKeys()

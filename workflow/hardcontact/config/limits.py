@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_quantity
-from hardcontact.config.configuration import get_key, master_keys
+from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, violation_messages
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
@@ -26,7 +26,6 @@ from hardcontact.config.grids import (
     minimum_range,
 )
 from hardcontact.config.model import PAPER
-from hardcontact.config.variants import study_contact
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.surfaces.synthesis import SIDES
@@ -70,12 +69,6 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
     if config["published"] != PAPER:
         return sections
     indent_contact = replace(contact, preload=config["indent"]["preloads"][-1])
-    robustness = config["robustness"]
-    varied_contacts = dict(largest_contacts)
-    for preload in robustness["preloads"][-1:]:
-        varied_contacts["robustness.preloads"] = replace(contact, preload=preload)
-    for hardness in robustness["hardnesses"][:1]:
-        varied_contacts["robustness.hardnesses"] = replace(contact, hardness=hardness)
     section = "insight.scaling"
     scaling = config["insight"]["scaling"]
     scaling_contact = replace(contact, preload=scaling["preloads"][-1])
@@ -87,7 +80,7 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
             sections[0], largest_contacts=largest_contacts | {"indent.preloads": indent_contact}
         ),
         sections[1],
-        ContactSection("sets", "sets.count", varied_contacts, smallest_case),
+        ContactSection("sets", "sets.count", largest_contacts, smallest_case),
         ContactSection("insight", "insight.count", largest_contacts, smallest_case),
         ContactSection(
             section,

@@ -11,15 +11,12 @@ PUBLISHED_TABLES = {
     "published_table1": "resources/paper/table1.csv",
 }
 
-#: Name of the variant of a surface that the study itself is about.
-STUDY_VARIANT = "study"
-
-#: The purposes of filtered masters: the study, the study with sampled spectra, sets and robustness,
-#: the scaling of the edges of the band, and how plasticity and range enhance each other.
+#: The purposes of filtered masters: the study, the study with sampled spectra, sets, the scaling of
+#: the edges of the band, and how plasticity and range enhance each other.
 PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 
-_SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
-_REALIZATION = "{surface}/{variant}/realization-{realization}"
+_SCAN = "{surface}/scan-{scan}-{shape}.nc"
+_REALIZATION = "{surface}/realization-{realization}"
 _NUMBER = "[0-9.e+-]+"
 
 
@@ -40,30 +37,28 @@ class Patterns:
         self.store = store
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in digests.items()}
 
-        self.calibrated_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/calibrated.nc"
-        self.measured_spectrum = (
-            f"{folder['measured_spectra']}/{{surface}}/{{variant}}/measured-{{shape}}.nc"
-        )
-        self.conditioning = f"{folder['conditioning']}/{{surface}}/{{variant}}/group-{{group}}.nc"
+        self.calibrated_spectrum = f"{store}/spectra/{{surface}}/calibrated.nc"
+        self.measured_spectrum = f"{folder['measured_spectra']}/{{surface}}/measured-{{shape}}.nc"
+        self.conditioning = f"{folder['conditioning']}/{{surface}}/group-{{group}}.nc"
         self.substitute = f"{folder['substitutes']}/{_SCAN}"
         self.measurement = f"{folder['measurements']}/{{surface}}/scan-{{scan}}.nc"
         self.levelled = f"{folder['scans']}/{_SCAN}"
         self.stitched = f"{folder['stitched']}/{_SCAN}"
         self.stitched_substrate = self.stitched.replace("{shape}", "flat")
         self.stitched_sphere = (
-            f"{folder['stitched']}/{sphere}/{STUDY_VARIANT}/"
-            "scan-{sphere_scan}-sphere-{radius}.nc"
+            f"{folder['stitched']}/{sphere}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
         )
 
-        pair = f"{{radius}}/{{load}}/{{surface}}/{{variant}}/scan-{{scan}}/{sphere}"
+        pair = f"{{radius}}/{{load}}/{{surface}}/scan-{{scan}}/{sphere}"
         self.elastic = f"{folder['elastic']}/{pair}-{{sphere_scan}}.nc"
         self.asperities = f"{folder['asperities']}/{pair}-{{sphere_scan}}.nc"
 
-        settings = "{radius}/{load}/{range}/{surface}/{variant}"
+        settings = "{radius}/{load}/{range}/{surface}"
         self.pool = f"{folder['pool']}/{settings}/scans-{{first}}-{{last}}.nc"
         self.protruded = (
             f"{folder['protruded']}/{settings}/{{protruded_body}}/{{first}}-{{last}}.nc"
         )
+        self.smooth_sphere = f"{folder['smooth_sphere']}/{settings}.nc"
         self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
         law_folder = f"{folder['laws']}/{sphere}/{settings}/scan-{{scan}}"
         self.law_scan = f"{law_folder}/scan.nc"
@@ -75,8 +70,7 @@ class Patterns:
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
-        grid = "{radii}/{loads}/{ranges}/{surface}/{variant}"
-        self.mean_forces = f"{folder['mean_forces']}/{grid}/{{probe}}-sphere.nc"
+        grid = "{radii}/{loads}/{ranges}/{surface}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
         self.filtered = f"{store}/filtered/{{purpose}}/{{settings}}/{grid}/{realizations}.nc"
 
@@ -122,14 +116,13 @@ def list_pattern(expression: str) -> str:
     return rf"{expression}(\+{expression})*"
 
 
-def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
+def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must match."""
     radius = f"R{_NUMBER}um"
     load = f"(H{_NUMBER}GPa|rigid)-F{_NUMBER}uN"
     rho = f"rho{_NUMBER}nm"
     return {
         **dict.fromkeys(("surface", "protruded_body"), any_name_pattern(surfaces)),
-        "variant": any_name_pattern(variants),
         **dict.fromkeys(("group", "scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",

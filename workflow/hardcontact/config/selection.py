@@ -15,7 +15,7 @@ from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.tables import user_table
-from hardcontact.surfaces.spectrum import needs_calibration, read_segments
+from hardcontact.surfaces.spectrum import read_segments
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
@@ -182,10 +182,6 @@ class Selection:
     def skewness(self, surface: str) -> float:
         """Return the skewness of the heights of a substitute; zero if it is unknown."""
         return float(self._skewness.get(Path(self.description(surface)).stem, 0.0))
-
-    def reads_curvature(self, surface: str) -> bool:
-        """Return True if a substitute depends on the reading of the curvature of Table 1."""
-        return needs_calibration(read_segments(self.description(surface)))
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:

@@ -34,9 +34,9 @@ STORE_KEYS = {
     "pull_off": (*_CONTACTS, "adhesion.ranges"),
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
-    "mean_forces": (*_CONTACTS, "sets.count", "adhesion.ranges", "sphere.surface"),
+    "smooth_sphere": (*_CONTACTS, "adhesion.ranges"),
     "pool": _POOL,
-    "protruded": (*_POOL, "robustness.heights.surface"),
+    "protruded": (*_POOL, "sets.protruded_surface"),
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
     "laws": (
         *SCAN_KEYS, *_TRANSITIONS, "contact.window", "insight.count", "insight.window",

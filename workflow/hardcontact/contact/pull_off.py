@@ -154,25 +154,17 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def mean_pull_off_of_pair(
-    bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
-) -> xr.Dataset:
+def mean_pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the forces of a pair of scans, averaged over its contacts.
 
-    bodies: substrate and sphere on common pixels.
-    contacts: one for each load.
-    ranges: ranges of adhesion in nm.
-    Returns in N at 1 J/m²: plastic ``pull_off_force`` (load, rho) and ``rigid_pull_off_force``
-        (rho).
+    The ranges of adhesion are in nm. Returns ``pull_off_force`` (contact_model, rho) in N at
+    1 J/m².
     """
-    loads = [replace(contacts[0], plastic=False), *contacts]
-    rigid, *plastic = pull_off_forces(bodies, loads, ranges).mean(axis=(-2, -1))
+    loads = [replace(contact, plastic=False), contact]
+    forces = pull_off_forces(bodies, loads, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
-        {
-            "pull_off_force": (("load", "rho"), np.array(plastic), FORCE),
-            "rigid_pull_off_force": ("rho", rigid, FORCE),
-        },
-        load_axis(contacts) | range_axis(ranges),
+        {"pull_off_force": (("contact_model", "rho"), forces, FORCE)},
+        {"contact_model": ["rigid", "plastic"]} | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
 

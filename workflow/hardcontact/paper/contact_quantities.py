@@ -4,8 +4,6 @@ Lengths in nm, forces in N, pressures in Pa. Each function returns a number, a d
 and `value_interval` (`paper.numbers`); its dimensions are in brackets.
 """
 
-import json
-
 import numpy as np
 import xarray as xr
 
@@ -20,6 +18,7 @@ from hardcontact.paper.numbers import (
     signed_mean_over_scans,
     variable_as_number,
 )
+from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 M2_PER_NM2 = 1e-18
 #: Radius in nm of a sphere that is much larger than the decisive wavelengths, some 2 µm.
@@ -151,9 +150,8 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     The range of adhesion ρ is the shortest range of atomic interactions. Pastewka and Robbins,
     Proceedings of the National Academy of Sciences 111 (2014) 3298.
     """
-    names = json.loads(topography.attrs["table1_variables"])
-    slope = topography[names["all_rms_slope"]]
-    curvature = topography[names["all_rms_curvature"]]
+    slope = topography[TABLE1_VARIABLES["all_rms_slope"]]
+    curvature = topography[TABLE1_VARIABLES["all_rms_curvature"]]
     bodies = [
         Material(
             modulus=paper[f"{body}_youngs_modulus"].item(),

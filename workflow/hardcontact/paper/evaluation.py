@@ -5,7 +5,6 @@ rule turns the number, its interval and the published limits into a verdict. A n
 of `value` and `value_interval`, as from `paper.numbers`.
 """
 
-import json
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from inspect import getmembers, isfunction
@@ -40,6 +39,7 @@ from hardcontact.paper.verdicts import (
     stability,
     verdict,
 )
+from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Functions of one or several datasets, by the name of the quantity in a claim: all public
 #: functions of these modules.
@@ -54,8 +54,7 @@ DERIVED_QUANTITIES = {
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
     """Return a derived quantity or a variable, with its interval.
 
-    quantity: a key of `DERIVED_QUANTITIES`, a variable of the dataset, or a row of Table 1. The
-        attribute ``table1_variables`` of the dataset names the variable of such a row.
+    quantity: a key of `DERIVED_QUANTITIES`, a variable of the dataset, or a row of Table 1.
     dataset, *others: the datasets of the claim.
     Returns the number, as from `paper.numbers`.
     Raises KeyError if a variable or an attribute that is needed does not exist.
@@ -63,14 +62,13 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
     if quantity in DERIVED_QUANTITIES:
         result: xr.Dataset = DERIVED_QUANTITIES[quantity](dataset, *others)
         return result
-    rows_of_table1 = json.loads(dataset.attrs.get("table1_variables", "{}"))
-    return variable_as_number(dataset, rows_of_table1.get(quantity, quantity))
+    return variable_as_number(dataset, TABLE1_VARIABLES.get(quantity, quantity))
 
 
 #: Datasets that claims may name, besides `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "edges", "fit", "elastic", "indent",
-    "repeated_contact", "asperities", "classical", "enhancement", "protruded",
+    "asperities", "classical", "enhancement", "protruded",
 )  # fmt: skip
 #: Datasets that claims of the chapter on the critical band may name.
 INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")

@@ -5,7 +5,6 @@ Forces in N, lengths in nm. The reference range is the computed range nearest to
 (`paper.numbers`); its dimensions are in brackets.
 """
 
-import json
 from collections.abc import Callable
 
 import numpy as np
@@ -20,6 +19,7 @@ from hardcontact.paper.numbers import (
     signed_mean_over_scans,
     variable_as_number,
 )
+from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 
 def slope_growth(topography: xr.Dataset) -> xr.Dataset:
@@ -42,9 +42,8 @@ def curvature_growth_over_height_growth(topography: xr.Dataset) -> xr.Dataset:
 
 def _all_over_afm(topography: xr.Dataset, quantity: str) -> xr.Dataset:
     """Return a row of Table 1 for all scales relative to the row for the AFM scans."""
-    names = json.loads(topography.attrs["table1_variables"])
-    all_scales = variable_as_number(topography, names[f"all_rms_{quantity}"])
-    afm = variable_as_number(topography, names[f"afm_rms_{quantity}"])
+    all_scales = variable_as_number(topography, TABLE1_VARIABLES[f"all_rms_{quantity}"])
+    afm = variable_as_number(topography, TABLE1_VARIABLES[f"afm_rms_{quantity}"])
     return quotient(all_scales, afm)
 
 

@@ -84,9 +84,7 @@ def gather_sources(
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
     for surface, scans in smooth.items():
-        plastic = scans["pull_off_force"].squeeze("load", drop=True)
-        smooth_forces = xr.concat([scans["rigid_pull_off_force"], plastic], rough["contact_model"])
-        smooth_mean = smooth_forces.mean(["scan", "sphere_scan"])
+        smooth_mean = scans["pull_off_force"].mean("scan")
         factor.loc[{"surface": surface}] = rough.sel(surface=surface, drop=True) / smooth_mean
     return Sources(
         study["topography"],

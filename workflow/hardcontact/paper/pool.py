@@ -58,10 +58,9 @@ def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources
     table1 = published.table1(inputs.published_table1)
     constants = published.constants(inputs.published_constants)
     surface = parameters["surface"]
-    definitions = parameters["definitions"]
     grid = ScanGrid(**parameters["scan"])
-    rows = rows_of_surface(table1, surface, **definitions)
-    targets = scan_targets(spectrum, rows, constants, definitions, grid)
+    rows = rows_of_surface(table1, surface)
+    targets = scan_targets(spectrum, rows, constants, grid)
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
     return PoolSources(

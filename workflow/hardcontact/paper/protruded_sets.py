@@ -4,7 +4,7 @@ All scans of a coating have protrusions of the same density, height and width. A
 choice of these three numbers.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -40,16 +40,15 @@ PROTRUSION_UNITS = {
 
 
 def published_roughness(
-    table1: pd.DataFrame, constants: pd.DataFrame, coating: str, definitions: Mapping[str, str]
+    table1: pd.DataFrame, constants: pd.DataFrame, coating: str
 ) -> PublishedRoughness:
     """Return the published roughness of a coating and of the sphere.
 
     table1, constants: from `published.table1` and `published.constants`.
-    definitions: meaning of ``slope`` and ``curvature`` in Table 1.
     Returns rms height, rms slope and largest rms slope of the coating, and the largest rms height
         of the sphere.
     """
-    rows = rows_of_surface(table1, coating, **definitions)
+    rows = rows_of_surface(table1, coating)
     slope = float(rows["value"]["afm_rms_slope"])
     return PublishedRoughness(
         rms_height=float(rows["value"]["afm_rms_height"]),

@@ -1,6 +1,5 @@
 """Table 1 of the paper: published and computed rms height, slope and curvature of surfaces."""
 
-import json
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -9,6 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
+from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Variables that may correspond to the paper's quantities, with their definitions.
 DEFINITIONS_IN_WORDS = {
@@ -86,10 +86,8 @@ def _print_computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> 
         surface[f"{variable}_std"].item() / quantity.printed_unit if mean in surface else math.nan
     )
     meets_by_construction = quantity.name in rows_met(surface["table1_rows_met"].item())
-    table1_variable = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix(
-        "_mean"
-    )
-    mark = " †" if meets_by_construction and variable == table1_variable else ""
+    is_of_table1 = TABLE1_VARIABLES[quantity.name] in (variable, mean)
+    mark = " †" if meets_by_construction and is_of_table1 else ""
     return _print_with_uncertainty(value, spread, decimals_of(value, spread)) + mark
 
 

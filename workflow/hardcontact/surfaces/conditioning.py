@@ -14,7 +14,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
-from hardcontact.surfaces.height_map import DEFINITIONS, HeightMap, level, metrics
+from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import (
     AFM_ROWS,
     WAVEVECTORS,
@@ -25,15 +25,6 @@ from hardcontact.surfaces.spectrum import (
 from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 
-#: Ratio of each metric of an isotropic surface to its rms height, rms gradient or rms
-#: half-Laplacian.
-METRIC_PER_RMS = {
-    "rms_height": 1.0,
-    "rms_gradient": 1.0,
-    "rms_profile_slope": 1 / np.sqrt(2),
-    "rms_half_laplacian": 1.0,
-    "rms_laplacian": 2.0,
-}
 #: Number of components of the gain. The amplitudes of the second and the third relative to the
 #: first are fitted.
 COMPONENT_COUNT = 3
@@ -55,7 +46,6 @@ def scan_targets(
     spectrum_data: xr.Dataset,
     table1: pd.DataFrame,
     constants: pd.DataFrame,
-    definitions: Mapping[str, str],
     grid: ScanGrid,
 ) -> Targets | None:
     """Return the targets of substitute scans on this study's pixels.
@@ -68,7 +58,6 @@ def scan_targets(
     spectrum_data: the dataset that `substitute_spectrum` returns.
     table1, constants: table 1 from `rows_of_surface`, and the constants with the paper's pixels and
         size, which `published.constants` returns.
-    definitions: meaning of ``slope`` and ``curvature`` in Table 1: keys of DEFINITIONS.
     grid: pixels and size of the scans.
     Returns none for a surface without a published rms height.
     """
@@ -86,12 +75,8 @@ def scan_targets(
         rms_values = np.where(is_published, rms_values, expected_scan_rms(spectrum, weights))
     height = table1.loc["afm_rms_height"]
     calibrated_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
-    names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
-        {
-            name: float(METRIC_PER_RMS[name] * rms)
-            for name, rms in zip(names, rms_values, strict=True)
-        },
+        dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
         float(rms_values[0] * height["uncertainty"] / height["value"]),
         tuple(
             row

@@ -184,12 +184,11 @@ METRICS = {
     "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
     "peak_to_valley": ("nm", "peak to valley"),
 }
-#: Possible meanings of slope and curvature in Table 1, by their names in the configuration.
-DEFINITIONS = {
-    "gradient": "rms_gradient",
-    "profile": "rms_profile_slope",
-    "half_laplacian": "rms_half_laplacian",
-    "laplacian": "rms_laplacian",
+#: The metrics of Table 1, which does not define slope and curvature, by its rows for AFM scans.
+TABLE1_METRICS = {
+    "afm_rms_height": "rms_height",
+    "afm_rms_slope": "rms_gradient",
+    "afm_rms_curvature": "rms_half_laplacian",
 }
 
 
@@ -242,15 +241,3 @@ def skewness_and_kurtosis(heights: np.ndarray) -> tuple[float, float]:
     skewness = float((square * deviation).mean() / variance**1.5)
     kurtosis = float((square**2).mean() / variance**2)
     return skewness, kurtosis
-
-
-def table1_variables(slope: str, curvature: str) -> dict[str, str]:
-    """Return the variables of topography.nc by rows of Table 1; arguments are DEFINITIONS."""
-    metric_names = {
-        "height": "rms_height",
-        "slope": DEFINITIONS[slope],
-        "curvature": DEFINITIONS[curvature],
-    }
-    return {f"afm_rms_{row}": f"{metric}_mean" for row, metric in metric_names.items()} | {
-        f"all_rms_{row}": f"all_scales_{metric}" for row, metric in metric_names.items()
-    }

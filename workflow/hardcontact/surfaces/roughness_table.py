@@ -7,10 +7,14 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.origin import canonical
 from hardcontact.base.statistics import student_interval, with_interval
-from hardcontact.surfaces.height_map import METRICS, HeightMap, metrics, table1_variables
+from hardcontact.surfaces.height_map import METRICS, TABLE1_METRICS, HeightMap, metrics
 from hardcontact.surfaces.spectrum import Floats, all_scales_rms, measured_psds, spectrum_of_dataset
+
+#: The variables of topography.nc by the rows of Table 1.
+TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.items()} | {
+    row.replace("afm", "all"): f"all_scales_{metric}" for row, metric in TABLE1_METRICS.items()
+}
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
@@ -68,7 +72,6 @@ def roughness_table(
     basis: Mapping[str, str],
     sphere_surface: str,
     reference_surface: str,
-    definitions: Mapping[str, str],
     confidence: float,
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
@@ -80,8 +83,6 @@ def roughness_table(
     labels: names in print, by surface.
     basis: ``"measured"`` or ``"substitute"``, by surface.
     reference_surface: surface to which others are compared.
-    definitions: meaning of slope and curvature in Table 1: arguments of
-        `height_map.table1_variables`.
     confidence: probability of the intervals.
     Returns dimensions surface, scan and wavevector; maps (surface, row, column).
     """
@@ -105,7 +106,6 @@ def roughness_table(
         sphere_surface=sphere_surface,
         reference_surface=reference_surface,
         confidence=confidence,
-        table1_variables=canonical(table1_variables(**definitions)),
     )
 
 

@@ -93,22 +93,13 @@ def expected_scan_rms(density: SpectrumFunction, weights: Weights) -> Floats:
     return np.sqrt(factors @ density(wavevector))
 
 
-def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
-    """Return the rows of Table 1 for a surface, with rms gradients and half rms Laplacians.
+def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
+    """Return value and uncertainty of a surface in Table 1, by quantity; empty if it is not there.
 
-    table1: the table that `published.table1` returns.
-    slope: meaning of slope in Table 1: ``"gradient"``, or ``"profile"``, which is smaller by
-        sqrt(2) on an isotropic surface.
-    curvature: meaning of curvature in Table 1: ``"half_laplacian"`` or ``"laplacian"``.
-    Returns value and uncertainty by quantity; empty for a surface that Table 1 lacks.
+    The table is that of `published.table1`. Its slopes are read as rms gradients, its curvatures as
+    half rms Laplacians.
     """
-    rows = table1[table1["surface"] == surface].set_index("quantity")
-    factor = {
-        "slope": {"gradient": 1.0, "profile": np.sqrt(2)}[slope],
-        "curvature": {"half_laplacian": 1.0, "laplacian": 0.5}[curvature],
-    }
-    factors = [factor.get(quantity.rsplit("_", 1)[-1], 1.0) for quantity in rows.index]
-    return rows.assign(value=rows["value"] * factors, uncertainty=rows["uncertainty"] * factors)
+    return table1[table1["surface"] == surface].set_index("quantity")
 
 
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:

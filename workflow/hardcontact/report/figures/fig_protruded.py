@@ -20,7 +20,7 @@ protrusions. (b, c) Best range ρ and work of adhesion W of sets of scans with s
 protrusions. Filled: mean and median force are within a factor of two of the published ones. Black:
 published.
 
-The coating is {{ robustness.heights.surface | replace("_", " ") }}; other coatings have no
+The coating is {{ sets.protruded_surface | replace("_", " ") }}; other coatings have no
 protrusions. Forces of (a) are at the published ρ and W, those of (b, c) at the best fit.
 Protrusions have Gaussian shape and stand at random positions, 0.1 to 3 per µm². They are 3 to 8 rms
 heights of the coating high (colour) and 30 to 100 nm wide. A quarter of the draws have none

@@ -17,14 +17,11 @@ PAPER_FIGURES = (
     "fig3",
     "fig4",
     "fig_fit",
-    "fig_sets",
-    "fig_standoff",
     "fig_protruded",
     "fig_classical",
     "fig_asperities",
     "fig6",
     "fig_enhancement",
-    "fig_robustness",
 )
 #: Figures of the chapter on the causes of the band; the first input of each is its own dataset.
 INSIGHT_FIGURES = (
