@@ -1,14 +1,10 @@
 """Small datasets and Table 1 for the page of the paper's study."""
 
-import json
-
 import numpy as np
 import pandas as pd
 import xarray as xr
 from intervals import between_multiples
 from paper_numbers import LABELS, SUBSTRATES, TABLE1
-
-from hardcontact.surfaces.height_map import table1_variables
 
 CUTOFFS = {
     "small": [20.0, 30, 36, 43, 52, 62, 80, 120, 250],
@@ -58,10 +54,7 @@ def topography(pixels: int = 512) -> xr.Dataset:
             "example_heights": (("surface", "row"), np.zeros((len(names), pixels))),
         },
         {"surface": names},
-        {
-            "sphere_surface": "ruby",
-            "table1_variables": json.dumps(table1_variables("gradient", "half_laplacian")),
-        },
+        {"sphere_surface": "ruby"},
     )
 
 

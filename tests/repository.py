@@ -17,11 +17,6 @@ PARTS = [
 QUICK = "config/quick.yaml"
 PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
-#: Variants of surfaces in the robustness of the quick study, as in paths.
-VARIANT_SURFACES = [
-    "polished_uncd/laplacian", "uncd/laplacian", "ncd/laplacian", "mcd/laplacian",
-    "polished_uncd/skewness+0.5",
-]  # fmt: skip
 #: Folders that tools leave in the repository.
 CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")
 

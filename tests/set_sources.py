@@ -1,14 +1,12 @@
 """Small studies that sets are sampled from, with pools and masters of random numbers."""
 
-import json
-
 import numpy as np
 import pandas as pd
 import xarray as xr
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.paper.judged_sets import Sources
-from hardcontact.surfaces.height_map import METRICS, table1_variables
+from hardcontact.surfaces.height_map import METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
@@ -67,12 +65,11 @@ def make_topography(measured_surfaces=()):
     scan_table = scan_table.assign_coords(scan=range(1, SCANS + 1))
     basis = ["measured" if name in measured_surfaces else "substitute" for name in SURFACES]
     descriptions = {"label": SURFACES, "basis": basis, "table1_rows_met": [""] * len(SURFACES)}
-    names = json.dumps(table1_variables("gradient", "half_laplacian"))
     return (
         xr.merge([scan_table, scan_averages(scan_table, CONFIDENCE)])
         .assign({f"all_scales_{name}": ("surface", np.ones(len(SURFACES))) for name in METRICS})
         .assign({name: ("surface", values) for name, values in descriptions.items()})
-        .assign_attrs(table1_variables=names, confidence=CONFIDENCE, sphere_surface="ruby")
+        .assign_attrs(confidence=CONFIDENCE, sphere_surface="ruby")
     )
 
 

@@ -93,7 +93,7 @@ def test_a_finished_study_has_no_faults(finished):
 
 
 FINAL = "results/quick"
-STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", variant="study", scan=2, shape="flat")
+STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", scan=2, shape="flat")
 #: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],

@@ -105,7 +105,6 @@ def tiny(draw):
                 ],
             },
         },
-        "robustness": {"preloads": [], "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"]},
     }
 
 

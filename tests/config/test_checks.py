@@ -24,7 +24,7 @@ CONTRADICTIONS = [
     ("store", "results/paper/store", "results/paper", "found results/paper/store"),
     ("store", "workflow/store", "in results or outside", "found workflow/store"),
     ("sphere.surface", "glass", "ruby", "found glass"),
-    ("robustness.heights.surface", "brass", "found brass"),
+    ("sets.protruded_surface", "brass", "found brass"),
     ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
     ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
     # Several values
@@ -40,11 +40,6 @@ CONTRADICTIONS = [
     ("contact.window", "90 um", "16384", "found 18432"),
     # Loads
     ("contact.preload", "1 N", "a quarter of", "at most 156 mN", "found 1 N"),
-    (
-        "robustness.hardnesses",
-        ["0.1 MPa", "1 GPa"],
-        "at most 625 nN of load at a hardness of 0.0001",
-    ),
     ("indent.preloads", ["3 mN"], "4096", "found 5034"),
     # Ranges of adhesion
     ("insight.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),

@@ -27,7 +27,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
         ("scales.small.cutoffs", ["1e300 nm"], ["cutoffs.0:", "0.01 to 1e+09 nm", "'1e300 nm'"]),
         ("scales.small.cutoffs", [], ["scales.small.cutoffs:", "at least 1 entries"]),
         ("scans", "some", ["scans:", "expected all", "a list", "'some'"]),
-        ("robustness.heights.skewness", [0, 0.0], ["heights.skewness:", "each entry once"]),
+        ("scans", [1, 1], ["scans:", "each entry once"]),
         ("contact.count", 0, ["contact.count:", "at least 1", "found 0"]),
         ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
         ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
@@ -82,7 +82,7 @@ def test_a_missing_configuration_is_named(tmp_path):
 @pytest.mark.parametrize(
     "text",
     [
-        "contact: {count: 1}\nrobustness: {count: 1}",
+        "contact: {count: 1}\ninsight: {count: 1}",
         "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
     ],
 )

@@ -1,14 +1,12 @@
-"""A study has each file once, and different files for different swept values and variants."""
-
-from itertools import product
+"""A study has each file once, and different files for different swept values."""
 
 import numpy as np
 import pytest
 import scan_files
 from paper_numbers import SUBSTRATES, SURFACES
-from small_study import PATTERNS, configuration, files, selection
+from small_study import PATTERNS, configuration, files
 
-from hardcontact.config.variants import study_contact, variants
+from hardcontact.config.configuration import study_contact
 from hardcontact.surfaces.scans import flatten, read_measurement
 
 pytestmark = pytest.mark.usefixtures("project_folder")
@@ -24,8 +22,8 @@ def test_each_scan_is_paired_with_one_scan_of_the_sphere():
 def test_measured_surfaces_have_measurements_and_their_spectrum():
     study = files(measured_surfaces=["mcd"])
     assert len(study.measurements("mcd")) == 2 and study.measurements("uncd") == []
-    assert study.spectrum("mcd").endswith("mcd/study/measured-flat.nc")
-    assert study.spectrum("uncd").endswith("uncd/study/calibrated.nc")
+    assert study.spectrum("mcd").endswith("mcd/measured-flat.nc")
+    assert study.spectrum("uncd").endswith("uncd/calibrated.nc")
 
 
 def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
@@ -50,7 +48,7 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
 def test_a_realization_uses_its_scan(surface, has_own_scan, scans):
     study = files(scans=[2, 5], measured_surfaces=["mcd"])
     for realization, scan in enumerate(scans, start=1):
-        stitched = study.stitched_of_realization(surface, realization, "study", has_own_scan)
+        stitched = study.stitched_of_realization(surface, realization, has_own_scan)
         assert stitched == study.stitched(surface, scan)
 
 
@@ -60,15 +58,7 @@ def test_scans_are_made_in_groups_that_share_their_conditioning():
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
     for number, group in enumerate(study.scan_groups):
         for scan in group:
-            assert study.conditioning("uncd", scan).endswith(f"uncd/study/group-{number}.nc")
-
-
-def test_a_skewed_variant_keeps_the_spectrum_of_the_study():
-    study = files()
-    for variant, is_same in (("skewness+0.5", True), ("laplacian", False)):
-        assert (study.spectrum("uncd", variant) == study.spectrum("uncd")) == is_same
-        assert (study.conditioning("uncd", 1, variant) == study.conditioning("uncd", 1)) == is_same
-        assert study.stitched("uncd", 1, variant) != study.stitched("uncd", 1)
+            assert study.conditioning("uncd", scan).endswith(f"uncd/group-{number}.nc")
 
 
 # Masters and pools
@@ -79,46 +69,17 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     rows = study.masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
     assert study.master_sources(rows[1])["small_masters"] == [
-        "results/store/masters/digest/polished_uncd/study/realization-2/small.nc"
+        "results/store/masters/digest/polished_uncd/realization-2/small.nc"
     ]
 
 
-def test_masters_of_the_study_are_shared_by_sets_and_robustness():
-    study = files(robustness__realizations=3, sets__realizations=12)
-    chunks = [(row.first, row.last) for row in study.varied_masters("sets")]
+def test_masters_of_sets_are_filtered_in_chunks():
+    study = files(sets__realizations=12)
+    rows = study.masters("sets")
+    chunks = [(row.first, row.last) for row in rows]
     assert chunks == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
-    shared = {
-        row
-        for row in study.varied_masters("robustness")
-        if (row.variant, row.probe) == ("study", "smooth")
-    }
-    assert shared == {row for row in study.varied_masters("sets") if row.first == 1}
-    sources = study.master_sources(study.varied_masters("sets")[0])
+    sources = study.master_sources(rows[0])
     assert len(sources["scans"]) == len(sources["spectra"]) == 5
-
-
-def test_robustness_asks_for_each_variant_of_a_surface_once():
-    study = files(
-        robustness__heights={"surface": "mcd", "skewness": [-0.5]},
-        robustness__realizations=3,
-    )
-    surface_variants = [*product(SUBSTRATES, ["study"]), *product(SUBSTRATES, ["laplacian"])]
-    surface_variants += [("mcd", "skewness-0.5")]
-    assert study.varied_surfaces == surface_variants
-    rows = study.varied_masters("robustness")
-    assert {(row.surface, row.variant, row.probe) for row in rows} == {
-        *((*variant, "smooth") for variant in surface_variants),
-        *((surface, "study", "rough") for surface in SUBSTRATES),
-    }
-    assert len(set(study.paths(PATTERNS.filtered, rows))) == len(rows) == len(set(rows))
-
-
-def test_the_rough_sphere_is_computed_at_the_load_of_the_study_only():
-    study = files(robustness__preloads=["5 uN", "10 uN"], robustness__hardnesses=[])
-    loads = [{"preload": preload, "hardness": 25e9, "plastic": True} for preload in (1e-5, 5e-6)]
-    # The study's own preload is not listed again.
-    assert study.contact_grid("sets", "smooth")["loads"] == loads
-    assert study.contact_grid("sets", "rough")["loads"] == loads[:1]
 
 
 def test_only_substitutes_have_pools_computed_in_chunks():
@@ -159,7 +120,6 @@ SWEPT = {
     "contact__preload": "12 uN",
     "contact__hardness": "30 GPa",
     "scales__range": "3 nm",
-    "robustness__preloads": ["7 uN"],
     "insight__scaling__radii": ["5 um", "7 um"],
     "insight__scaling__preloads": ["1.25 uN", "7 uN"],
     "insight__scaling__ranges": ["7 nm"],
@@ -171,20 +131,18 @@ def lists_of_files(study):
     filtered = [
         *study.masters(),
         *study.masters("scaling"),
-        *study.varied_masters("sets"),
-        *study.varied_masters("robustness"),
+        *study.masters("sets"),
+        *study.masters("enhancement"),
     ]
     study_values = (study.contact.radius, study.contact.load, study.contact.range)
     computed_at = {
-        path: study.contact_grid(row.purpose, row.probe)
+        path: study.contact_grid(row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
     }
-    means = [*study.varied_forces, *study.smooth_forces]
-    for row, path in zip(means, study.paths(PATTERNS.mean_forces, means), strict=True):
-        computed_at[path] = study.mean_loads(row.probe), study_values[0], study_values[2]
     for pattern, rows in (
         (PATTERNS.pull_off, study.substrate_scans),
         (PATTERNS.pool, study.chunks),
+        (PATTERNS.smooth_sphere, study.pooled_surfaces),
         (PATTERNS.law_scan, study.realized_scans),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
@@ -210,57 +168,3 @@ def test_paths_do_not_depend_on_the_units_of_a_value():
     }
     assert lists_of_files(files(**written_otherwise)) == lists_of_files(files())
     assert study_contact(configuration()).load == "H25GPa-F10uN"
-
-
-# Variants
-
-
-def variants_by_name(robustness_variants):
-    return {variant.name: variant for variant in robustness_variants}
-
-
-def test_each_variant_differs_from_the_study_in_one_choice():
-    baseline, *changed_variants = variants(configuration(), selection())
-    assert [variant.name for variant in changed_variants] == [
-        "laplacian", "skewness-1", "skewness-0.5", "skewness+0.5", "skewness+1",
-        "rough_sphere", "preload-5uN", "preload-20uN", "hardness-16GPa", "hardness-47GPa",
-    ]  # fmt: skip
-    for variant in changed_variants:
-        choices = ("variant", "contact", "probe")
-        assert sum(getattr(variant, name) != getattr(baseline, name) for name in choices) == 1, (
-            variant
-        )
-
-
-def test_variants_change_the_surfaces_and_loads_that_they_name():
-    robustness_variants = variants_by_name(variants(configuration(), selection()))
-    study = dict.fromkeys(SUBSTRATES, "study")
-    assert (
-        robustness_variants["baseline"].variant
-        == robustness_variants["preload-20uN"].variant
-        == study
-    )
-    assert robustness_variants["skewness-1"].variant == study | {"polished_uncd": "skewness-1"}
-    assert robustness_variants["skewness-1"].label == "polished UNCD: skewness -1"
-    assert robustness_variants["preload-20uN"].contact.preload == 2e-5
-
-
-def test_a_variant_without_a_change_uses_the_files_of_the_study():
-    heights = {"surface": "mcd", "skewness": [0, 0.3]}
-    robustness_variants = variants_by_name(
-        variants(configuration(robustness__heights=heights), selection())
-    )
-    assert set(robustness_variants["skewness+0"].variant.values()) == {"study"}
-    assert robustness_variants["skewness+0.3"].variant["mcd"] == "skewness+0.3"
-    for variant in variants(configuration(), selection(measured_surfaces=["uncd", "mcd"])):
-        assert variant.variant["uncd"] == variant.variant["mcd"] == "study"
-
-
-def test_a_study_with_a_rough_sphere_has_a_variant_with_a_smooth_sphere():
-    robustness_variants = variants_by_name(
-        variants(configuration(scales__sphere_roughness=True), selection())
-    )
-    assert (robustness_variants["baseline"].probe, robustness_variants["smooth_sphere"].probe) == (
-        "rough",
-        "smooth",
-    )

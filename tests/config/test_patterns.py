@@ -17,11 +17,10 @@ INTERMEDIATES = {
     for name, pattern in vars(PATTERNS).items()
     if "{" in pattern and not name.startswith(SPECIAL_CASES)
 }
-CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"], ["study", "skewness+0.3"])
+CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"])
 VALUES = {
     "surface": ["uncd", "polished_uncd", "b.c"],
     "protruded_body": ["uncd", "polished_uncd"],
-    "variant": ["study", "skewness+0.3"],
     "scan": ["1", "12"],
     "sphere_scan": ["3"],
     "first": ["1", "16"],
@@ -80,7 +79,7 @@ def test_every_wildcard_has_a_constraint():
 
 def test_wildcards_exclude_other_values():
     for name, value in (
-        ("surface", "uncd/study"), ("surface", "bxc"), ("variant", "other"), ("scan", "1a"),
+        ("surface", "uncd/study"), ("surface", "bxc"), ("scan", "1a"),
         ("shape", "sphere"), ("load", "H25GPa"), ("side", "both"),
     ):  # fmt: skip
         assert not re.fullmatch(CONSTRAINTS[name], value), (name, value)

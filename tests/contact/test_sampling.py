@@ -5,7 +5,7 @@ from hardcontact.base.statistics import Sampling
 
 
 def test_each_purpose_has_its_own_random_numbers():
-    study, robustness = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "robustness"))
-    number = generator(3, "sampling", "robustness", "scales").random()
-    assert robustness.generator("scales").random() == number
+    study, classical = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "classical"))
+    number = generator(3, "sampling", "classical", "scales").random()
+    assert classical.generator("scales").random() == number
     assert study.generator("scales").random() == generator(3, "sampling", "scales").random()

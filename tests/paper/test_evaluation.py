@@ -1,7 +1,5 @@
 """Claims judged on a small study: a smooth, a middle and a rough surface under a sphere."""
 
-import json
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -26,18 +24,13 @@ def make_datasets(substitutes=(), surfaces=SURFACES):
     names = [*SURFACES, "sphere"]
     topography = xr.Dataset(
         {
-            "rms_height": ("surface", [1.0, 2.0, 4.0, 0.5]),
-            "rms_slope": ("surface", [0.1, 0.2, 0.4, 0.05]),
+            "rms_height_mean": ("surface", [1.0, 2.0, 4.0, 0.5]),
+            "rms_gradient_mean": ("surface", [0.1, 0.2, 0.4, 0.05]),
             "basis": ("surface", ["substitute" if n in substitutes else "measured" for n in names]),
             "table1_rows_met": ("surface", ["afm_rms_height"] * 3 + [""]),
         },
         {"surface": names},
-        {
-            "sphere_surface": "sphere",
-            "table1_variables": json.dumps(
-                {"afm_rms_height": "rms_height", "afm_rms_slope": "rms_slope"}
-            ),
-        },
+        {"sphere_surface": "sphere"},
     )
     force = np.array([1.0, 2.0, 4.0])
     forces = xr.Dataset(

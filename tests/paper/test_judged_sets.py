@@ -79,20 +79,9 @@ def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
 def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     adhesion = make_adhesion()
     means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
-    smooth_means = {
-        name: 2 * means.sel(surface=name, drop=True).expand_dims("sphere_scan")
-        for name in SUBSTRATES
-    }
     smooth = {
-        name: xr.Dataset(
-            {
-                "rigid_pull_off_force": forces.sel(contact_model="rigid", drop=True),
-                "pull_off_force": forces.sel(contact_model="plastic", drop=True).expand_dims(
-                    "load"
-                ),
-            }
-        )
-        for name, forces in smooth_means.items()
+        name: xr.Dataset({"pull_off_force": 2 * means.sel(surface=name, drop=True)})
+        for name in SUBSTRATES
     }
     pools = {name: make_pool(name) for name in SUBSTRATES}
     chunks = {

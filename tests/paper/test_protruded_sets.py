@@ -28,30 +28,30 @@ ROUGHNESS = PublishedRoughness(10.0, 0.5, 0.7, 3.0)
 
 
 @pytest.mark.parametrize("protruded_body", ["uncd", "ruby"])
-def test_a_variant_does_not_depend_on_the_other_variants(protruded_body):
-    variants = compute_protruded_forces([1, 2], 2, SOURCES, ROUGHNESS, protruded_body)
-    variant = compute_protruded_forces([2], 2, SOURCES, ROUGHNESS, protruded_body)
-    assert variants["pull_off_force"].sizes == {"draw": 2, "rho": 3, "contact": 2 * 2 * 2}
-    xr.testing.assert_equal(variants.sel(draw=[2]), variant)
+def test_a_draw_does_not_depend_on_the_other_draws(protruded_body):
+    draws = compute_protruded_forces([1, 2], 2, SOURCES, ROUGHNESS, protruded_body)
+    draw = compute_protruded_forces([2], 2, SOURCES, ROUGHNESS, protruded_body)
+    assert draws["pull_off_force"].sizes == {"draw": 2, "rho": 3, "contact": 2 * 2 * 2}
+    xr.testing.assert_equal(draws.sel(draw=[2]), draw)
 
 
 @pytest.mark.parametrize("protruded_body", ["uncd", "ruby"])
 def test_protrusions_without_height_change_no_force(protruded_body, monkeypatch):
     flat_protrusions = Protrusions(density=50.0, height=0.0, width=50.0)
     monkeypatch.setattr(protruded_sets, "sample_protrusions", lambda *_: flat_protrusions)
-    variant = compute_protruded_forces([1], 2, SOURCES, ROUGHNESS, protruded_body)
-    np.testing.assert_allclose(variant["mean_force_ratio"], 1, rtol=1e-9)
+    draw = compute_protruded_forces([1], 2, SOURCES, ROUGHNESS, protruded_body)
+    np.testing.assert_allclose(draw["mean_force_ratio"], 1, rtol=1e-9)
 
 
 def test_protrusions_of_the_sphere_are_the_same_for_all_coatings_and_keep_their_height():
     ncd_sources = SOURCES._replace(settings=SOURCES.settings | {"surface": "ncd"})
-    variants = [
+    draws = [
         compute_protruded_forces([2], 1, sources, ROUGHNESS, "ruby")
         for sources in (SOURCES, ncd_sources)
     ]
     for name in protruded_sets.PROTRUSION_UNITS:
-        assert variants[0][name].item() == variants[1][name].item()
-    assert (variants[0]["pull_off_force"] != variants[1]["pull_off_force"]).any()
+        assert draws[0][name].item() == draws[1][name].item()
+    assert (draws[0]["pull_off_force"] != draws[1]["pull_off_force"]).any()
 
 
 @pytest.mark.parametrize("sphere_is_bumpy", [False, True])
@@ -124,7 +124,7 @@ def test_the_fit_recovers_the_pair_of_the_measured_forces():
         measured_forces["smooth"], rel=1e-3
     )
     assert fits["log_force_std_at_published"].item() == pytest.approx(np.log(3) / 2)
-    fits_of_no_variant = fit_protruded_sets(
+    fits_of_no_draw = fit_protruded_sets(
         [empty_protruded_forces("smooth", RANGES)], "smooth", sets, PublishedFit(forces, PAIR)
     )
-    assert fits_of_no_variant["agrees"].sizes == {"draw": 0, "set": 2}
+    assert fits_of_no_draw["agrees"].sizes == {"draw": 0, "set": 2}

@@ -1,7 +1,5 @@
 """Derived quantities of claims: compared with integrals, powers, distributions and curves."""
 
-import json
-
 import numpy as np
 import pytest
 import xarray as xr
@@ -47,11 +45,11 @@ def powers(slope, scans=(0.9, 1.1)):
 
 
 def test_roughness_ratios_compare_all_scales_with_afm_scans():
-    names = {f"{scales}_rms_{name}": f"{scales}_{name}" for scales in ("all", "afm")
-             for name in ("height", "slope", "curvature")}  # fmt: skip
-    values = {"afm_height": 2.0, "afm_slope": 0.1, "afm_curvature": 0.01}
-    values |= {"all_height": 3.0, "all_slope": 0.6, "all_curvature": 0.6}
-    topography = xr.Dataset(values, attrs={"table1_variables": json.dumps(names)})
+    afm = {"rms_height_mean": 2.0, "rms_gradient_mean": 0.1, "rms_half_laplacian_mean": 0.01}
+    all_scales = {"rms_height": 3.0, "rms_gradient": 0.6, "rms_half_laplacian": 0.6}
+    topography = xr.Dataset(
+        afm | {f"all_scales_{name}": value for name, value in all_scales.items()}
+    )
     near(force.slope_growth(topography), 6)
     near(force.slope_growth_over_height_growth(topography), 6 / 1.5)
     near(force.curvature_growth_over_height_growth(topography), 60 / 1.5)
@@ -81,10 +79,11 @@ def test_surfaces_that_are_rough_for_their_stiffness_do_not_stick():
     repulsion = area * slope * modulus / 2
     attraction = perimeter * width * work / (reach * 1e-9)
     topography = xr.Dataset(
-        {"slope": ("surface", slope), "curvature": ("surface", curvature)},
-        attrs={"table1_variables": json.dumps(
-            {"all_rms_slope": "slope", "all_rms_curvature": "curvature"})},
-    )  # fmt: skip
+        {
+            "all_scales_rms_gradient": ("surface", slope),
+            "all_scales_rms_half_laplacian": ("surface", curvature),
+        }
+    )
     near(contact.nonstickiness(topography, PAPER), repulsion / attraction, rtol=1e-3)
 
 

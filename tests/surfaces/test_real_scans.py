@@ -63,13 +63,16 @@ OWN = {
     "surfaces": "own.tsv",
     "adhesion": {"ranges": ["0.5 nm", "1 nm", "5.6 nm"]},
     "scales": {"large": {"pixels": 4096}},
-    "sets": {"small": {"pixels": 4096}, "large": {"pixels": 4096}},
+    "sets": {
+        "protruded_surface": "mcd",
+        "small": {"pixels": 4096},
+        "large": {"pixels": 4096},
+    },
     "insight": {
         "small": {"pixels": 1024},
         "large": {"pixels": 2048},
         "scaling": {"large": {"pixels": 2048}},
     },
-    "robustness": {"heights": {"surface": "mcd"}},
     "indent": {"surface": "uncd"},
 }
 

@@ -21,7 +21,6 @@ SETTINGS = dict(
     basis={"uncd": "measured", "ruby": "substitute"},
     sphere_surface="ruby",
     reference_surface="uncd",
-    definitions={"slope": "gradient", "curvature": "half_laplacian"},
     confidence=0.9,
 )
 

@@ -50,7 +50,7 @@ def test_calibration_recovers_the_spectrum_of_its_scans(weights, model, rolloff,
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(project_folder):
     table = published.table1("resources/paper/table1.csv")
-    ncd = substitute_spectra.rows_of_surface(table, "ncd", "gradient", "half_laplacian")
+    ncd = substitute_spectra.rows_of_surface(table, "ncd")
     with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
         substitute_spectra.calibrate_model(
             band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512)
@@ -82,16 +82,6 @@ def test_a_tail_completes_slope_and_curvature(longer_waves, rms_values):
 def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message):
     with pytest.raises(ValueError, match=message):
         substitute_spectra.calibrate_tail(longer_waves, *rms_values)
-
-
-def test_table1_is_turned_into_gradient_and_half_laplacian():
-    quantities = ["afm_rms_height", "afm_rms_slope", "all_rms_curvature"]
-    table = pd.DataFrame({"surface": "uncd", "quantity": quantities, "value": [2.0, 3.0, 4.0]})
-    table["uncertainty"] = 0.1 * table.value
-    rows = substitute_spectra.rows_of_surface(table, "uncd", "profile", "laplacian")
-    np.testing.assert_allclose(rows.value, [2, 3 * 2**0.5, 2])
-    np.testing.assert_allclose(rows.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])
-    assert substitute_spectra.rows_of_surface(table, "my own", "gradient", "laplacian").empty
 
 
 HEADER = (
@@ -149,7 +139,7 @@ def test_bands_with_all_parameters_follow_their_models(write_description, tmp_pa
 def default_spectrum(surface):
     """Rows of Table 1 and the stored spectrum of a default substitute."""
     table1 = published.table1(ROOT / "resources/paper/table1.csv")
-    table1 = substitute_spectra.rows_of_surface(table1, surface, "gradient", "half_laplacian")
+    table1 = substitute_spectra.rows_of_surface(table1, surface)
     constants = published.constants(ROOT / "resources/paper/parameters.csv")
     path = ROOT / f"resources/spectra/{surface}.csv"
     return table1, substitute_spectra.substitute_spectrum(path, table1, constants)

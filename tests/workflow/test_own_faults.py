@@ -174,7 +174,7 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
 
 
 def test_a_study_continues_after_a_full_disk(empty, own_study):
-    (scan,) = (own_study / STORE / "stitched").glob("*/twin/study/scan-1-flat.nc")
+    (scan,) = (own_study / STORE / "stitched").glob("*/twin/scan-1-flat.nc")
     target = str(scan.relative_to(own_study))
     with disk(empty / "results", "20M") as folder:
         filler = fill(folder, 50_000)
@@ -233,7 +233,7 @@ def assert_refused(study, *altered_files):
 
 def test_altered_files_are_refused_and_made_again(copy, own_study):
     scales, spectra = (copy / RESULTS / f"{name}.nc" for name in ("scales", "spectra"))
-    (stitched,) = (copy / STORE / "stitched").glob("*/twin/study/scan-1-flat.nc")
+    (stitched,) = (copy / STORE / "stitched").glob("*/twin/scan-1-flat.nc")
     flip_a_bit(scales)
     truncate_file(spectra, 0.7)
     (copy / RESULTS / "edges.nc").unlink()  # made from the scales and the spectra
@@ -243,7 +243,7 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     assert verified.returncode == 1 and "goes on from here" not in verified.stdout
     for path in (scales, spectra, stitched):
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
-    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/study/scan-1.nc")
+    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/scan-1.nc")
     forces.unlink()  # made from the stitched scan
     (copy / RESULTS / "adhesion.nc").unlink()
     assert_refused(copy, stitched)

@@ -198,7 +198,7 @@ def overlay(key, value):
 @pytest.mark.parametrize(
     ("key", "value", "concerned"),
     [
-        ("scales.tolerance", 0.2, {"find_edges", "aggregate_robustness", "judge_sets",
+        ("scales.tolerance", 0.2, {"find_edges", "judge_sets",
                                    "compare_closed_form", "compare_laws", "scale_edges",
                                    "compare_enhancement"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),

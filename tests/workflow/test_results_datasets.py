@@ -69,7 +69,7 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     folder = copy_repository(tmp_path / "again")
     rows = {"uncd": (1, "flat"), "ruby": (2, "sphere-R250um")}
     scans = [
-        QUICK_PATTERNS.stitched.format(surface=surface, variant="study", scan=scan, shape=shape)
+        QUICK_PATTERNS.stitched.format(surface=surface, scan=scan, shape=shape)
         for surface, (scan, shape) in rows.items()
     ]
     run = run_snakemake(folder, *scans)

@@ -21,9 +21,9 @@ from hardcontact.report.figures.listing import FIGURES, describe_figure
 #: Figures with values of the paper, and words of their captions about these.
 PUBLISHED_IN = {
     "fig3": "published mean and median", "fig4": "published range", "fig5": "2 nm and 50 nm",
-    "fig_fit": "published range", "fig6": "43 nm and 1.8 µm", "fig_sets": "46.3 mJ/m² and 5.6 nm",
+    "fig_fit": "published range", "fig6": "43 nm and 1.8 µm",
     "fig_asperities": "published, 1.8 µm", "fig_classical": "published forces",
-    "fig_elastic": "most of the contact area", "fig_robustness": "Dashed: published",
+    "fig_elastic": "most of the contact area",
     "fig_scaling": "the published edges",
     "fig_protruded": "Black: published",
     "fig_statistics": "published forces",
@@ -114,8 +114,7 @@ def test_table_has_finite_values_with_units(draw_checked, name):
     assert not np.isinf(table[ends].astype(float)).any(axis=None)
     has_ends = table[ends].notna().any(axis=1)
     is_beyond = table["beyond"].fillna("") != "" if "beyond" in table else False
-    unbounded = (name == "fig_robustness") & table["value"].isna()  # variants without an effect
-    assert (has_ends | is_beyond | unbounded).all()
+    assert (has_ends | is_beyond).all()
     if {"surface", "basis"} <= set(table):
         assert table.loc[table["surface"].notna(), "basis"].eq("substitute").all()
 
@@ -144,7 +143,6 @@ def test_a_surface_has_one_colour(draw_checked, name):
             "fig_fit",
             "fig_laws",
             "fig_protruded",
-            "fig_robustness",
             "fig_statistics",
         }
 
@@ -202,18 +200,12 @@ NUMBERS = [
      "enhancement", lambda data: data.edge.sel(contact_model="rigid")),
     ("fig_protruded", {"quantity": "median_force_at_published", "protruded_body": "coating"},
      "protruded", lambda data: data.median_force_at_published),
-    ("fig_standoff", {"quantity": "height_from_published", "surface": "ncd"},
-     "standoff", lambda data: data.height_from_published.sel(surface="ncd")),
     ("fig_laws", {"group": "uncd", "quantity": "edge", "range_choice": "equivalent"},
      "laws", lambda data: data.edge.sel(group="uncd", range_choice="equivalent")),
-    ("fig_robustness", {"variant": "baseline", "quantity": "range_of_adhesion"},
-     "robustness", lambda data: data.range_of_adhesion.sel(variant="baseline")),
     ("fig_scaling", {"quantity": "edge", "origin": "computed", "surface": "ncd", "side": "small"},
      "scaling", lambda data: data.edge.sel(surface="ncd", side="small")),
     ("fig_scan_size", {"quantity": "size_needed", "surface": "mcd"},
      "scan_size", lambda data: data.size_needed.sel(surface="mcd")),
-    ("fig_sets", {"quantity": "range_of_adhesion", "origin": "computed"},
-     "sets", lambda data: data.range_of_adhesion.sel(PLASTIC)),
     ("fig_statistics", {"quantity": "designed_log_force_std"},
      "statistics", lambda data: data.designed_log_force_std),
 ]  # fmt: skip

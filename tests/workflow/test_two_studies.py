@@ -29,16 +29,14 @@ FIXED = {
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
     "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protrusion_draws",
-    "sets.realizations", "robustness.realizations", "robustness.preloads",
-    "robustness.hardnesses", "insight.realizations", "insight.scaling.radii",
+    "sets.realizations", "insight.realizations", "insight.scaling.radii",
     "insight.scaling.ranges", "insight.scaling.preloads",
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
     "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.map_size": "5 um",
     "scan.levelling": "lines", "reference_surface": "mcd", "indent.surface": "mcd",
-    "robustness.heights.surface": "mcd", "robustness.heights.skewness": [0.5, 1.0],
-    "scales.sphere_roughness": True,
+    "sets.protruded_surface": "mcd", "scales.sphere_roughness": True,
 }  # fmt: skip
 #: The keys of filtered masters by their purpose; a section inherits from those around it.
 _OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
@@ -129,8 +127,8 @@ def test_keys_outside_paths_change_no_file(plans, folder):
     "keys",
     [
         ["scales.sphere_roughness"],
-        ["scales.realizations", "insight.realizations", "robustness.hardnesses"],
-        ["sets.pool", "sets.protrusion_draws", "sets.realizations", "robustness.realizations"],
+        ["scales.realizations", "insight.realizations"],
+        ["sets.pool", "sets.protrusion_draws", "sets.realizations"],
     ],
 )
 def test_values_in_paths_change_no_file(plans, keys):

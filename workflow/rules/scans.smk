@@ -122,7 +122,6 @@ for scans, surfaces in FILES.scan_groups.items():
                     "scans": scans,
                     "scan": SCAN_GRID,
                     "seed": STUDY["seed"],
-                    "skewness": SELECTION.skewness(w.surface),
                     "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
                 }
             ),

@@ -1,4 +1,5 @@
 """Range and work of adhesion of all sets if one coating or the sphere had rare protrusions."""
+
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job

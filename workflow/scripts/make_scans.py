@@ -26,7 +26,6 @@ with job(snakemake) as job:
             ScanGrid(**params["scan"]),
             float(conditioning["factor"].sel(scan=number)),
             sphere_radius=params["sphere_radius"],
-            skewness=params["skewness"],
         )
         job.write(
             scan,

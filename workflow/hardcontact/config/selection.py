@@ -22,7 +22,6 @@ NO_SCAN = 0
 
 #: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
 CONTACT = "contact"
-HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
 
 
 class QuantityText(Quantity):
@@ -103,7 +102,6 @@ class Selection:
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
         self.basis: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
-        self._skewness = pd.read_csv(HEIGHT_DISTRIBUTION, index_col="description").skewness
 
     def scans(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
@@ -178,10 +176,6 @@ class Selection:
         description = self.description(surface)
         names = read_segments(description).table.dropna().unique()
         return [(Path(description).parent / name).as_posix() for name in names]
-
-    def skewness(self, surface: str) -> float:
-        """Return the skewness of the heights of a substitute; zero if it is unknown."""
-        return float(self._skewness.get(Path(self.description(surface)).stem, 0.0))
 
 
 def surface_table(path: str | Path) -> pd.DataFrame:
