@@ -13,14 +13,13 @@ from hardcontact.base.random import generator
 from hardcontact.paper.verdicts import (
     RESAMPLINGS,
     VERDICTS,
+    accepted_range,
     add_open_ends,
-    is_accepted,
     read_verdicts,
     sets_interval,
     stability,
     stretch_interval,
     summary,
-    verdict,
 )
 
 NONE = (np.nan, np.nan)
@@ -46,31 +45,38 @@ TWO_SIDED = [
 @pytest.mark.parametrize("rule", ["interval", "factor 1"])
 @pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
 def test_a_number_is_judged_by_two_limits(rule, number, ends, judgement):
-    assert verdict(rule, number, *ends, 4.0, 6.0) == judgement
+    assert accepted_range(rule, 4.0, 6.0).verdict(number, *ends) == judgement
 
 
 @pytest.mark.parametrize(("number", "ends", "judgement"), TWO_SIDED)
 def test_one_limit_is_judged_like_two_with_one_far_away(number, ends, judgement):
-    upper_verdict = verdict("below", number, *ends, np.nan, 6.0)
-    lower_verdict = verdict("above", number, *ends, 4.0, np.nan)
-    assert upper_verdict == verdict("interval", number, *ends, -99.0, np.nextafter(6.0, 0))
-    assert lower_verdict == verdict("interval", number, *ends, np.nextafter(4.0, 9), 99.0)
-    assert verdict("order", number, *ends, 4.0, np.nan) == lower_verdict
+    def verdict(rule, low, high):
+        return accepted_range(rule, low, high).verdict(number, *ends)
+
+    assert verdict("below", nan, 6.0) == verdict("interval", -99.0, np.nextafter(6.0, 0))
+    lower_verdict = verdict("above", 4.0, nan)
+    assert lower_verdict == verdict("interval", np.nextafter(4.0, 9), 99.0)
+    assert verdict("order", 4.0, nan) == lower_verdict
 
 
 def test_limits_are_accepted_by_intervals_only():
     for rule, accepted in (("interval", True), ("below", False), ("above", False)):
-        assert is_accepted(rule, [5.0, np.nan], 5.0, 5.0).tolist() == [accepted, False]
+        assert accepted_range(rule, 5.0, 5.0).accepts([5.0, nan]).tolist() == [accepted, False]
 
 
 def test_a_factor_widens_both_limits():
-    assert is_accepted("factor 2", [1.9, 2.0, 12.0, 12.1], 4.0, 6.0).tolist() == [0, 1, 1, 0]
+    assert accepted_range("factor 2", 4.0, 6.0).accepts([1.9, 2.0, 12.0, 12.1]).tolist() == [
+        0,
+        1,
+        1,
+        0,
+    ]
 
 
 @pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", "", "below"])
 def test_an_unknown_rule_or_one_without_its_limit_is_refused(rule):
     with pytest.raises(ValueError):
-        verdict(rule, 1.0, 1.0, 1.0, 1.0, np.nan)
+        accepted_range(rule, 1.0, np.nan)
 
 
 def test_summary_lists_every_verdict_and_counts_independent_findings():

@@ -164,3 +164,12 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     repulsion = slope * shortest_range / (2 * adhesion_length)
     attraction = np.pi * (3 / 16) ** (2 / 3) * (shortest_range * curvature / slope**2) ** (2 / 3)
     return number_with_interval(repulsion / attraction)
+
+
+#: The functions that claims name.
+QUANTITIES = (
+    effective_work_decades, printed_effective_work, tabor_by_convention,
+    classical_over_numerical, apex_level, plastic_contact_area, finer_pixel_ratio,
+    elastic_change, median_share_above_hardness, median_plastic_over_elastic_area,
+    deformation_over_adhesion, median_force_exponent, median_long_edge_exponent, nonstickiness,
+)  # fmt: skip

@@ -5,9 +5,8 @@ rule turns the number, its interval and the published limits into a verdict. A n
 of `value` and `value_interval`, as from `paper.numbers`.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from inspect import getmembers, isfunction
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -29,25 +28,21 @@ from hardcontact.paper.selection import (
     select_number,
 )
 from hardcontact.paper.verdicts import (
-    BY_CONSTRUCTION,
-    EXPERIMENT,
-    UNTESTABLE,
     accepted_range,
     interval_with_sets,
-    is_accepted,
     replicas_vary,
     stability,
-    verdict,
 )
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
-#: Functions of one or several datasets, by the name of the quantity in a claim: all public
-#: functions of these modules.
-DERIVED_QUANTITIES = {
-    name: function
-    for module in (contact_quantities, force_quantities, inference_quantities)
-    for name, function in getmembers(module, isfunction)
-    if function.__module__ == module.__name__ and not name.startswith("_")
+#: Functions of one or several datasets, which claims name.
+DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
+    quantity.__name__: quantity
+    for quantity in (
+        *contact_quantities.QUANTITIES,
+        *force_quantities.QUANTITIES,
+        *inference_quantities.QUANTITIES,
+    )
 }
 
 
@@ -60,8 +55,7 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
     Raises KeyError if a variable or an attribute that is needed does not exist.
     """
     if quantity in DERIVED_QUANTITIES:
-        result: xr.Dataset = DERIVED_QUANTITIES[quantity](dataset, *others)
-        return result
+        return DERIVED_QUANTITIES[quantity](dataset, *others)
     return variable_as_number(dataset, TABLE1_VARIABLES.get(quantity, quantity))
 
 
@@ -78,8 +72,6 @@ COLUMNS = (
     "note",
 )  # fmt: skip
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
-#: Verdicts that do not depend on a number.
-FIXED_VERDICTS = (BY_CONSTRUCTION, UNTESTABLE, EXPERIMENT)
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
@@ -144,13 +136,23 @@ def evaluate(
         that the study lacks is left out.
     Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
     """
+    common = _Common(datasets["topography"], constants, sets, confidence, seed)
     rows = []
     for claim, claim_number in _compute_all(statements, datasets, constants, confidence):
         if claim_number is not None:
             with _prefix_errors(claim):
-                row = _row(claim, claim_number, datasets["topography"], constants, sets, confidence)
-                rows.append(row | {"stability": _stability(claim, row, sets, confidence, seed)})
+                rows.append(_row(claim, claim_number, common))
     return pd.DataFrame(rows, columns=list(COLUMNS))
+
+
+class _Common(NamedTuple):
+    """What all claims are judged with, as for `evaluate`."""
+
+    topography: xr.Dataset
+    constants: pd.DataFrame
+    sets: xr.Dataset
+    confidence: float
+    seed: int
 
 
 class _ClaimNumber(NamedTuple):
@@ -218,35 +220,41 @@ def _prefix_errors(claim: Any) -> Iterator[None]:
         raise ValueError(f"claim {claim.id}: {reason}") from error
 
 
-def _row(
-    claim: Any,
-    claim_number: _ClaimNumber,
-    topography: xr.Dataset,
-    constants: pd.DataFrame,
-    sets: xr.Dataset,
-    confidence: float,
-) -> dict[str, Any]:
-    """Return one row of the result, without the stability of its verdict."""
-    surfaces = claim_surfaces(claim, claim_number.datasets, claim_number.labels, topography)
-    value = float(claim_number.number["value"])
-    limits = (claim.published_low, claim.published_high)
-    accepted = accepted_range(claim.rule, *limits)
-    replicas = _claim_replicas(claim, sets)
-    low, high = _claim_interval(claim, claim_number.number, replicas, confidence)
-    fixed, reason = fixed_verdict(claim, surfaces, topography, constants)
-    no_value = "No value exists." if np.isnan(value) else ""
-    row = claim._asdict() | {
+def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, Any]:
+    """Return one row of the result, by COLUMNS and the other columns of the claim."""
+    surfaces = claim_surfaces(claim, claim_number.datasets, claim_number.labels, common.topography)
+    fixed, reason = fixed_verdict(claim, surfaces, common.topography, common.constants)
+    judgement = _judge(claim, claim_number.number, fixed, common)
+    no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
+    return {
+        **claim._asdict(),
+        **judgement,
+        "basis": claim_basis(surfaces, common.topography),
+        "note": " ".join(filter(None, (claim.note, reason, no_value))),
+    }
+
+
+def _judge(claim: Any, number: xr.Dataset, fixed: str, common: _Common) -> dict[str, Any]:
+    """Return number, interval, verdict and stability of a claim; a fixed verdict or ``""``."""
+    value = float(number["value"])
+    replicas = _claim_replicas(claim, common.sets)
+    low, high = _claim_interval(claim, number, replicas, common.confidence)
+    accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
+    judged = fixed or accepted.verdict(value, low, high)
+    share_kept = np.nan
+    if replicas_vary(replicas) and not fixed:
+        rng = generator(common.seed, claim.id, "stability")
+        share_kept = stability(accepted.verdict, judged, replicas, common.confidence, rng)
+    return {
         "computed": value,
         "low": low,
         "high": high,
-        "accepted_low": accepted[0],
-        "accepted_high": accepted[1],
-        "frequency": is_accepted(claim.rule, replicas, *limits).mean() if len(replicas) else np.nan,
-        "verdict": fixed or verdict(claim.rule, value, low, high, *limits),
-        "basis": claim_basis(surfaces, topography),
-        "note": " ".join(filter(None, (claim.note, reason, no_value))),
+        "accepted_low": accepted.low,
+        "accepted_high": accepted.high,
+        "frequency": accepted.accepts(replicas).mean() if len(replicas) else np.nan,
+        "verdict": judged,
+        "stability": share_kept,
     }
-    return {name: row[name] for name in COLUMNS if name in row}
 
 
 def _claim_replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
@@ -269,18 +277,3 @@ def _claim_interval(
     value = float(number["value"])
     ends = interval_with_sets(value, bounds(number, "value"), replicas, confidence)
     return (value, value) if claim.needs == WITHOUT_SCAN and np.isnan(ends[0]) else ends
-
-
-def _stability(
-    claim: Any, row: Mapping[str, Any], sets: xr.Dataset, confidence: float, seed: int
-) -> float:
-    """Return the share of resamplings that keep the verdict, NaN if it does not depend on sets."""
-    replicas = _claim_replicas(claim, sets)
-    if not replicas_vary(replicas) or row["verdict"] in FIXED_VERDICTS:
-        return np.nan
-
-    def judge(value: float, low: float, high: float) -> str:
-        return verdict(claim.rule, value, low, high, claim.published_low, claim.published_high)
-
-    rng = generator(seed, claim.id, "stability")
-    return stability(judge, row["verdict"], replicas, confidence, rng)

@@ -188,3 +188,12 @@ def _inverse_gaussian_distance(values: np.ndarray) -> float:
         return np.asarray(special.ndtr(root * (value / mean - 1)) + mirrored)
 
     return _kolmogorov_distance(values, cumulative)
+
+
+#: The functions that claims name.
+QUANTITIES = (
+    slope_growth, slope_growth_over_height_growth, curvature_growth_over_height_growth,
+    mean_over_median, plastic_over_rigid, range_exponent_of_force, range_exponent_of_area,
+    force_at_shortest_range_over_smallest, smooth_sphere_change, lognormal_misfit,
+    half_gaussian_misfit, inverse_gaussian_misfit, force_decades,
+)  # fmt: skip

@@ -222,3 +222,13 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     radius = 1e-9 * scales.attrs["sphere_radius"]  # m; the forces are those at W = 1 J/m2
     fraction = force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius)
     return mean_over_scans(fraction, scales.attrs["confidence"], "realization")
+
+
+#: The functions that claims name.
+QUANTITIES = (
+    short_range_force, short_range_error, error_of_second_minimum, error_overlap,
+    strength_over_known, least_ratio_error, half_width_of_range, half_width_of_work,
+    interaction_radius, interaction_radius_at_fit, interaction_share, sinusoid_share, band_edge,
+    first_edge, critical_over_interaction_radius, change_outside_band, change_inside_band,
+    small_scale_change, smoothest_ratio, stylus_change, flat_limit_fraction,
+)  # fmt: skip

@@ -4,6 +4,7 @@ Many equally good sets of scans give the interval of a number and the stability 
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -30,13 +31,46 @@ RESAMPLINGS = 400
 MIN_STABILITY = 0.95
 
 
-def accepted_range(rule: str, published_low: float, published_high: float) -> tuple[float, float]:
-    """Return the limits between which a number agrees with the paper.
+@dataclass(frozen=True)
+class AcceptedRange:
+    """The numbers that agree with the paper, in the unit of the published limits."""
 
-    rule: ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``.
-    published_low, published_high: published limits, NaN if the paper has none.
-    Returns lower and upper limit, in the unit of the published limits.
-    Raises ValueError if the rule is unknown, or needs a limit that is missing.
+    low: float
+    high: float
+    with_limits: bool  #: Whether a number at a limit agrees.
+
+    def accepts(self, values: ArrayLike) -> np.ndarray:
+        """Return whether each number (...) agrees with the paper; NaN does not."""
+        values = np.asarray(values)
+        if self.with_limits:
+            return (self.low <= values) & (values <= self.high)
+        return (self.low < values) & (values < self.high)
+
+    def verdict(self, computed: float, low: float, high: float) -> str:
+        """Judge a number, NaN if none exists, and its interval, NaN if it has none.
+
+        Reproduced: the whole interval is accepted. Undecided: it contains accepted and rejected
+        numbers, or no number exists. Not reproduced: the whole interval is rejected. A number
+        without an interval is consistent if it is accepted, otherwise not reproduced.
+        """
+        if np.isnan(computed):
+            return "undecided"
+        if np.isnan(low) or np.isnan(high):
+            return "consistent" if self.accepts(computed) else "not reproduced"
+        if self.accepts([low, high]).all():
+            return "reproduced"
+        if self.with_limits:
+            overlaps = low <= self.high and self.low <= high
+        else:
+            overlaps = low < self.high and self.low < high
+        return "undecided" if overlaps else "not reproduced"
+
+
+def accepted_range(rule: str, published_low: float, published_high: float) -> AcceptedRange:
+    """Return the numbers that agree with the paper by a rule, given the published limits or NaN.
+
+    The rule is ``interval``, ``factor`` and a number, ``below``, ``above`` or ``order``. Raises
+    ValueError if the rule is unknown, or needs a limit that is missing.
     """
     name, _, factor = rule.partition(" ")
     if rule == "interval":
@@ -51,50 +85,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> tu
         raise ValueError(f"unknown rule {rule!r}")
     if np.isnan(limits).any():
         raise ValueError(f"rule {rule!r} lacks a published limit")
-    return limits
-
-
-def is_accepted(
-    rule: str, values: ArrayLike, published_low: float, published_high: float
-) -> np.ndarray:
-    """Return whether each number (...) is in the `accepted_range` of a rule; NaN is not."""
-    lower, upper = accepted_range(rule, published_low, published_high)
-    values = np.asarray(values)
-    if rule in ONE_SIDED:
-        return (lower < values) & (values < upper)
-    return (lower <= values) & (values <= upper)
-
-
-def verdict(
-    rule: str, computed: float, low: float, high: float, published_low: float, published_high: float
-) -> str:
-    """Judge a number and its interval by the published limits.
-
-    Reproduced: the whole interval is accepted. Undecided: it contains accepted and rejected
-    numbers. Not reproduced: the whole interval is rejected. A number without an interval is
-    consistent if it is accepted, otherwise not reproduced. Without a number the verdict is
-    undecided.
-
-    rule: as for `accepted_range`, which raises ValueError.
-    computed: the number in the unit of the limits, NaN if it does not exist.
-    low, high: ends of the interval, which contains the number. NaN if there is no interval; equal
-        if the interval has zero width.
-    published_low, published_high: as for `accepted_range`.
-    Returns one of `VERDICTS`.
-    """
-    limits = published_low, published_high
-    if np.isnan(computed):
-        return "undecided"
-    if np.isnan(low) or np.isnan(high):
-        return "consistent" if is_accepted(rule, computed, *limits) else "not reproduced"
-    if is_accepted(rule, [low, high], *limits).all():
-        return "reproduced"
-    lower, upper = accepted_range(rule, *limits)
-    if rule in ONE_SIDED:
-        overlaps = low < upper and lower < high
-    else:
-        overlaps = low <= upper and lower <= high
-    return "undecided" if overlaps else "not reproduced"
+    return AcceptedRange(*limits, with_limits=rule not in ONE_SIDED)
 
 
 def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
