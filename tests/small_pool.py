@@ -6,7 +6,7 @@ from random_scans import uncd
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.paper.pool import PoolSettings, PoolSources, compute_pool, pool_heights
+from hardcontact.paper.pool import PoolSources, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.substitute_scans import ScanGrid, cut_scan
@@ -16,9 +16,7 @@ GRID = ScanGrid(pixels=64, size=640.0, realization_pixels=128)
 CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, count=2)
 TARGETS = Targets({"rms_height": 10.0}, 4.0, ())
 HEIGHTS = pool_heights(TARGETS, 5, 7)
-SETTINGS = PoolSettings(seed=7, surface="uncd", scan=GRID, contact=CONTACT, ranges=[0.05, 1.0, 5.6])
-
-SOURCES = PoolSources(uncd, TARGETS, HEIGHTS, SETTINGS)
+SOURCES = PoolSources("uncd", uncd, TARGETS, HEIGHTS, GRID, CONTACT, [0.05, 1.0, 5.6], seed=7)
 
 
 def raw_scan(number):

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from small_pool import SETTINGS, SOURCES, raw_scan
+from small_pool import SOURCES, raw_scan
 
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_forces
@@ -44,7 +44,7 @@ def test_protrusions_without_height_change_no_force(protruded_body, monkeypatch)
 
 
 def test_protrusions_of_the_sphere_are_the_same_for_all_coatings_and_keep_their_height():
-    ncd_sources = SOURCES._replace(settings=SOURCES.settings | {"surface": "ncd"})
+    ncd_sources = SOURCES._replace(surface="ncd")
     draws = [
         compute_protruded_forces([2], 1, sources, ROUGHNESS, "ruby")
         for sources in (SOURCES, ncd_sources)
@@ -57,7 +57,7 @@ def test_protrusions_of_the_sphere_are_the_same_for_all_coatings_and_keep_their_
 @pytest.mark.parametrize("sphere_is_bumpy", [False, True])
 def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(sphere_is_bumpy):
     """Forces depend on the sum of both heights, whichever surface has them."""
-    contact = replace(SETTINGS["contact"], count=1)
+    contact = replace(SOURCES.contact, count=1)
     scan = mirror_stitch(raw_scan(1))
     flat = replace(raw_scan(1), heights=np.zeros((64, 64)))
     protrusions = Protrusions(density=20.0, height=3.0, width=40.0)
@@ -69,8 +69,7 @@ def test_protrusions_of_the_sphere_act_as_those_of_the_substrate(sphere_is_bumpy
     sphere = replace(sphere, heights=np.roll(sphere.heights, (shift, shift), axis=(0, 1)))
     separate_pair = bodies(substrate, sphere, contact)
     forces = [
-        pull_off_forces(pair, [contact], SETTINGS["ranges"])
-        for pair in (combined_pair, separate_pair)
+        pull_off_forces(pair, [contact], SOURCES.ranges) for pair in (combined_pair, separate_pair)
     ]
     np.testing.assert_allclose(forces[0], forces[1], rtol=1e-6)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from refusals import assert_says, refusal
-from small_pool import CONTACT, SETTINGS, pool_of, raw_scan
+from small_pool import CONTACT, SOURCES, pool_of, raw_scan
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
@@ -40,7 +40,7 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         for name, value in metrics(scaled).items():
             assert sampled_scan[name].item() == pytest.approx(value, rel=1e-9)
         pair = bodies(mirror_stitch(scaled), None, CONTACT)
-        direct = pull_off_of_pair(pair, CONTACT, SETTINGS["ranges"])["pull_off_force"].values
+        direct = pull_off_of_pair(pair, CONTACT, SOURCES.ranges)["pull_off_force"].values
         np.testing.assert_allclose(
             sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15
         )

@@ -6,7 +6,7 @@ computed at a few rms heights, which span all heights of sets, and are interpola
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple, TypedDict
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -28,52 +28,41 @@ from hardcontact.surfaces.substitute_spectra import rows_of_surface
 MIN_HEIGHT_RATIO = 0.05
 
 
-class PoolSettings(TypedDict):
-    """Settings of the scans of a pool and of their contacts."""
-
-    seed: int  #: Seed of the study.
-    surface: str  #: Name of the substrate.
-    scan: ScanGrid
-    contact: Contact  #: Contact with a smooth sphere.
-    ranges: list[float]  #: Ranges of adhesion in nm.
-
-
 class PoolSources(NamedTuple):
-    """Spectrum, targets, rms heights and settings of the scans of a pool."""
+    """Everything from which the scans of a pool are made."""
 
+    surface: str  #: Name of the substrate.
     spectrum: Spectrum  #: C_iso of the substrate.
     targets: Targets
     rms_heights: Floats  #: From `pool_heights`.
-    settings: PoolSettings
+    grid: ScanGrid
+    contact: Contact  #: Contact with a smooth sphere.
+    ranges: list[float]  #: Ranges of adhesion in nm.
+    seed: int  #: Seed of the study.
 
 
 def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources:
-    """Read spectrum, targets, rms heights and settings of the scans of a pool.
+    """Read the sources of a pool: the spectrum, Table 1 and constants at the paths of the inputs.
 
-    inputs: paths as attributes: ``spectrum``, ``published_table1`` and ``published_constants``.
-    Returns everything from which scans of the pool are made.
     Raises ValueError if the paper has no rms height of the surface.
     """
     spectrum = dataset.read(inputs.spectrum)
-    table1 = published.table1(inputs.published_table1)
-    constants = published.constants(inputs.published_constants)
     surface = parameters["surface"]
+    rows = rows_of_surface(published.table1(inputs.published_table1), surface)
+    constants = published.constants(inputs.published_constants)
     grid = ScanGrid(**parameters["scan"])
-    rows = rows_of_surface(table1, surface)
     targets = scan_targets(spectrum, rows, constants, grid)
     if targets is None:
         raise ValueError(f"{surface}: expected a published rms height, found none")
     return PoolSources(
+        surface,
         spectrum_of_dataset(spectrum),
         targets,
         pool_heights(targets, parameters["scans"], parameters["rms_heights"]),
-        PoolSettings(
-            seed=parameters["seed"],
-            surface=surface,
-            scan=grid,
-            contact=Contact(radius=parameters["radius"], **parameters["contact"]),
-            ranges=parameters["ranges"],
-        ),
+        grid,
+        Contact(radius=parameters["radius"], **parameters["contact"]),
+        parameters["ranges"],
+        parameters["seed"],
     )
 
 
@@ -114,13 +103,11 @@ def height_weights(heights: Floats, targets: Floats) -> Floats:
 def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
     """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
 
-    numbers: numbers of the scans in the pool.
-    sources: from `read_pool_sources`. Mean and deviation of its targets become attributes.
-    Returns by scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x),
-        the logarithm of forces in N, and METRICS of the unscaled scan.
+    Returns by number of the scan: the variables of `forces_at_heights`. Mean and deviation of the
+    targets become attributes.
     """
     scans = [
-        _pool_scan(number, sources)
+        forces_at_heights(pool_scan(number, sources), sources)
         for number in progress(numbers, len(numbers), "scans of the pool")
     ]
     targets = sources.targets
@@ -129,47 +116,33 @@ def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
     )
 
 
-def _pool_scan(number: int, sources: PoolSources) -> xr.Dataset:
-    """Return the forces and the roughness of one scan."""
-    spectrum, _, rms_heights, settings = sources
-    rng = generator(settings["seed"], settings["surface"], number, "pool")
-    scan = level(sample_scan(rng, spectrum, settings["scan"]))
-    return forces_at_heights(scan, rms_heights, settings["contact"], settings["ranges"])
+def pool_scan(number: int, sources: PoolSources) -> HeightMap:
+    """Return a levelled scan of the pool, with the rms height of its sample."""
+    rng = generator(sources.seed, sources.surface, number, "pool")
+    return level(sample_scan(rng, sources.spectrum, sources.grid))
 
 
-def forces_at_heights(
-    scan: HeightMap, rms_heights: Floats, contact: Contact, ranges: Sequence[float]
-) -> xr.Dataset:
+def forces_at_heights(scan: HeightMap, sources: PoolSources) -> xr.Dataset:
     """Return the forces on a levelled scan at several rms heights, and its roughness.
 
-    rms_heights: rms heights in nm.
-    contact: contact with a smooth sphere.
-    ranges: ranges of adhesion in nm.
     Returns METRICS of the unscaled scan, and ``log_force`` (rms_height_of_force, contact_model,
-        rho, contact_y, contact_x), the logarithm of forces in N.
+    rho, contact_y, contact_x), the logarithm of forces in N.
     """
+    contact = sources.contact
     roughness = metrics(scan)
     forces = []
-    for rms_height in rms_heights:
+    for rms_height in sources.rms_heights:
         scaled = replace(scan, heights=rms_height / roughness["rms_height"] * scan.heights)
         contact_bodies = bodies(mirror_stitch(scaled), None, contact)
-        forces.append(pull_off_of_pair(contact_bodies, contact, ranges)["pull_off_force"])
-    axis = xr.DataArray(rms_heights, dims="rms_height_of_force", name="rms_height_of_force")
-    height_forces = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
+        forces.append(pull_off_of_pair(contact_bodies, contact, sources.ranges)["pull_off_force"])
+    axis = xr.Variable("rms_height_of_force", sources.rms_heights, {"units": "nm"})
+    height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
-    return xr.Dataset(
-        {
-            "log_force": log_force.assign_attrs(
-                units="1", long_name="logarithm of the pull-off force in N at W = 1 J/m2"
-            )
-        }
-        | {
-            name: ((), roughness[name], {"units": unit, "long_name": long_name})
-            for name, (unit, long_name) in METRICS.items()
-        },
-        {
-            "rms_height_of_force": ("rms_height_of_force", rms_heights, {"units": "nm"}),
-            "contact_y": range(contact.count),
-            "contact_x": range(contact.count),
-        },
-    )
+    log_force.attrs = {"units": "1", "long_name": "logarithm of the pull-off force in N at 1 J/m2"}
+    variables = {
+        name: ((), roughness[name], {"units": unit, "long_name": long_name})
+        for name, (unit, long_name) in METRICS.items()
+    }
+    contacts = range(contact.count)
+    coordinates = {"rms_height_of_force": axis, "contact_y": contacts, "contact_x": contacts}
+    return xr.Dataset({"log_force": log_force.drop_vars(coordinates), **variables}, coordinates)

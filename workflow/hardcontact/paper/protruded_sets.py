@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
-from hardcontact.base.units import DIMENSIONLESS, NEWTON
+from hardcontact.base.units import DIMENSIONLESS, NEWTON, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_forces, range_axis
 from hardcontact.inference.fit import fit_mean_forces
 from hardcontact.inference.published_fit import PublishedFit
-from hardcontact.paper.pool import PoolSettings, PoolSources
+from hardcontact.paper.pool import PoolSources
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.protrusions import PublishedRoughness, add_protrusions, sample_protrusions
@@ -33,10 +33,9 @@ MAX_FORCE_FACTOR = 2.0
 Floats = NDArray[np.float64]
 #: Units of the fields of `Protrusions`, as variables of a dataset.
 PROTRUSION_UNITS = {
-    "protrusion_density": "um-2",
-    "protrusion_height": "1",
-    "protrusion_width": "nm",
-}
+    "protrusion_density": {"units": "um-2"}, "protrusion_height": DIMENSIONLESS,
+    "protrusion_width": NM,
+}  # fmt: skip
 
 
 def published_roughness(
@@ -89,7 +88,7 @@ def compute_protruded_forces(
         for number in progress(draw_numbers, len(draw_numbers), "protruded surfaces")
     ]
     axis = pd.Index(list(draw_numbers), name="draw")
-    return xr.concat(draw_datasets, axis).assign_attrs(surface=sources.settings["surface"])
+    return xr.concat(draw_datasets, axis).assign_attrs(surface=sources.surface)
 
 
 def _protruded_forces(
@@ -100,47 +99,46 @@ def _protruded_forces(
     protruded_body: str,
 ) -> xr.Dataset:
     """Return forces and protrusions of one draw."""
-    spectrum, targets, pool_rms_heights, settings = sources
-    seed = settings["seed"]
-    coating = settings["surface"]
-    sphere_is_protruded = protruded_body != coating
-    protrusion_rng = generator(seed, protruded_body, draw_number, "protrusions")
-    protrusions = sample_protrusions(protrusion_rng, roughness, sphere_is_protruded)
+    is_on_sphere = protruded_body != sources.surface
+    rng = generator(sources.seed, protruded_body, draw_number, "protrusions")
+    protrusions = sample_protrusions(rng, roughness, is_on_sphere)
     scan_rngs = [
-        generator(seed, coating, draw_number, scan_number, "protruded scan")
+        generator(sources.seed, sources.surface, draw_number, scan_number, "protruded scan")
         for scan_number in range(1, scan_count + 1)
     ]
-    unscaled_scans = [level(sample_scan(rng, spectrum, settings["scan"])) for rng in scan_rngs]
-    rms_heights = np.array([scan.heights.std() for scan in unscaled_scans])
-    target_rms_heights = scale_rms_heights(
-        rms_heights, targets.means["rms_height"], targets.rms_height_std
-    )
-    # With six scans or more, a target may be below the smallest rms height of the pool.
-    target_rms_heights = np.maximum(target_rms_heights, pool_rms_heights[0])
+    scans = [level(sample_scan(rng, sources.spectrum, sources.grid)) for rng in scan_rngs]
     forces = []
     unprotruded_forces = []
-    for rng, scan, rms_height in zip(scan_rngs, unscaled_scans, target_rms_heights, strict=True):
+    for rng, scan, rms_height in zip(scan_rngs, scans, _set_heights(scans, sources), strict=True):
         scan = _scale_scan(scan, rms_height)
-        if sphere_is_protruded:
+        if is_on_sphere:
             protruded_scan = add_protrusions(rng, scan, protrusions, roughness.rms_height)
         else:
             protruded_scan = level(add_protrusions(rng, scan, protrusions, rms_height))
             protruded_scan = _scale_scan(protruded_scan, rms_height)
-        forces.append(_scan_forces(protruded_scan, settings))
-        unprotruded_forces.append(_scan_forces(scan, settings))
+        forces.append(_scan_forces(protruded_scan, sources))
+        unprotruded_forces.append(_scan_forces(scan, sources))
     force_ratio = np.mean(forces, axis=(0, 2)) / np.mean(unprotruded_forces, axis=(0, 2))
-    values = {
-        name: ((), getattr(protrusions, name.removeprefix("protrusion_")), {"units": unit})
-        for name, unit in PROTRUSION_UNITS.items()
-    }
     return xr.Dataset(
         {
             "pull_off_force": (("rho", "contact"), np.concatenate(forces, axis=1), NEWTON),
             "mean_force_ratio": ("rho", force_ratio, DIMENSIONLESS),
-            **values,
+            **{
+                name: ((), value, unit)
+                for (name, unit), value in zip(PROTRUSION_UNITS.items(), protrusions, strict=True)
+            },
         },
-        range_axis(settings["ranges"]),
+        range_axis(sources.ranges),
     )
+
+
+def _set_heights(scans: Sequence[HeightMap], sources: PoolSources) -> Floats:
+    """Return the rms heights (scan,) in nm of scans as those of a set of the pool."""
+    targets = sources.targets
+    rms_heights = np.array([scan.heights.std() for scan in scans])
+    heights = scale_rms_heights(rms_heights, targets.means["rms_height"], targets.rms_height_std)
+    # With six scans or more, a height may be below the smallest rms height of the pool.
+    return np.asarray(np.maximum(heights, sources.rms_heights[0]))
 
 
 def _scale_scan(scan: HeightMap, rms_height: float) -> HeightMap:
@@ -148,12 +146,11 @@ def _scale_scan(scan: HeightMap, rms_height: float) -> HeightMap:
     return replace(scan, heights=rms_height / scan.heights.std() * scan.heights)
 
 
-def _scan_forces(scan: HeightMap, settings: PoolSettings) -> Floats:
+def _scan_forces(scan: HeightMap, sources: PoolSources) -> Floats:
     """Return the plastic forces (rho, contact) of a smooth sphere on a scan, in N at 1 J/m²."""
-    contact = settings["contact"]
-    ranges = settings["ranges"]
-    contact_bodies = bodies(mirror_stitch(scan), None, contact)
-    return np.reshape(pull_off_forces(contact_bodies, [contact], ranges)[0], (len(ranges), -1))
+    contact_bodies = bodies(mirror_stitch(scan), None, sources.contact)
+    forces = pull_off_forces(contact_bodies, [sources.contact], sources.ranges)
+    return np.reshape(forces[0], (len(sources.ranges), -1))
 
 
 def fit_protruded_sets(
@@ -177,49 +174,66 @@ def fit_protruded_sets(
         ``log_force_std_at_published`` (draw), the standard deviation of ln F. The variables of
         PROTRUSION_UNITS (draw).
     """
-    draws_by_surface: dict[str, list[xr.Dataset]] = {}
-    for draw_dataset in draw_datasets:
-        draws_by_surface.setdefault(draw_dataset.attrs["surface"], []).append(draw_dataset)
-    forces_by_surface = {
-        name: xr.concat(surface_draws, "draw") for name, surface_draws in draws_by_surface.items()
-    }
+    draws = _stack_draws(draw_datasets)
+    coating = draws[surface]
     sphere_factor = sets["sphere_factor"].sel(surface=surface, drop=True)
-    forces = forces_by_surface[surface]["pull_off_force"] * sphere_factor
+    forces = coating["pull_off_force"] * sphere_factor
     forces = forces.transpose("draw", "contact", "rho")
-    ranges = forces["rho"].values
-    force_ratios = [draws["mean_force_ratio"] for draws in forces_by_surface.values()]
-    force_ratio = xr.concat(force_ratios, pd.Index(list(forces_by_surface), name="surface"))
+    force_ratio = xr.concat(
+        [draws_on_surface["mean_force_ratio"] for draws_on_surface in draws.values()],
+        pd.Index(list(draws), name="surface"),
+    )
     curves = sets["mean_force"] * force_ratio.reindex(surface=sets["surface"], fill_value=1.0)
     curves = curves.where(sets["surface"] != surface, forces.mean("contact"))
     fits = fit_mean_forces(curves.transpose("draw", "set", ...), published.forces["mean_force"])
-    shape = tuple(fits.sizes.values())
-    means = np.empty(shape)
-    medians = np.empty(shape)
+    fitted_forces = _forces_at_fits(forces, fits)
+    mean = fitted_forces.mean(axis=1)
+    median = np.median(fitted_forces, axis=1)
+    measured = published.forces.loc[surface]
+    errors = [np.log(mean / measured["mean_force"]), np.log(median / measured["median_force"])]
+    agrees = np.abs(errors).max(axis=0) <= np.log(MAX_FORCE_FACTOR)
+    return fits.assign(
+        mean_force_at_fit=(("draw", "set"), mean, NEWTON),
+        median_force_at_fit=(("draw", "set"), median, NEWTON),
+        agrees=(("draw", "set"), agrees.astype("int8")),
+    ).merge(_statistics_at_published_pair(forces, published).merge(coating[list(PROTRUSION_UNITS)]))
+
+
+def _stack_draws(draw_datasets: Iterable[xr.Dataset]) -> dict[str, xr.Dataset]:
+    """Return the datasets of all draws by surface."""
+    draws: dict[str, list[xr.Dataset]] = {}
+    for draw_dataset in draw_datasets:
+        draws.setdefault(draw_dataset.attrs["surface"], []).append(draw_dataset)
+    return {name: xr.concat(surface_draws, "draw") for name, surface_draws in draws.items()}
+
+
+def _forces_at_fits(forces: xr.DataArray, fits: xr.Dataset) -> Floats:
+    """Return forces (draw, contact, set) in N at the fitted pairs (draw, set).
+
+    The forces (draw, contact, rho) are in N at 1 J/m².
+    """
+    ranges = forces["rho"].values
+    fitted_forces = np.empty((*forces.shape[:2], fits.sizes["set"]))
     for draw, draw_forces in enumerate(forces.values):
         fit = fits.isel(draw=draw)
-        fitted_forces = interpolate_to_ranges(draw_forces, ranges, fit["range_of_adhesion"].values)
-        fitted_forces = fitted_forces * fit["work_of_adhesion"].values  # (contact, set)
-        means[draw] = fitted_forces.mean(axis=0)
-        medians[draw] = np.median(fitted_forces, axis=0)
-    agrees = np.ones(shape, bool)
-    for name, values in (("mean_force", means), ("median_force", medians)):
-        agrees &= abs(np.log(values / published.forces[name][surface])) <= np.log(MAX_FORCE_FACTOR)
+        at_ranges = interpolate_to_ranges(draw_forces, ranges, fit["range_of_adhesion"].values)
+        fitted_forces[draw] = at_ranges * fit["work_of_adhesion"].values
+    return fitted_forces
+
+
+def _statistics_at_published_pair(forces: xr.DataArray, published: PublishedFit) -> xr.Dataset:
+    """Return mean, median and scatter of forces (draw, contact, rho) at the published pair."""
     rho, work = published.pair
-    published_pair_forces = (
-        interpolate_to_ranges(forces.values, ranges, np.array([rho]))[..., 0] * work
+    curves = interpolate_to_ranges(forces.values, forces["rho"].values, np.array([rho]))
+    pair_forces = curves[..., 0] * work
+    return xr.Dataset(
+        {
+            "mean_force_at_published": ("draw", pair_forces.mean(axis=1), NEWTON),
+            "median_force_at_published": ("draw", np.median(pair_forces, axis=1), NEWTON),
+            "log_force_std_at_published": ("draw", np.log(pair_forces).std(axis=1), DIMENSIONLESS),
+        },
+        {"draw": forces["draw"]},
     )
-    return fits.assign(
-        mean_force_at_fit=(("draw", "set"), means, NEWTON),
-        median_force_at_fit=(("draw", "set"), medians, NEWTON),
-        agrees=(("draw", "set"), agrees.astype("int8")),
-        mean_force_at_published=("draw", published_pair_forces.mean(axis=1), NEWTON),
-        median_force_at_published=("draw", np.median(published_pair_forces, axis=1), NEWTON),
-        log_force_std_at_published=(
-            "draw",
-            np.log(published_pair_forces).std(axis=1),
-            DIMENSIONLESS,
-        ),
-    ).assign(forces_by_surface[surface][list(PROTRUSION_UNITS)])
 
 
 def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:
@@ -233,7 +247,7 @@ def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:
         {
             "pull_off_force": (("draw", "rho", "contact"), forces, NEWTON),
             "mean_force_ratio": (("draw", "rho"), forces[..., 0], DIMENSIONLESS),
-            **{name: ("draw", [], {"units": unit}) for name, unit in PROTRUSION_UNITS.items()},
+            **{name: ("draw", [], unit) for name, unit in PROTRUSION_UNITS.items()},
         },
         {"draw": np.arange(0), "rho": ranges},
         {"surface": surface},
