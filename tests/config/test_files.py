@@ -142,10 +142,10 @@ def lists_of_files(study):
     for pattern, rows in (
         (PATTERNS.pull_off, study.substrate_scans),
         (PATTERNS.pool, study.chunks),
-        (PATTERNS.smooth_sphere, study.pooled_surfaces),
         (PATTERNS.law_scan, study.realized_scans),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
+    computed_at[study.path(PATTERNS.smooth_sphere, "uncd")] = study_values
     for pattern in (PATTERNS.elastic, PATTERNS.asperities):
         computed_at |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), study_values[:2])
     return computed_at

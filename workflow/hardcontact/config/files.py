@@ -25,7 +25,6 @@ SHORT_RANGE = 1.0
 Scan = namedtuple("Scan", "surface scan")
 ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
-Surface = namedtuple("Surface", "surface")
 ProtrudedChunk = namedtuple("ProtrudedChunk", "surface protruded_body first last")
 FilteredMasters = namedtuple(
     "FilteredMasters", "purpose settings surface probe first last radii loads ranges"
@@ -189,11 +188,6 @@ class Files:
         """Scan of the indented surface and of the sphere, every pair."""
         scans = self._selection.scans(self._configuration["indent"]["surface"])
         return list(product(scans, self._selection.sphere_scans))
-
-    @property
-    def pooled_surfaces(self) -> list[Surface]:
-        """Every substrate with a pool."""
-        return [Surface(surface) for surface in self._selection.pooled]
 
     @property
     def chunks(self) -> list[Chunk]:
