@@ -41,14 +41,16 @@ class Job(NamedTuple):
         output: int | str = 0,
         file_format: FileFormat = "NETCDF4",
     ) -> None:
-        """Write a labelled dataset, with its origin."""
-        complete = dataset.assign_attrs(
+        """Write a labelled dataset, with its origin and the meanings of its variables."""
+        path = self._path(output)
+        described = labelled.describe(dataset, labelled.read_meanings(Path(path).stem))
+        complete = described.assign_attrs(
             title=title,
             Conventions="CF-1.11",
             history=f"made by the hardcontact study: {title}",
             **self.origin.attributes(),
         )
-        labelled.write(complete, self._path(output), file_format)
+        labelled.write(complete, path, file_format)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text whole."""
