@@ -9,7 +9,8 @@ DATASETS = [
     path
     for stage in workflow.rules
     for path in stage.output
-    if path.startswith(f"{PATTERNS.results}/") and path.endswith(".nc")
+    if path.startswith(f"{PATTERNS.results}/")
+    and path.endswith(".nc")
     and Path(path).stem not in omitted_targets(STUDY)
 ]
 

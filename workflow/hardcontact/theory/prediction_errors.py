@@ -23,7 +23,7 @@ from hardcontact.theory.closed_form import (
     ClosedForm,
 )
 
-#: Designed surfaces with computed and predicted numbers; resources/validation/README.md describes the columns.
+#: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 VALIDATION = Path(__file__).with_name("prediction.csv")
 #: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
 #: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
