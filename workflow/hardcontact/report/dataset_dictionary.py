@@ -24,7 +24,7 @@ def _table(name: str, dataset: xr.Dataset) -> str:
     lines = [
         f"## {name}.nc",
         "",
-        f"{dataset.title}.",
+        f"{dataset.title[:1].upper()}{dataset.title[1:]}.",
         "",
         "| variable | dimensions | unit | meaning |",
         "| --- | --- | --- | --- |",
