@@ -12,6 +12,7 @@ DATASETS = [
     if path.startswith(f"{PATTERNS.results}/")
     and path.endswith(".nc")
     and Path(path).stem not in omitted_targets(STUDY)
+    and (COMPARED or Path(path).stem != "band")  # own surfaces have edges.nc
 ]
 
 
