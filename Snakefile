@@ -47,7 +47,7 @@ else:
 
 
 include: "workflow/rules/targets.smk"
-include: "workflow/rules/provenance.smk"
+include: "workflow/rules/records.smk"
 
 
 onstart:
@@ -67,8 +67,9 @@ onerror:
 
 
 rule all:
-    """Make the whole study: datasets, verdicts, figures, pages and their description."""
+    """Make the whole study: datasets, verdicts, figures, pages and lists of what it has."""
     default_target: True
     input:
-        rules.describe_crate.input,  # all that is described, should some of it be missing
-        rules.crate.input,
+        [getattr(rules, target).input for target in available_targets(STUDY)],
+        rules.keep_configuration.output,
+        rules.list_variables.output,

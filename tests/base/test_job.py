@@ -87,29 +87,6 @@ def test_a_changed_input_stops_the_job(snakemake, tmp_path, monkeypatch, capsys)
     assert_says(capsys.readouterr().err, "error: made/text.txt: expected", "run again")
 
 
-SCRIPT = """
-import atexit, types
-from hardcontact.base.job import job
-atexit.register(print, "taken down")
-snakemake = types.SimpleNamespace(
-    input=[], output=["made.txt"], params=types.SimpleNamespace(canonical="{}"),
-    log=["a.log"],
-)
-with job(snakemake) as this:
-    this.write_text("made")
-    print("printed", end="")
-"""
-
-
-def test_the_process_of_a_script_ends_with_its_job(tmp_path):
-    (tmp_path / "script.py").write_text(SCRIPT)
-    run = subprocess.run(
-        [sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True
-    )
-    assert (run.returncode, run.stdout, run.stderr) == (0, "printed", "")
-    assert (tmp_path / "made.txt").read_text() == "made"
-
-
 @pytest.mark.parametrize(
     ("block", "path", "code", "message"),
     [

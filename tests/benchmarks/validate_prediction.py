@@ -32,7 +32,7 @@ from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.closed_form_errors import spectrum_of_grid
 from hardcontact.theory.prediction_errors import table_coordinates
 
-TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
+TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
 CONTACTS, CUTOFFS = 8, 12
 #: Limits of each input, sampled evenly in its logarithm except for the Hurst exponent; lengths in

@@ -1,33 +1,52 @@
-"""The dictionary describes every variable of the datasets, and no other."""
+"""Every variable of a finished study has a unit and a meaning, and the list shows them."""
 
+import pytest
 import xarray as xr
-from dataset_pages import SHARED, described_rows, made_variables
-from refusals import assert_says, refusal
+from undescribed_variables import undescribed
 
-from hardcontact.report.dataset_dictionary import rows_of
-
-
-def test_the_dictionary_describes_exactly_the_variables_of_the_study(results):
-    page, variables = described_rows(), made_variables(results)
-    assert variables.keys() <= page.keys()
-    for name, rows in variables.items():
-        assert rows <= page[name] if name in SHARED else rows == page[name], name
+from hardcontact.base.dataset import describe, read_meanings
+from hardcontact.report.dataset_dictionary import page
 
 
-def test_the_meaning_for_one_dataset_overrides_the_long_name_and_this_the_general_meaning():
-    attributes = {"units": "N", "long_name": "long name"}
+def test_a_table_shows_each_variable_and_marks_those_with_an_interval():
+    attributes = {"units": "N", "long_name": "Pull-off force."}
+    interval = xr.DataArray([[1.0, 2.0]], dims=("x", "bound"), attrs=attributes)
     data = xr.Dataset(
-        {name: ("x", [1.0], attributes) for name in ("own", "named", "named_interval")}
+        {"force": ("x", [1.0], attributes), "force_interval": interval},
+        coords={"x": ("x", ["a"], {"long_name": "Place."})},
+        attrs={"title": "Forces"},
     )
-    known_meanings = {("a", "own"): "Own.", ("*", "named"): "For all.", ("*", "x"): "Axis."}
-    rows = rows_of("a", data.assign_coords(x=[0]), known_meanings)
-    assert rows == {
-        "`own`": ("x", "N", "Own."),
-        "`named` \\*": ("x", "N", "Long name."),
-        "`x`": ("x", "", "Axis."),
-    }
+    text = page({"adhesion": data})
+    assert "## adhesion.nc\n\nForces.\n" in text
+    assert text.splitlines()[-2:] == [
+        "| `force` \\* | x | N | Pull-off force. |",
+        "| `x` | x |  | Place. |",
+    ]
 
 
-def test_a_variable_without_a_meaning_is_refused():
-    line = refusal(rows_of, "a", xr.Dataset({"force": 1.0}), {})
-    assert_says(line, "variables.tsv: expected", "a `force`")
+def test_variables_are_described_and_others_keep_their_names():
+    named = xr.DataArray(1.0, attrs={"units": "N", "long_name": "Own."})
+    data = xr.Dataset({"force": 1.0, "force_interval": 2.0, "named": named, "scan": 3})
+    described = describe(data, {"force": "Force."})
+    names = {name: described[name].attrs.get("long_name") for name in described}
+    assert names == {
+        "force": "Force.", "force_interval": "Force.", "named": "Own.", "scan": None,
+    }  # fmt: skip
+    assert described.scan.units == "1" and "units" not in described.force.attrs
+    assert data.force.attrs == {}
+
+
+def test_the_meaning_in_one_dataset_overrides_that_in_all(tmp_path, monkeypatch):
+    table = tmp_path / "variables.tsv"
+    table.write_text("dataset\tvariable\tmeaning\n*\ta\tAll.\n*\tb\tAll.\none\ta\tOne.\n")
+    monkeypatch.setattr("hardcontact.base.dataset.MEANINGS", table)
+    assert read_meanings("one") == {"a": "One.", "b": "All."}
+    assert read_meanings("another") == {"a": "All.", "b": "All."}
+
+
+@pytest.mark.study
+def test_every_variable_of_the_study_has_a_unit_and_a_meaning(results):
+    # The numbers of claims stand in one variable, each in the unit of its claim.
+    assert undescribed(results) == [("sets", "value")]
+    text = (results / "datasets.md").read_text("utf-8")
+    assert {f"## {path.name}" for path in results.glob("*.nc")} <= {*text.splitlines()}

@@ -32,7 +32,7 @@ PROGRAM = """#!/bin/bash
 #: Makes the environment without packages: its programs take notes.
 PYTHON3 = f"""{PROGRAM}
 [ "$*" = "-m venv .venv" ] && '{sys.executable}' -m venv --without-pip .venv
-for name in pip snakemake hardcontact python
+for name in pip snakemake hardcontact python pytest
 do cp --remove-destination "$PROGRAM" .venv/bin/$name
 done
 """
@@ -174,7 +174,7 @@ def typed_in(folder, readme):
         elif program == "python":
             assert importlib.util.find_spec(words[1]), words
         elif program == "pip":
-            assert (folder / words[-1]).is_file(), words
+            assert (ROOT / words[-1]).is_file(), words
     # Overlays without a command: enough to see that they are accepted.
     run_words = {word for words in runs for word in words}
     unused_overlays = [name for name in overlays(text) if name not in run_words]

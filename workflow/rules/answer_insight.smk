@@ -18,7 +18,7 @@ rule answer_insight:
             "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in INSIGHT_FIGURES)
         ),
         published_constants=PUBLISHED_TABLES["published_constants"],
-        validation="resources/validation/prediction.csv",
+        validation="workflow/hardcontact/theory/prediction.csv",
         code=code_inputs("answer_insight.py"),
     output:
         page=report(

@@ -6,7 +6,7 @@ rule scale_edges:
     input:
         masters=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
-        computed="resources/validation/prediction.csv",
+        computed="workflow/hardcontact/theory/prediction.csv",
         formulas="resources/validation/edges.csv",
         code=code_inputs("scale_edges.py"),
     output:

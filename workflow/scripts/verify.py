@@ -2,11 +2,10 @@
 
 import sys
 
-from hardcontact.base import crate, provenance
+from hardcontact.base import origin
 from hardcontact.base.job import job
 
 with job(snakemake) as job:
-    folder = job.parameters["results"]
-    faults, counts = provenance.check(folder, crate.described_files(folder))
+    faults, counts = origin.check(job.parameters["results"])
     print(*faults, counts, sep="\n")
     sys.exit(1 if faults else 0)

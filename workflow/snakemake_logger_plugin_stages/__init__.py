@@ -12,30 +12,22 @@ import time
 from collections import Counter
 from collections.abc import Mapping
 from datetime import timedelta
-from difflib import get_close_matches
-from functools import partial
-from itertools import takewhile
 from logging import WARNING, LogRecord
 
 from snakemake.common import NOTHING_TO_BE_DONE_MSG
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
+from snakemake_logger_plugin_stages.command_line import effort, error_line
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
 #: The logger of a study's own messages.
 STUDY_LOGGER = "snakemake.logging.study"
-#: Seconds without a line after which a line reports the progress.
+#: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
 MAX_SILENCE_SECONDS = 30
-#: Exceptions that repeat the failure of a job.
+#: Exceptions, and the end of a message, that repeat the failure of a job.
 JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
-#: Snakemake's message at the end of a run in which a job has failed.
 INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
-#: Options whose words on the command line are configuration files, or keys with values.
-CONFIGFILE = ("--configfile", "--configfiles")
-CONFIG = ("--config", "-C")
-#: Exceptions for unreadable configuration files, whose last line is all that a user needs.
-FILE_EXCEPTIONS = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
 
 
 class LogHandler(LogHandlerBase):
@@ -66,29 +58,19 @@ class LogHandler(LogHandlerBase):
         """Show stages that begin or end, and messages."""
         event = getattr(record, "event", None)
         fields = vars(record)
-        if event == LogEvent.ERROR and not self._planned and (faults := _command_line_faults()):
-            self._say(faults)
-        elif event == LogEvent.ERROR and fields["exception"] == "MissingRuleException":
-            self._say(_missing_target(record.getMessage()))
-        elif event == LogEvent.ERROR and fields["exception"] in FILE_EXCEPTIONS:
-            self._say("error: " + record.getMessage().strip().splitlines()[-1])
+        if event == LogEvent.ERROR:
+            self._show_error(record, fields["exception"])
         elif self._own_log:
             self._say(self.format(record))
         elif event == LogEvent.RUN_INFO:
             self._plan(fields["stats"])
         elif event == LogEvent.JOB_INFO:
-            self._start(fields["jobid"], fields["rule_name"])
-            if fields["rule_msg"]:
-                self._say(fields["rule_msg"])
+            self._start(fields["jobid"], fields["rule_name"], fields["rule_msg"])
         elif event == LogEvent.JOB_FINISHED:
             self._finish(self._rules[fields["job_id"]])
         elif event == LogEvent.JOB_ERROR:
-            logs = [log for log in fields["log"] if os.path.isfile(log)]
-            self._say(
-                f"Error in rule {fields['rule_name']}" + f": see {', '.join(logs)}" * bool(logs)
-            )
-        elif event == LogEvent.ERROR and self._planned and _repeats_failure(record):
-            pass
+            logs = ", ".join(filter(os.path.isfile, fields["log"]))
+            self._say(f"Error in rule {fields['rule_name']}" + f": see {logs}" * bool(logs))
         elif (
             record.levelno >= WARNING
             or record.name == STUDY_LOGGER
@@ -100,16 +82,24 @@ class LogHandler(LogHandlerBase):
         self._last_line = time.monotonic()
         print(text, file=self._stream, flush=True)
 
+    def _show_error(self, record: LogRecord, exception: str) -> None:
+        """Show an error in one line, unless it repeats the failure of a job, which has a line."""
+        message = record.getMessage()
+        repeats = exception in JOB_EXCEPTIONS or message.endswith(INCOMPLETE_MESSAGE)
+        line = "" if self._planned else error_line(exception, message)
+        if line or self._own_log or not (self._planned and repeats):
+            self._say(line or self.format(record))
+
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show the number of planned jobs and about the time that they take."""
-        stages = read_stages(_effort())
+        stages = read_stages(effort())
         self._planned = {**jobs}
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
         minutes = math.ceil(self._cost(self._planned) / (os.cpu_count() or 1) / 60)
         how_long = f"about {minutes} minutes" if minutes > 1 else "about a minute or less"
-        self._say(f"{self._total} jobs, {how_long}")
+        self._say(f"{_jobs(self._total)}, {how_long}")
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
@@ -118,7 +108,7 @@ class LogHandler(LogHandlerBase):
 
     def _position(self) -> str:
         """Return the number of finished jobs, and the remaining time from the costs of jobs."""
-        done = f"{self._done.total()} of {self._total} jobs done"
+        done = f"{self._done.total()} of {_jobs(self._total)} done"
         if not (spent := self._cost(self._done)):
             return done
         elapsed = time.monotonic() - self._run_begin
@@ -131,18 +121,19 @@ class LogHandler(LogHandlerBase):
             if time.monotonic() - self._last_line > MAX_SILENCE_SECONDS:
                 self._say(self._position())
 
-    def _start(self, job: int, rule: str) -> None:
+    def _start(self, job: int, rule: str, message: str | None) -> None:
         self._rules[job] = rule
         self._begin.setdefault(rule, time.monotonic())
+        if message:
+            self._say(message)
 
     def _finish(self, rule: str) -> None:
         """Count a finished job; show a line if its rule has no further jobs."""
         self._done[rule] += 1
         if self._done[rule] == self._planned[rule]:
             took = timedelta(seconds=round(time.monotonic() - self._begin[rule]))
-            name = self._stages[rule].name
-            jobs = self._planned[rule]
-            self._say(f"{name:40}{jobs:4} jobs in {took}, {self._position()}")
+            name, jobs = self._stages[rule].name, _jobs(self._planned[rule])
+            self._say(f"{name:40}{jobs:>8} in {took}, {self._position()}")
 
     def close(self) -> None:
         """End the thread that breaks silence."""
@@ -150,69 +141,5 @@ class LogHandler(LogHandlerBase):
         super().close()
 
 
-def _repeats_failure(record: LogRecord) -> bool:
-    """Return True if an error repeats the failure of a job, which has a line already."""
-    return vars(record)["exception"] in JOB_EXCEPTIONS or record.getMessage().endswith(
-        INCOMPLETE_MESSAGE
-    )
-
-
-def _option_words(options: tuple[str, ...]) -> list[str]:
-    """Return the words of options on the command line."""
-    words = list[str]()
-    for index, word in enumerate(sys.argv):
-        option, _, value = word.partition("=")
-        if option in options:
-            following = takewhile(lambda word: not word.startswith("-"), sys.argv[index + 1 :])
-            words += [value] if value else following
-    return words
-
-
-def _effort() -> str:
-    """Return the column of costs for the command line: "quick" for small grids, else "full"."""
-    words = [*_option_words(CONFIGFILE), *_option_words(CONFIG)]
-    is_quick = any(word in ("config/quick.yaml", "effort=quick") for word in words)
-    return "quick" if is_quick else "full"
-
-
-def _missing_target(message: str) -> str:
-    """Return the line for a target that no rule makes, with a similar one if there is any."""
-    from hardcontact.config.configuration import OWN_SURFACE_TARGETS, PAPER_TARGETS
-    from hardcontact.report.figures.listing import FIGURES
-
-    name = message.partition("produce ")[2].partition(" ")[0]
-    similar = get_close_matches(name, {*PAPER_TARGETS, *OWN_SURFACE_TARGETS, *FIGURES, "crate"}, 1)
-    question = f" (did you mean {similar[0]}?)" if similar else ""
-    return f"error: expected a target of README.md or a file of the study, found {name}{question}"
-
-
-def _command_line_faults() -> str:
-    """Return a line for each fault of the configuration on the command line.
-
-    Snakemake itself names neither the file, its line nor the key.
-    """
-    from hardcontact.config.configuration import refuse_unreadable
-    from hardcontact.config.faults import refuse_all
-
-    checks = [
-        *(partial(refuse_unreadable, path) for path in _option_words(CONFIGFILE)),
-        *(partial(_refuse_pair, word) for word in _option_words(CONFIG)),
-    ]
-    try:
-        refuse_all(checks)
-    except ValueError as error:
-        return "\n".join(f"error: {line}" for line in str(error).splitlines())
-    return ""
-
-
-def _refuse_pair(word: str) -> None:
-    """Refuse a word of `--config` that is not KEY=VALUE, or whose key has dots."""
-    key, equals, value = word.partition("=")
-    if not equals:
-        raise ValueError(
-            f"--config: expected KEY=VALUE, found {word} (targets stand before --config)"
-        )
-    section, dot, name = key.partition(".")
-    if dot:
-        nested = f"{{{name.replace('.', ': {')}: {value}" + "}" * key.count(".")
-        raise ValueError(f"--config: expected '{section}={nested}', found {word}")
+def _jobs(count: int) -> str:
+    return "1 job" if count == 1 else f"{count} jobs"

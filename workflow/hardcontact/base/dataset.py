@@ -1,14 +1,22 @@
 """Labelled datasets on disk: written whole or not at all, checked when read."""
 
+import csv
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base.code import LIBRARY
 from hardcontact.base.whole_file import whole_file
 
+#: Meanings of variables, of one dataset or of all (`*`). As a comment, a changed meaning makes no
+#: file stale.
+MEANINGS = LIBRARY.parent / "report/variables.tsv"
+#: End of the name of a variable that holds the interval of another one.
+INTERVAL = "_interval"
 #: Formats of netCDF; scan readers know the classic ones only.
 FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 
@@ -25,6 +33,32 @@ def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETC
             dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
         except RuntimeError as error:  # netCDF raises it for any error of the system
             raise OSError(str(error)) from error  # `whole_file` makes it a ValueError.
+
+
+@cache
+def read_meanings(name: str) -> dict[str, str]:
+    """Return the meanings of the variables of a dataset from the table `MEANINGS`."""
+    table = pd.read_csv(MEANINGS, sep="\t", quoting=csv.QUOTE_NONE)
+    meanings = {
+        dataset: dict(zip(rows.variable, rows.meaning, strict=True))
+        for dataset, rows in table.groupby("dataset")
+    }
+    return meanings["*"] | meanings.get(name, {})
+
+
+def describe(dataset: xr.Dataset, meanings: Mapping[str, str]) -> xr.Dataset:
+    """Return a dataset whose variables have the attribute `long_name`, and whole numbers a unit.
+
+    A variable without a meaning has the name that it had, an interval that of its variable.
+    """
+    described = dataset.copy()
+    for name, variable in described.variables.items():
+        meaning = meanings.get(str(name).removesuffix(INTERVAL))
+        if meaning is not None:
+            variable.attrs["long_name"] = meaning
+        if variable.dtype.kind in "biu":  # a count, a number of a scan, or whether something holds
+            variable.attrs.setdefault("units", "1")
+    return described
 
 
 def read(path: str | Path) -> xr.Dataset:

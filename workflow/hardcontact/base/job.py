@@ -41,14 +41,16 @@ class Job(NamedTuple):
         output: int | str = 0,
         file_format: FileFormat = "NETCDF4",
     ) -> None:
-        """Write a labelled dataset, with its origin."""
-        complete = dataset.assign_attrs(
+        """Write a labelled dataset, with its origin and the meanings of its variables."""
+        path = self._path(output)
+        described = labelled.describe(dataset, labelled.read_meanings(Path(path).stem))
+        complete = described.assign_attrs(
             title=title,
             Conventions="CF-1.11",
             history=f"made by the hardcontact study: {title}",
             **self.origin.attributes(),
         )
-        labelled.write(complete, self._path(output), file_format)
+        labelled.write(complete, path, file_format)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text whole."""
@@ -82,20 +84,14 @@ def job(snakemake: Any) -> Iterator[Job]:
         parameters = json.loads(canonical_parameters)
         yield Job(inputs, snakemake.output, parameters, origin)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
-    # Only in the process of a script that Snakemake started, which ends with its job: taking the
-    # interpreter down would cost a third of a second and do nothing.
-    if getattr(sys.modules["__main__"], "snakemake", None) is snakemake:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(0)
 
 
 @contextmanager
 def job_log(path: str | Path) -> Iterator[None]:
     """Keep the log of a job; an error goes there in full and to stderr in one line.
 
-    An error ends the process at once with exit code 1: netCDF that could not write crashes when
-    Python cleans up. Ctrl-C ends it without a message: the run itself prints that it was stopped.
+    An error ends the process with exit code 1. Ctrl-C ends it without a message, as the run prints
+    that it was stopped.
     """
     # Where the log cannot be written, the line on stderr is all there is.
     logging.raiseExceptions = False
@@ -112,9 +108,9 @@ def job_log(path: str | Path) -> Iterator[None]:
         written = Path(path).is_file() and Path(path).stat().st_size > 0
         line = f"error: {message} (see {path})" if written else f"error: {message}"
         print(line, file=sys.stderr, flush=True)
-        os._exit(1)
+        os._exit(1)  # netCDF that could not write crashes when Python cleans up
     except KeyboardInterrupt:
-        os._exit(130)
+        sys.exit(130)
     else:
         _logger.removeHandler(handler)
         with suppress(OSError):  # the disk may be full

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pydantic import model_validator
+from pydantic.fields import FieldInfo
 
 from hardcontact.config.faults import (
     Limit,
@@ -75,11 +76,15 @@ class Study(StudyKeys):
             yield Limit(not has_roughness, "scales.sphere_roughness", accepted, "true")
 
 
+def key_field(key: str) -> FieldInfo:
+    """Return what the model declares about a key, such as ``"sphere.radius"``."""
+    *sections, name = key.split(".")
+    return section_model(Study, sections).model_fields[name]
+
+
 def quantity_type(key: str) -> Quantity:
     """Return the unit and the bounds of a key that is a quantity."""
-    *sections, name = key.split(".")
-    field = section_model(Study, sections).model_fields[name]
-    return next(annotation for annotation in field.metadata if isinstance(annotation, Quantity))
+    return next(item for item in key_field(key).metadata if isinstance(item, Quantity))
 
 
 def numeric_configuration(config: object, prefix: str = "") -> dict[str, Any]:

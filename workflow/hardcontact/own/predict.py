@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pandas as pd
 
-from hardcontact.base.code import TEMPLATES
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
 from hardcontact.base.whole_file import whole_file
@@ -168,7 +167,7 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str], of_scans: b
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
-        loader=FileSystemLoader(TEMPLATES),
+        loader=FileSystemLoader(Path(__file__).parent),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,

@@ -175,7 +175,8 @@ def _surface_force(
             "touched_places": ((), places, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         },
-        {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
+        {name: adhesion[name] for name in dimensions}
+        | {"quantile": ("quantile", QUANTILES, DIMENSIONLESS)},
     )
 
 

@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
-from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME, UNIT
-from hardcontact.config.model import QUICK_SUFFIX, quantity_type
+from hardcontact.config.model import QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.plausible import QUANTITY_KEYS, unit_question
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.surfaces.height_map import LEVELLING
@@ -111,9 +110,9 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
 
 def add_shared_options(parser: ArgumentParser) -> None:
     """Add the options of both commands: quantities, and properties that files may not state."""
-    paper = read_yaml("config/config.yaml")
     for name, (key, meaning) in QUANTITY_OPTIONS.items():
-        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {get_key(paper, key)})")
+        default = key_field(key).default
+        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument(
         "--unit", default="none",
@@ -136,7 +135,6 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     Tip, size and modulus are included only if the user gave them. A faulty quantity has the paper's
     value.
     """
-    paper = read_yaml("config/config.yaml")
     quantity_types = {name: quantity_type(key) for name, (key, _) in QUANTITY_OPTIONS.items()}
     quantity_types |= {
         "tip": TIP_RADIUS,
@@ -157,7 +155,7 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
         except ValueError as error:
             faults.append(f"--{name}: {error}")
         if name in QUANTITY_OPTIONS and name not in quantities:
-            paper_text = get_key(paper, QUANTITY_OPTIONS[name][0])
+            paper_text = key_field(QUANTITY_OPTIONS[name][0]).default
             number = kind.number(paper_text)
             quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
     return quantities, faults

@@ -238,7 +238,7 @@ def regime_coordinates(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.
 def designed_edge_errors(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.Dataset:
     """Return errors of predicted edges of designed surfaces, and the regimes of the surfaces.
 
-    computed, formulas: the tables prediction.csv and edges.csv in resources/validation.
+    computed, formulas: the tables prediction.csv and edges.csv of resources/validation/README.md.
     Returns by designed surface: ``designed_rms_height_over_range``, ``designed_level``,
         ``designed_contact_over_rolloff``, and ``held_out``, 1 for held-out surfaces; published
         spectra, which have no computed edge, have 0. ``designed_computed_over_predicted``

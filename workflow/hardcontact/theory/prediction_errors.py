@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from hardcontact.base.code import LIBRARY
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import (
@@ -24,8 +23,8 @@ from hardcontact.theory.closed_form import (
     ClosedForm,
 )
 
-#: Designed surfaces with computed and predicted numbers; its README describes the columns.
-VALIDATION = LIBRARY.parents[1] / "resources/validation/prediction.csv"
+#: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
+VALIDATION = Path(__file__).with_name("prediction.csv")
 #: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
 #: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
 NEAREST_SURFACES = 19
@@ -55,7 +54,7 @@ EDGE_FOUND, NO_EDGE = "found", "none"
 def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
     """Return the surfaces of the table that were held out, with their errors.
 
-    path: the table, resources/validation/prediction.csv by default.
+    path: the table, prediction.csv beside this module by default.
     Returns rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
         computed value relative to the predicted value, NaN if an edge is open or not predicted.
     """

@@ -1,6 +1,18 @@
-# Provenance: the configuration kept with the results, the RO-Crate, and the check of both.
+# Records of a study: its configuration, the list of its variables, and the check of its files.
 
-from hardcontact.config.configuration import available_targets
+from pathlib import Path
+
+from hardcontact.config.configuration import omitted_targets
+
+#: The datasets that the rules above make in the results; a study without forces has no fit.
+DATASETS = [
+    path
+    for stage in workflow.rules
+    for path in stage.output
+    if path.startswith(f"{PATTERNS.results}/")
+    and path.endswith(".nc")
+    and Path(path).stem not in omitted_targets(STUDY)
+]
 
 
 rule keep_configuration:
@@ -21,30 +33,21 @@ rule keep_configuration:
         "../scripts/keep_configuration.py"
 
 
-rule describe_crate:
-    """Describe inputs, outputs, software, authors, licence and paper for an archive."""
+rule list_variables:
+    """List every variable of the study's datasets, with dimensions, unit and meaning."""
     input:
-        [getattr(rules, target).input for target in available_targets(STUDY)],
-        rules.keep_configuration.output,
-        citation="CITATION.cff",
-        environment=PINS[0],
-        code=code_inputs("describe_crate.py"),
+        datasets=sorted(DATASETS),
+        code=code_inputs("list_variables.py"),
     output:
-        PATTERNS.result("ro-crate-metadata.json"),
+        PATTERNS.result("datasets.md"),
     log:
-        PATTERNS.log("describe_crate"),
+        PATTERNS.log("list_variables"),
     benchmark:
-        PATTERNS.benchmark("describe_crate")
+        PATTERNS.benchmark("list_variables")
     params:
-        canonical=canonical({"study": STUDY["study"]}),
+        canonical=canonical({}),
     script:
-        "../scripts/describe_crate.py"
-
-
-rule crate:
-    """Make the study and its description for an archive."""
-    input:
-        rules.describe_crate.output,
+        "../scripts/list_variables.py"
 
 
 rule verify:

@@ -1,0 +1,48 @@
+"""Figures and pages are drawn again from the datasets of a finished study alone."""
+
+import re
+import shutil
+
+import pytest
+from repository import copy_repository, snakemake
+
+REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=quick")
+#: Figures that are drawn again: maps, curves against the cutoff, and sets.
+DRAWN_AGAIN = ("fig1", "fig6", "fig_sets")
+REPORT = ("--report", "results/quick/report.html", "--report-after-run")
+
+
+@pytest.mark.study
+def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_path):
+    study = copy_repository(tmp_path / "downloaded")
+    results = study / "results/quick"
+    (results / "figures").mkdir(parents=True)
+    finished_results = finished / "results/quick"
+    packages = ("environment.txt", "constraints.txt")
+    copied = [
+        *(finished / "results" / name for name in packages),
+        *(path for path in finished_results.glob("*.*") if path.suffix in (".nc", ".csv", ".yaml")),
+        *(path for path in finished_results.glob("figures/[!.]*") if path.stem not in DRAWN_AGAIN),
+    ]
+    for path in copied:
+        shutil.copyfile(path, study / path.relative_to(finished))
+    run = snakemake(study, *REDRAW, *REPORT, "--verbose")
+    assert run.returncode == 0, run.stdout[-3000:]
+    jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
+    assert jobs == {f"draw_{name}" for name in DRAWN_AGAIN} | {
+        "write_pages",
+        "answer_paper",
+        "answer_insight",
+    }
+    # Nothing is computed: no store, only the lists of packages.
+    result_folders = {path.name for path in (study / "results").iterdir()}
+    assert result_folders == {"quick", *packages}
+    redrawn_paths = [*(finished_results / "figures").glob("[!.]*")]
+    redrawn_paths += (finished_results / "report").glob("*.html")
+    redrawn_paths += (
+        finished_results / name for name in ("answer.html", "answer.json", "insight.html")
+    )
+    for path in redrawn_paths:
+        redrawn_path = results / path.relative_to(finished_results)
+        assert redrawn_path.read_bytes() == path.read_bytes(), path
+    assert "fig6" in (results / "report.html").read_text()
