@@ -6,6 +6,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from copy import deepcopy
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -18,6 +19,7 @@ from repository import (
     ROOT,
     copy_repository,
     environment,
+    merged,
     run_snakemake,
     snakemake,
 )
@@ -39,7 +41,11 @@ def refusal_line(call, *arguments):
 
 def planned_workflow(*configfiles):
     """Return an object like Snakemake's workflow of a planned run."""
-    return SimpleNamespace(exec_mode=ExecMode.DEFAULT, configfiles=configfiles)
+    return SimpleNamespace(
+        exec_mode=ExecMode.DEFAULT,
+        configfiles=configfiles,
+        config_settings=SimpleNamespace(config={}),
+    )
 
 
 @pytest.mark.parametrize(
@@ -94,6 +100,22 @@ def test_nested_numbers_of_the_command_line_are_numbers(repository):
     assert stored_keys["asperities"] == PAPER["asperities"] | {"contacts": 4}
     assert stored_keys["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
     shutil.rmtree(repository / "results")  # Other tests look whether a refused run makes any.
+
+
+def test_nested_values_of_the_command_line_are_read_as_in_a_file():
+    """Snakemake leaves them as text."""
+    workflow = planned_workflow()
+    nested = {"sphere_roughness": "true", "small": {"cutoffs": ["30 nm", "40 nm"]}}
+    workflow.config_settings.config = {"scales": nested, "scans": ["1", "2"], "seed": 7}
+    config = merged(deepcopy(PAPER), {"scales": nested}) | {"scans": ["1", "2"], "seed": 7}
+    numbers = start.checked_configuration(workflow, config)
+    assert numbers["scales"]["sphere_roughness"] is True
+    assert numbers["scales"]["small"]["cutoffs"] == [30, 40]
+    assert (numbers["scans"], numbers["seed"]) == ([1, 2], 7)
+    for value in ("2026-13-45", "a: b: c"):
+        workflow.config_settings.config = {"asperities": {"contacts": value}}
+        line = refusal_line(start.checked_configuration, workflow, deepcopy(PAPER))
+        assert_says(line, "asperities.contacts", "a whole number", value)
 
 
 def listen_to_ctrl_c():
