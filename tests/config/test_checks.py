@@ -9,8 +9,8 @@ from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
-from hardcontact.config.grids import Grid, master_megabytes, memory_limit
-from hardcontact.config.limits import check_grids
+from hardcontact.config.grids import Grid, master_megabytes
+from hardcontact.config.limits import check_grids, memory_faults
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
@@ -181,6 +181,6 @@ def test_rms_height_counts_only_waves_within_the_domain(tmp_path):
 
 def test_a_master_larger_than_the_memory_is_refused():
     assert 15000 < master_megabytes(32768, 3000) < 20000
-    assert memory_limit("key", 32768, 24000).holds
-    assert memory_limit("key", 16384, 100).holds  # accepted everywhere
-    assert not memory_limit("key", 32768, 8000).holds
+    assert not memory_faults("key", 32768, 24000)
+    assert not memory_faults("key", 16384, 100)  # accepted everywhere
+    assert memory_faults("key", 32768, 8000)

@@ -2,15 +2,14 @@
 
 import logging
 import os
-import shutil
 import signal
 import subprocess
 import sys
+from copy import deepcopy
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-import yaml
 from refusals import assert_says
 from repository import (
     PAPER,
@@ -18,11 +17,11 @@ from repository import (
     ROOT,
     copy_repository,
     environment,
-    run_snakemake,
     snakemake,
 )
-from scan_files import scan, truncate_file
+from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
+from snakemake.utils import update_config
 from studies import own_scans
 
 from hardcontact.config import start
@@ -39,7 +38,20 @@ def refusal_line(call, *arguments):
 
 def planned_workflow(*configfiles):
     """Return an object like Snakemake's workflow of a planned run."""
-    return SimpleNamespace(exec_mode=ExecMode.DEFAULT, configfiles=configfiles)
+    return SimpleNamespace(
+        exec_mode=ExecMode.DEFAULT,
+        configfiles=configfiles,
+        config_settings=SimpleNamespace(config={}),
+    )
+
+
+def configured(*words):
+    """Return a workflow and the configuration of the paper with words of `--config`."""
+    workflow = planned_workflow()
+    workflow.config_settings.config = parse_config(words)
+    config = deepcopy(PAPER)
+    update_config(config, workflow.config_settings.config)
+    return workflow, config
 
 
 @pytest.mark.parametrize(
@@ -85,15 +97,19 @@ def test_a_full_study_cannot_take_the_name_of_a_quick_one():
         assert_says(line, f"config key {key}", "a name without the end -quick", name)
 
 
-@pytest.mark.study
-def test_nested_numbers_of_the_command_line_are_numbers(repository):
-    arguments = ["study=typed", "asperities={contacts: 4}", "contact={hardness: 30 GPa}"]
-    run = snakemake(repository, "results/typed/surfaces.tsv", "--config", *arguments)
-    assert run.returncode == 0, run.stdout
-    stored_keys = yaml.safe_load((repository / "results/typed/configuration.yaml").read_text())
-    assert stored_keys["asperities"] == PAPER["asperities"] | {"contacts": 4}
-    assert stored_keys["contact"] == PAPER["contact"] | {"hardness": "30 GPa"}
-    shutil.rmtree(repository / "results")  # Other tests look whether a refused run makes any.
+def test_values_of_the_command_line_are_read_as_in_a_file():
+    words = ["scales={sphere_roughness: true, small: {cutoffs: [30 nm, 40 nm]}}", "scans=[1, 2]"]
+    numbers = start.checked_configuration(*configured(*words, "seed=7"))
+    assert numbers["scales"]["sphere_roughness"] is True
+    assert numbers["scales"]["small"]["cutoffs"] == [30, 40]
+    assert (numbers["scans"], numbers["seed"]) == ([1, 2], 7)
+
+
+@pytest.mark.parametrize("text", ["2026-13-45", "'a: b: c'", "four", "2.5"])
+def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
+    study = configured(f"asperities={{contacts: {text}}}")
+    line = refusal_line(start.checked_configuration, *study)
+    assert_says(line, "config key asperities.contacts", "a whole number", text.strip("'"))
 
 
 def listen_to_ctrl_c():
@@ -174,14 +190,6 @@ def assert_refused_before_anything_is_made(run, folder, *parts):
     assert_says(errors[0], "expected", *parts)
     assert "Traceback" not in run.stdout and "rule " not in run.stdout
     assert not (folder / "results").exists() and not (folder / "made").exists()
-
-
-@pytest.mark.study
-def test_a_bad_study_is_refused_in_one_line(repository):
-    truncate_file(scan(repository / "own.nc"), 0.5)
-    (repository / "own.tsv").write_text(own_scans("own.nc"))
-    run = run_snakemake(repository, overlays=[{"surfaces": "own.tsv"}])
-    assert_refused_before_anything_is_made(run, repository, "own.nc", "a whole file")
 
 
 @pytest.mark.study

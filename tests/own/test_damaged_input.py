@@ -15,9 +15,9 @@ from SurfaceTopography import Topography
 
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.model import numeric_configuration
-from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.selection import surface_table
 from hardcontact.config.tables import measured_forces, refuse_description
+from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.surfaces.scans import list_measurements, read_measurement
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 

@@ -15,10 +15,10 @@ from refusals import assert_says, refusal
 import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.base.units import parse_quantity
-from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own import request
+from hardcontact.own.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
 from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent

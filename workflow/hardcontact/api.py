@@ -28,13 +28,13 @@ from hardcontact.config.arguments import (
 )
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE
-from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum

@@ -7,8 +7,6 @@ from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.model import PAPER
 from hardcontact.config.store_keys import store_digests
 
-start.read_numbers(workflow, config)
-config.update(start.apply_effort(config))
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = Patterns(
     f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"], store_digests(STUDY)

@@ -1,4 +1,4 @@
-"""Checks of the arguments of the Python functions, in the words of the study."""
+"""Checks of the arguments of functions and commands, in the words of the study."""
 
 import math
 import warnings
@@ -8,30 +8,58 @@ from typing import Any
 
 import numpy as np
 
+from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import refuse_lines, shorten
 from hardcontact.config.grids import PIXEL_SIZES, Grid
-from hardcontact.config.limits import scan_limits
+from hardcontact.config.limits import scan_faults
 from hardcontact.config.model import NONE, quantity_type
-from hardcontact.config.plausible import QUANTITY_KEYS, unit_question
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.synthesis import SIDES
+
+#: The key of the configuration for each quantity of a contact.
+QUANTITY_KEYS = {
+    "radius": "sphere.radius",
+    "hardness": "contact.hardness",
+    "preload": "contact.preload",
+    "range": "scales.range",
+    "work": "adhesion.work",
+}
+#: The usual values of these quantities, beyond which the unit may be wrong. Sources: spheres and
+#: loads of microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59
+#: (2005) 1; diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al.,
+#: Nature Mater. 4 (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces
+#: (2011).
+USUAL_BOUNDS = {
+    "radius": ("1 um", "50 mm", "spheres in pull-off tests, from colloidal probes to lenses"),
+    "hardness": ("1 MPa", "150 GPa", "solids that yield, from soft plastics to diamond"),
+    "preload": ("100 pN", "10 mN", "loads of microscopes and of microtesters"),
+    "range": ("0.2 nm", "40 nm", "ranges from atomic bonds to long dispersion forces"),
+    "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
+}
+
+
+def unit_question(quantity: str, number: float) -> str:
+    """Return a question if a number, in the unit of the key, is not usual; else an empty text."""
+    low, high, kind = USUAL_BOUNDS[quantity]
+    unit = quantity_type(QUANTITY_KEYS[quantity]).unit
+    if parse_quantity(low, unit) <= number <= parse_quantity(high, unit):
+        return ""
+    return f"is the unit right? {low} to {high} are usual for {kind}"
 
 
 def check_read_arguments(files: Sequence[object], **texts: object) -> None:
     """Refuse files that are not paths, and arguments that are not text, by their names."""
-    refuse_lines(
-        [
-            f"files: expected a path in each argument, found {' '.join(shorten(file).split())}"
-            for file in files
-            if not isinstance(file, str | Path)
-        ]
-        + [
-            f"{name}: expected a text, found {shorten(text)}"
-            for name, text in texts.items()
-            if not isinstance(text, str)
-        ]
-    )
+    faults = []
+    for file in files:
+        if not isinstance(file, str | Path):
+            found = " ".join(shorten(file).split())
+            faults.append(f"files: expected a path in each argument, found {found}")
+    for name, text in texts.items():
+        if not isinstance(text, str):
+            faults.append(f"{name}: expected a text, found {shorten(text)}")
+    refuse_lines(faults)
 
 
 def check_optional_lengths(**lengths: object) -> None:
@@ -57,12 +85,9 @@ def check_positive(**numbers: object) -> None:
 
 
 def check_quantities(**numbers: Any) -> None:
-    """Refuse quantities of a contact beyond the limits of their keys, and question unusual ones.
+    """Refuse quantities of a contact beyond the limits of their keys, and warn of unusual ones.
 
-    A question is a UserWarning.
-
-    **numbers: `radius` and `rho` in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
-    Raises ValueError if numbers are not positive, or beyond the limits; with a line for each.
+    `radius` and `rho` are in nm, `preload` in N, `hardness` in Pa, `work` in J/m².
     """
     check_positive(**numbers)
     quantities = {name: "range" if name == "rho" else name for name in numbers}
@@ -93,9 +118,8 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
-    pixels = surface.pixels // 2
-    size = surface.size / 2
-    grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
+    relief = float(np.ptp(surface.heights))
+    grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
     config = {
         "published": NONE,
         "sphere": {"radius": contact.radius},
@@ -103,9 +127,9 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
         "adhesion": {"ranges": [shortest_range]},
         "scales": {"range": math.inf},  # All ranges are checked as ranges of adhesion.
     }
-    for holds, key, accepted, value in scan_limits(config, "the map", grid):
-        if not holds:
-            raise ValueError(f"{key.split('.')[-1]}: expected {accepted}, found {value}")
+    for line in scan_faults(config, "the map", grid)[:1]:
+        key, text = line.removeprefix("config key ").split(": ", 1)
+        raise ValueError(f"{key.split('.')[-1]}: {text}")
 
 
 def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:

@@ -1,6 +1,6 @@
 """Checks that the names and values of a study agree with each other, its tables and its scans."""
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from functools import partial
 from typing import Any
 
@@ -9,7 +9,7 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.config.configuration import get_key
-from hardcontact.config.faults import Limit, refuse_all, refuse_lines, violation_messages
+from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
@@ -41,55 +41,54 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
-    table1 = (
-        published.table1(PUBLISHED_TABLES["published_table1"]).groupby("surface").quantity.agg(set)
-    )
+    table1 = published.table1(PUBLISHED_TABLES["published_table1"])
+    rows_of_table1 = {str(name): set(rows.quantity) for name, rows in table1.groupby("surface")}
     checks: list[Callable[[], object]] = [
-        partial(refuse_description, path, table1.get(surface, set()))
+        partial(refuse_description, path, rows_of_table1.get(surface, set()))
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     if config["published"] == PAPER:
-        limits = _paper_limits(config, contacts, compared)
+        faults = _paper_faults(config, contacts, compared)
     else:
-        limits = _own_surface_limits(config, contacts)
-        checks += _own_surface_checks(config, table, substitutes, table1.index)
-    refuse_all([partial(refuse_lines, violation_messages(limits)), *checks])
+        faults = []
+        if config["sphere"]["surface"] != SMOOTH_SPHERE:
+            faults = _name_faults(config, "sphere.surface", list(contacts.surface.unique()))
+        checks += _own_surface_checks(config, table, substitutes, rows_of_table1)
+    refuse_all([partial(refuse_lines, faults), *checks])
     rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
     grids = refuse_all(partial(surface_grid, config, *item) for item in rows_of.items())
     check_grids(config, dict(zip(rows_of, grids, strict=True)))
 
 
-def _surface_name_limit(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
-    """Return the limit of a key that names a surface: the table must contain the surface."""
+def _name_faults(config: dict[str, Any], key: str, surfaces: list[str]) -> list[str]:
+    """Return the fault of a key that names a surface that is not in the table."""
+    if get_key(config, key) in surfaces:
+        return []
     accepted = f"one of {', '.join(surfaces)}, surfaces of the table"
-    return Limit(get_key(config, key) in surfaces, key, accepted, get_key(config, key))
+    return [key_fault(key, accepted, get_key(config, key))]
 
 
-def _own_surface_limits(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:
-    """Yield the limit of the sphere, which may be smooth."""
-    if config["sphere"]["surface"] != SMOOTH_SPHERE:
-        yield _surface_name_limit(config, "sphere.surface", list(contacts.surface.unique()))
-
-
-def _paper_limits(
+def _paper_faults(
     config: dict[str, Any], contacts: pd.DataFrame, compared: Collection[str]
-) -> Iterator[Limit]:
-    """Yield the limits of a study that is compared with the paper."""
+) -> list[str]:
+    """Return the faults of a study that is compared with the paper."""
     sphere = config["sphere"]["surface"]
     surfaces = list(contacts.surface.unique())
-    yield _surface_name_limit(config, "sphere.surface", surfaces)
+    faults = _name_faults(config, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
     for key in ("reference_surface", "indent.surface", "sets.protruded_surface"):
-        yield _surface_name_limit(config, key, substrates)
+        faults += _name_faults(config, key, substrates)
     reference = config["reference_surface"]
-    accepted = f"a surface with a published pull-off force ({', '.join(compared)})"
-    yield Limit(reference in compared, "reference_surface", accepted, reference)
+    if reference not in compared:
+        accepted = f"a surface with a published pull-off force ({', '.join(compared)})"
+        faults.append(key_fault("reference_surface", accepted, reference))
     pool = config["sets"]["pool"]
-    substitutes = contacts[contacts.source == "substitute"]
-    scans = substitutes.surface[substitutes.surface != sphere].value_counts(sort=False)
-    if len(scans):
+    pooled = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
+    scans = pooled.surface.value_counts(sort=False)
+    if len(scans) and scans.max() > pool:
         accepted = f"at least the {scans.max()} scans of {scans.idxmax()}"
-        yield Limit(scans.max() <= pool, "sets.pool", accepted, pool)
+        faults.append(key_fault("sets.pool", accepted, pool))
+    return faults
 
 
 def _own_surface_checks(
@@ -97,20 +96,24 @@ def _own_surface_checks(
     table: pd.DataFrame,
     substitutes: pd.DataFrame,
     paper_surfaces: Collection[str],
-) -> Iterator[Callable[[], object]]:
-    """Yield the checks of substitutes, of scans that contacts do not use, and of own forces."""
-    for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
-        yield partial(refuse_paper_surface, path, surface, paper_surfaces)
+) -> list[Callable[[], object]]:
+    """Return the checks of substitutes, of scans that contacts do not use, and of own forces."""
+    checks: list[Callable[[], object]] = [
+        partial(refuse_paper_surface, path, surface, paper_surfaces)
+        for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
+    ]
     spectrum_scans = table[table.use != CONTACT]
-    scan = config["scan"]
     for path, dataset in zip(spectrum_scans.path, spectrum_scans.dataset, strict=True):
-        yield partial(
-            read_measurement,
-            path, dataset, scan["undefined_pixels"], unit=scan["unit"], map_size=scan["map_size"],
-        )  # fmt: skip
+        checks.append(partial(read_measurement, path, dataset, **_reading(config)))
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
-        yield partial(measured_forces, config["forces"], list(substrates.unique()))
+        checks.append(partial(measured_forces, config["forces"], list(substrates.unique())))
+    return checks
+
+
+def _reading(config: dict[str, Any]) -> dict[str, Any]:
+    """Return the keys with which scans are read, by the names of arguments."""
+    return {name: config["scan"][name] for name in ("undefined_pixels", "unit", "map_size")}
 
 
 def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
@@ -143,12 +146,10 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
 
 
 def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
+    """Return the grid of measured scans, all of which are read."""
     grids: list[Grid] = []
-    keys = config["scan"]
     for path, dataset in zip(rows.path, rows.dataset, strict=True):
-        scan = read_scan(
-            path, dataset, keys["undefined_pixels"], unit=keys["unit"], map_size=keys["map_size"]
-        )
+        scan = read_scan(path, dataset, **_reading(config))
         relief = float(np.ptp(scan.heights))
         if relief == 0:
             raise ValueError(f"{path}: expected a rough surface, found constant height")

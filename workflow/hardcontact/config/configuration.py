@@ -11,7 +11,7 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import NONE, PAPER, Study
+from hardcontact.config.model import NONE, PAPER, Study, quantity_type
 from hardcontact.contact.contact import Contact
 
 #: Targets of a study that is compared with the paper.
@@ -50,13 +50,13 @@ PAGES = {
     "faults": ("B. The study itself", "faults and what becomes of them"),
 }
 
-#: The name of each quantity of contacts, with its key and its unit.
+#: The key of each quantity of contacts, by its name in pages.
 CONTACT_QUANTITIES = {
-    "radius of the sphere": ("sphere.radius", "nm"),
-    "hardness": ("contact.hardness", "Pa"),
-    "preload": ("contact.preload", "N"),
-    "range of adhesion": ("scales.range", "nm"),
-    "work of adhesion": ("adhesion.work", "J/m2"),
+    "radius of the sphere": "sphere.radius",
+    "hardness": "contact.hardness",
+    "preload": "contact.preload",
+    "range of adhesion": "scales.range",
+    "work of adhesion": "adhesion.work",
 }
 
 
@@ -152,11 +152,10 @@ def omitted_targets(configuration: Mapping[str, Any]) -> dict[str, str]:
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
-    quantities = {
-        name: format_exact(get_key(config, key), unit)
-        for name, (key, unit) in CONTACT_QUANTITIES.items()
-    }
-    return {"sphere": str(config["sphere"]["surface"])} | quantities
+    words = {"sphere": str(config["sphere"]["surface"])}
+    for name, key in CONTACT_QUANTITIES.items():
+        words[name] = format_exact(get_key(config, key), quantity_type(key).unit)
+    return words
 
 
 def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
@@ -164,6 +163,6 @@ def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
     paper = Study().model_dump(warnings=False)
     return [
         name
-        for name, (key, _) in CONTACT_QUANTITIES.items()
+        for name, key in CONTACT_QUANTITIES.items()
         if get_key(config, key) == get_key(paper, key)
     ]

@@ -3,8 +3,8 @@
 import datetime
 import difflib
 import reprlib
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, NamedTuple, TypeVar
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -27,30 +27,21 @@ EXPECTED = {
 }
 #: Types of errors of a key that the model does not have.
 UNKNOWN_KEYS = ("extra_forbidden", "invalid_key")
-#: How many faults of one model are reported at once, and how many lines of all files.
+#: How many faults of one model are reported at once, so that a screen holds them; and how many
+#: lines of all files, of which each may have faults in every row.
 MAX_FAULTS = 10
 MAX_LINES = 100
-#: Similarity from which an unknown key is taken for a known key: 1 if equal.
+#: Similarity from which an unknown key is taken for a known key, 1 if equal: one letter in four may
+#: differ.
 SIMILARITY = 0.75
 
 Model = TypeVar("Model", bound=BaseModel)
 
 
-class Limit(NamedTuple):
-    """A limit of a key, or of several with "and" between: its accepted values, and its value."""
-
-    holds: bool
-    key: str
-    accepted: object
-    value: object
-
-
-def violation_messages(limits: Iterable[Limit]) -> Iterator[str]:
-    """Yield a line for each limit that does not hold."""
-    for holds, key, accepted, value in limits:
-        if not holds:
-            keys = "keys" if " and " in key else "key"
-            yield f"config {keys} {key}: expected {accepted}, found {value}"
+def key_fault(key: str, accepted: object, value: object) -> str:
+    """Return the line of a fault of a key, or of several keys with "and" between."""
+    keys = "keys" if " and " in key else "key"
+    return f"config {keys} {key}: expected {accepted}, found {value}"
 
 
 def refuse_lines(lines: Iterable[str]) -> None:

@@ -1,17 +1,18 @@
-"""Pixels of scans, the limits that follow from them, and the memory of masters."""
+"""The pixels of scans, what they permit, and the memory of masters."""
 
 import math
 import os
 from typing import NamedTuple
 
 from hardcontact.base.formatting import format_length
-from hardcontact.config.faults import Limit
+from hardcontact.contact.contact import Contact
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
 #: Largest number of pixels along a side of a map: arrays of more than 2 GiB are not validated.
 MAP_PIXELS = 16384
-#: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute.
+#: Edge of the periodic random surface from which a substitute is cut, in edges of the substitute:
+#: a scan has waves longer than itself, and does not continue at its edges. Trade for memory.
 REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each.
@@ -53,34 +54,25 @@ def same_grid(grid: Grid, reference: Grid) -> bool:
 
 
 def minimum_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
-    """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
+    """Return the shortest range of adhesion (nm, three digits) that a surface permits, and why.
 
-    The range is in nm, rounded up to three digits, and comes with a reason in words. The radius of
-    the sphere and the side of the window are in nm. The grid describes the surface before
-    stitching, which doubles its size to the period. The interaction radius sqrt(2 R rho) must span
-    two pixels, and exponentials of height over range must not overflow. If the window contains a
-    period of the surface, the highest pixel of the map is within half a period of every contact.
-    The curvature of the sphere then limits its height above the contact.
+    radius and window in nm; `grid` describes the surface before stitching, which doubles its size.
     """
     relief = grid.relief
     if window >= 2 * grid.size:
+        # The highest pixel is within half a period of every contact; the sphere curves above it.
         relief = min(relief, grid.size**2 / radius)
-    two_pixels = "an interaction radius sqrt(2 R rho) of two pixels needs it"
-    reasons = {
-        f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
-        f"{two_pixels} at R = {format_length(radius)}": 2 * grid.pixel_size**2 / radius,
-    }
-    reason, shortest = max(reasons.items(), key=lambda item: item[1])
+    shortest = relief / RELIEF_OVER_RANGE
+    reason = f"contacts lie up to some {relief:.4g} nm apart in height"
+    two_pixels = 2 * grid.pixel_size**2 / radius
+    if two_pixels > shortest:
+        shortest = two_pixels
+        reason = (
+            "an interaction radius sqrt(2 R rho) of two pixels needs it at R = "
+            f"{format_length(radius)}"
+        )
     step = 10.0 ** (math.floor(math.log10(shortest)) - 2)
     return float(f"{math.ceil(shortest / step) * step:.3g}"), reason
-
-
-def memory_limit(key: str, pixels: int, available: int) -> Limit:
-    """Return the limit of a master larger than any map by the memory available (megabytes)."""
-    needed = master_megabytes(pixels, 0)
-    fits = pixels <= MAP_PIXELS or needed <= available
-    accepted = f"at most {MAP_PIXELS} on this machine of {available / 1e3:.3g} GB"
-    return Limit(fits, key, accepted, f"{pixels}, which take {needed / 1e3:.3g} GB")
 
 
 def master_megabytes(pixels: int, minimum: int) -> int:
@@ -94,3 +86,20 @@ def master_megabytes(pixels: int, minimum: int) -> int:
 def machine_megabytes() -> int:
     """Return the memory of this machine in units of 10^6 bytes."""
     return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 10**6
+
+
+def periods_in_window(window: float, scan_size: float) -> float:
+    """Return the number of periods of a stitched scan within a window.
+
+    The sides of the window and of the scan before stitching are in nm.
+    """
+    return max(1.0, window / (2 * scan_size)) ** 2
+
+
+def penetration_depth(contact: Contact, relief: float) -> float:
+    """Return an estimate of the penetration (nm) of the bodies under a load.
+
+    It is the side of the contact area: on slopes near one, a contact is about as deep as it is
+    wide. It is at most the relief, the highest minus the lowest height (nm).
+    """
+    return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)

@@ -27,7 +27,7 @@ YAML_HEADER = """\
 # few keys that differ, given as  snakemake --configfile my-study.yaml
 """
 KEY_COLUMNS = ("key", "meaning", "values", "default", "paper")
-#: Lists of more entries are given in tables by their number, first and last entry.
+#: Lists of more entries, too wide for a table, are given by their number, first and last entry.
 MAX_LISTED_VALUES = 4
 #: Accepted values, in words, of keys whose types have no bounds.
 VALUES_IN_WORDS = {

@@ -1,21 +1,13 @@
 """The model of a study: its keys, and the rules across them."""
 
 import os
-from collections.abc import Iterator
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
 from pydantic import model_validator
 from pydantic.fields import FieldInfo
 
-from hardcontact.config.faults import (
-    Limit,
-    refuse_lines,
-    section_model,
-    validate,
-    violation_messages,
-)
+from hardcontact.config.faults import key_fault, refuse_lines, section_model, validate
 from hardcontact.config.key_types import Quantity
 from hardcontact.config.keys import StudyKeys
 
@@ -34,46 +26,61 @@ class Study(StudyKeys):
 
     @model_validator(mode="after")
     def _check_rules_across_keys(self) -> "Study":
-        refuse_lines(violation_messages(chain(self._name_limits(), self._published_limits())))
+        faults = self._effort_faults() + self._folder_faults()
+        faults += self._paper_faults() if self.published == PAPER else self._sphere_faults()
+        refuse_lines(faults)
         return self
 
-    def _name_limits(self) -> Iterator[Limit]:
-        """Yield the limits of the effort and of the folders."""
-        effort_in_words = "quick (the quick study of the paper: --configfile config/quick.yaml)"
-        has_quick_keys = self.effort != "quick" or bool(self.quick)
-        accepted = "full, because the section quick has no keys"
-        yield Limit(has_quick_keys, "effort", accepted, effort_in_words)
+    def _effort_faults(self) -> list[str]:
+        """Return the faults of the effort and of the names that depend on it."""
+        faults = []
+        if self.effort == "quick" and not self.quick:
+            accepted = "full, because the section quick has no keys"
+            found = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+            faults.append(key_fault("effort", accepted, found))
         repeated_names = sorted({"study", "store"} & self.quick.keys())
-        accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
-        yield Limit(not repeated_names, "quick", accepted, " and ".join(repeated_names))
-        if self.quick and self.effort != "quick":
-            accepted = f"a name without the end {QUICK_SUFFIX}, which marks effort: quick"
-            for key, name in (("study", self.study), ("store", self.store)):
-                yield Limit(not name.endswith(QUICK_SUFFIX), key, accepted, name)
+        if repeated_names:
+            accepted = f"neither study nor store, whose names at quick effort end in {QUICK_SUFFIX}"
+            faults.append(key_fault("quick", accepted, " and ".join(repeated_names)))
+        for key in ("study", "store"):
+            name = getattr(self, key)
+            if self.quick and self.effort != "quick" and name.endswith(QUICK_SUFFIX):
+                accepted = f"a name without the end {QUICK_SUFFIX}, which marks effort: quick"
+                faults.append(key_fault(key, accepted, name))
+        return faults
+
+    def _folder_faults(self) -> list[str]:
+        """Return the faults of the store relative to the results."""
+        faults = []
         folder = f"results/{self.study}"
         results = Path(os.path.realpath(folder))
         store = Path(os.path.realpath(self.store))
-        is_apart = not (results.is_relative_to(store) or store.is_relative_to(results))
-        yield Limit(is_apart, "store", f"a folder apart from {folder}", self.store)
-        is_in_project = store.is_relative_to(os.getcwd())
-        is_allowed = store.is_relative_to(results.parent) or not is_in_project
-        accepted = "a folder in results or outside of the project"
-        yield Limit(is_allowed, "store", accepted, self.store)
+        if results.is_relative_to(store) or store.is_relative_to(results):
+            faults.append(key_fault("store", f"a folder apart from {folder}", self.store))
+        if store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent):
+            accepted = "a folder in results or outside of the project"
+            faults.append(key_fault("store", accepted, self.store))
+        return faults
 
-    def _published_limits(self) -> Iterator[Limit]:
-        """Yield the limits that depend on whether a study is compared with the paper."""
-        if self.published == PAPER:
-            forces = self.forces
-            contacts = self.contact.count**2
-            yield Limit(forces == NONE, "forces", f"{NONE} with published: {PAPER}", forces)
-            accepted = f"at most contact.count squared = {contacts}"
-            for name in ("elastic", "asperities"):
-                number = getattr(self, name).contacts
-                yield Limit(number <= contacts, f"{name}.contacts", accepted, number)
-        elif self.sphere.surface == SMOOTH_SPHERE:
+    def _paper_faults(self) -> list[str]:
+        """Return the faults of a study that is compared with the paper."""
+        faults = []
+        if self.forces != NONE:
+            faults.append(key_fault("forces", f"{NONE} with published: {PAPER}", self.forces))
+        max_contacts = self.contact.count**2
+        for name in ("elastic", "asperities"):
+            contacts = getattr(self, name).contacts
+            if contacts > max_contacts:
+                accepted = f"at most contact.count squared = {max_contacts}"
+                faults.append(key_fault(f"{name}.contacts", accepted, contacts))
+        return faults
+
+    def _sphere_faults(self) -> list[str]:
+        """Return the fault of a smooth sphere that is to have roughness."""
+        if self.sphere.surface == SMOOTH_SPHERE and self.scales.sphere_roughness:
             accepted = f"false with sphere.surface: {SMOOTH_SPHERE}"
-            has_roughness = self.scales.sphere_roughness
-            yield Limit(not has_roughness, "scales.sphere_roughness", accepted, "true")
+            return [key_fault("scales.sphere_roughness", accepted, "true")]
+        return []
 
 
 def key_field(key: str) -> FieldInfo:

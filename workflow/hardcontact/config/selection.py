@@ -2,12 +2,12 @@
 
 import os
 import reprlib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import pandas as pd
-from pydantic import GetCoreSchemaHandler
-from pydantic_core import CoreSchema, core_schema
+from pydantic import WrapValidator
 
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import validate
@@ -24,23 +24,16 @@ NO_SCAN = 0
 CONTACT = "contact"
 
 
-class QuantityText(Quantity):
-    """Text of a quantity within bounds, or empty; the text itself is the value."""
-
-    def check(self, text: str) -> str:
-        """Return a text that is a quantity or empty, or raise a ValueError."""
-        if text:
-            self.number(text)
-        return text
-
-    def __get_pydantic_core_schema__(self, _type: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Let pydantic check texts."""
-        return core_schema.no_info_after_validator_function(self.check, handler(str))
-
-
-#: The radius of the tip that measured a scan; the tip of a stylus is blunt.
-TIP_RADIUS = QuantityText("nm", 0.1, 1e5)
+#: The radius of the tip that measured a scan, from a sharp one to that of a blunt stylus.
+TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
+
+
+def _keep_text(text: Any, validate_quantity: Callable[[Any], float]) -> Any:
+    """Return the text of a quantity as it is, or an empty text."""
+    if text:
+        validate_quantity(text)
+    return text
 
 
 class SurfaceRow(Keys):
@@ -80,7 +73,7 @@ class SurfaceRow(Keys):
     """Optional, for measured scans. `contact` (also if empty): height maps on which contacts are
     made, all of a surface on the same pixels. `spectrum`: scans of other sizes and line scans,
     which only enter the spectrum."""
-    tip_radius: Annotated[str, TIP_RADIUS] = ""
+    tip_radius: Annotated[str, TIP_RADIUS, WrapValidator(_keep_text)] = ""
     """Optional; radius of the tip that measured the scan, such as `10 nm`. It replaces what the
     file states."""
 
@@ -220,6 +213,7 @@ def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd
 
 
 def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) -> None:
+    """Refuse rows with the same values in all of some columns."""
     repeated = table[table.duplicated(columns)]
     if len(repeated):
         values = " ".join(str(repeated.iloc[0][column]) for column in columns)
@@ -233,15 +227,20 @@ def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
     """Refuse rows of one surface with different properties of the surface."""
     for surface, rows in table.groupby("surface"):
         location = f"{path}: surface {surface}"
-        substitute = rows.source.iloc[0] == "substitute"
-        if substitute and (rows.use != CONTACT).any():
-            raise ValueError(
-                f"{location}: expected the use {CONTACT} of substitutes, "
-                f"found {', '.join(rows.use.unique())}"
-            )
-        if not (rows.use == CONTACT).any():
+        uses = rows.use.unique()
+        shared_columns = ["label", "source"]
+        if rows.source.iloc[0] == "substitute":
+            shared_columns.append("path")
+            if list(uses) != [CONTACT]:
+                raise ValueError(
+                    f"{location}: expected the use {CONTACT} of substitutes, found "
+                    f"{', '.join(uses)}"
+                )
+        if CONTACT not in uses:
             raise ValueError(f"{location}: expected a scan with the use {CONTACT}, found none")
-        for column in ("label", "source", *(["path"] if substitute else [])):
-            if rows[column].nunique() > 1:
-                values = ", ".join(rows[column].unique()[:5])
-                raise ValueError(f"{location}: expected one {column}, found {values}")
+        for column in shared_columns:
+            values = rows[column].unique()
+            if len(values) > 1:
+                raise ValueError(
+                    f"{location}: expected one {column}, found {', '.join(values[:5])}"
+                )

@@ -109,37 +109,39 @@ def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     return merged
 
 
-def read_numbers(workflow: Any, config: dict[str, Any]) -> None:
-    """Convert nested values of the command line as YAML does: Snakemake leaves them as text."""
-
-    def convert_texts(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: convert_texts(item) for key, item in value.items()}
-        if isinstance(value, list):
-            return [convert_texts(item) for item in value]
-        return yaml.safe_load(value) if isinstance(value, str) else value
-
-    command_line = workflow.config_settings.config
-    nested = {key: value for key, value in command_line.items() if isinstance(value, dict | list)}
-    update_config(config, convert_texts(nested))
-
-
 def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
-    """Return the configuration that Snakemake merged, with quantities as numbers, or refuse it.
+    """Complete the configuration that Snakemake merged; return it with quantities as numbers.
 
-    The keys under `quick` are checked even where they are not used.
+    Files and values of the command line are read alike: nested values of the latter, which
+    Snakemake leaves as text, become those of YAML. Keys under `quick` are checked even where they
+    are not used. A faulty configuration is refused.
     """
     try:
         if _plans_the_run(workflow):
-            refuse_all(
-                partial(refuse_unreadable, os.path.relpath(path)) for path in workflow.configfiles
-            )
+            files = map(os.path.relpath, workflow.configfiles)
+            refuse_all(partial(refuse_unreadable, path) for path in files)
+        command_line = workflow.config_settings.config
+        nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
+        update_config(config, yaml_values(nested))
+        config.update(apply_effort(config))
         numbers = numeric_configuration(config)
         if numbers["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)
+
+
+def yaml_values(value: Any) -> Any:
+    """Return a value whose texts, at any depth, are read as YAML; text that is no YAML stays."""
+    if isinstance(value, dict):
+        return {key: yaml_values(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [yaml_values(item) for item in value]
+    try:
+        return yaml.safe_load(value) if isinstance(value, str) else value
+    except (ValueError, yaml.YAMLError):
+        return value
 
 
 def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:

@@ -28,7 +28,8 @@ from hardcontact.surfaces.spectrum import (
 
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
-#: The largest table in bytes: some hundred thousand rows.
+#: The largest table in bytes, some hundred thousand rows: nobody measures more forces, and larger
+#: files are other data.
 TABLE_LIMIT = 2**22
 #: Cells by the name of their column.
 Row = Mapping[str, str]
@@ -39,7 +40,7 @@ SUMMARIES = ("surface", "mean", "median", "count", "unit")
 #: A pull-off force: of an atom at least, and of a hundred kilograms at most.
 FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 #: Models of a segment; a power law extrapolates the segment above, so that it cannot come first.
-BAND_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
+SEGMENT_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
 SIGNED = ("hurst", "hurst_change")
 #: The local exponent of a C_iso that is constant.
@@ -82,12 +83,10 @@ class UserTable(NamedTuple):
         faults = list[str]()
         for line, cells in self.cells.items():
             try:
+                too_many = len(cells) > len(self.header)
+                hint = "; decimal commas need semicolons between cells" if too_many else ""
                 if len(cells) != len(self.header):
-                    hint = "; decimal commas need semicolons between cells"
-                    raise ValueError(
-                        f"expected {len(self.header)} cells, found {len(cells)}"
-                        f"{hint if len(cells) > len(self.header) else ''}"
-                    )
+                    raise ValueError(f"expected {len(self.header)} cells, found {len(cells)}{hint}")
                 results[line] = function(dict(zip(self.header, cells, strict=True)))
             except ValueError as error:
                 faults += [f"{self.path}: line {line}: {text}" for text in str(error).splitlines()]
@@ -194,30 +193,33 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
     """Refuse a description without a spectrum; `published` are the surface's rows in Table 1."""
     for line, row in _description(path, NUMBER_COLUMNS, ("model", "table")).items():
-        model = row["model"]
-        hurst = row["hurst"]
-        models = [name for name in BAND_MODELS if line > 2 or name != "power law"]
-        missing_rows = (
-            set() if hurst else set(CALIBRATION_ROWS.get(model, ())).difference(published)
-        )
-        is_faulty_by_message = {
-            f"a model, one of {', '.join(models)}; found {quote_cell(model)}": model not in models,
-            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing_rows))} in "
-            "resources/paper/table1.csv; found neither": missing_rows,
-            "a roll-off wavelength of a varying Hurst exponent, found none": (
-                model == "varying Hurst" and not row["rolloff_nm"]
-            ),
-            f"a Hurst exponent of {FLATTEST:g} or more, below which a spectrum grows towards "
-            f"short wavelengths, found {parse_number(hurst):g}": parse_number(hurst) < FLATTEST,
-        }
-        faults = [
-            f"{path}: line {line}: expected {text}"
-            for text, is_faulty in is_faulty_by_message.items()
-            if is_faulty
-        ]
-        refuse_lines(faults[:1])
-        if model == "profile":
+        fault = _segment_fault(row, line == 2, published)
+        if fault:
+            raise ValueError(f"{path}: line {line}: expected {fault}")
+        if row["model"] == "profile":
             _description(Path(path).parent / row["table"], PROFILE_COLUMNS)
+
+
+def _segment_fault(row: Row, is_longest: bool, published: Collection[str]) -> str:
+    """Return what is expected and found in a faulty segment; no text if the segment is sound."""
+    model = row["model"]
+    models = [name for name in SEGMENT_MODELS if not (is_longest and name == "power law")]
+    if model not in models:
+        return f"a model, one of {', '.join(models)}; found {quote_cell(model)}"
+    missing_rows = set(CALIBRATION_ROWS.get(model, ())).difference(published)
+    if missing_rows and not row["hurst"]:
+        return (
+            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing_rows))} in "
+            "resources/paper/table1.csv; found neither"
+        )
+    if model == "varying Hurst" and not row["rolloff_nm"]:
+        return "a roll-off wavelength of a varying Hurst exponent, found none"
+    if parse_number(row["hurst"]) < FLATTEST:
+        return (
+            f"a Hurst exponent of {FLATTEST:g} or more, below which a spectrum grows towards "
+            f"short wavelengths, found {parse_number(row['hurst']):g}"
+        )
+    return ""
 
 
 def refuse_paper_surface(path: str | Path, surface: str, published: Collection[str]) -> None:
@@ -251,12 +253,14 @@ def _description(
     table = user_table(path, content)
     table.require(columns, content)
 
-    def checked(row: Row) -> Row:
-        for name in numbers:
-            lowest = -math.inf if name in SIGNED else 0
-            if row[name] and not parse_number(row[name]) >= lowest:
-                accepted = "a number" if name in SIGNED else "a number, none below zero"
-                raise ValueError(f"{name}: expected {accepted}, found {quote_cell(row[name])}")
-        return row
+    return table.convert(partial(_row_of_numbers, numbers=numbers))
 
-    return table.convert(checked)
+
+def _row_of_numbers(row: Row, numbers: Sequence[str]) -> Row:
+    """Return a row whose cells in columns of numbers are numbers or blank; refuse another one."""
+    for name in numbers:
+        lowest = -math.inf if name in SIGNED else 0
+        if row[name] and not parse_number(row[name]) >= lowest:
+            accepted = "a number" if name in SIGNED else "a number, none below zero"
+            raise ValueError(f"{name}: expected {accepted}, found {quote_cell(row[name])}")
+    return row

@@ -15,9 +15,9 @@ from hardcontact.base.number import Number, plain
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import NONE, Study
-from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
+from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.request import (
     QUANTITY_OPTIONS,
     add_shared_options,

@@ -9,10 +9,7 @@ import numpy as np
 from hardcontact.base.formatting import format_length
 from hardcontact.config import model
 from hardcontact.config.faults import refuse_lines
-from hardcontact.config.grids import (
-    CONTACT_PIXELS,
-)
-from hardcontact.config.limits import periods_in_window
+from hardcontact.config.grids import CONTACT_PIXELS, periods_in_window
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio

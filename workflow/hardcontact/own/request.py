@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
+from hardcontact.config.arguments import QUANTITY_KEYS, unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import QUICK_SUFFIX, key_field, quantity_type
-from hardcontact.config.plausible import QUANTITY_KEYS, unit_question
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.surfaces.height_map import LEVELLING
 

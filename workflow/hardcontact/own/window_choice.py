@@ -8,8 +8,8 @@ from hardcontact.config.grids import (
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
     minimum_range,
+    penetration_depth,
 )
-from hardcontact.config.limits import penetration_depth
 from hardcontact.contact.contact import Contact
 from hardcontact.own.inventory import Entry
 

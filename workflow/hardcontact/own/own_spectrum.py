@@ -18,7 +18,7 @@ from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, 
 from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
+from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
@@ -49,14 +49,16 @@ COLUMN_UNITS = {
     "c_iso": (r"(\D+?)(?:\^|\*\*)?[4⁴]", "a length to the power of 4, such as nm4"),
     "c_1d": (r"(\D+?)(?:\^|\*\*)?[3³]", "a length to the power of 3, such as nm3"),
 }
-#: Characters of the first line of a file that tell a table from heights.
+#: Bytes of the first line of a file that tell a table from heights: more than any header has.
 MAX_LINE = 1000
 #: The first heading of a table of positions and heights.
 POSITION_HEADING = re.compile(r"\W*(x|position|distance)\b", re.IGNORECASE)
-#: The fewest wavelengths with roughness that a table must have.
+#: The fewest wavelengths with roughness that a table must have. In a trial with roll-offs, the rms
+#: height between so many points over four decades was wrong by up to 41 %, with one less by 57 %.
 MIN_WAVELENGTHS = 5
-#: Independent waves that each bin of a profile's density is taken to have when it is converted.
-WAVES_OF_A_BIN = 20.0
+#: Independent waves that each bin of a profile's density is taken to have when it is converted, as
+#: a table does not tell them: enough for the usual width of smoothing.
+WAVES_OF_A_BIN = ENOUGH_WAVES
 
 
 class OwnSpectrum(NamedTuple):
