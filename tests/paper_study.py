@@ -1,5 +1,6 @@
 """Small inputs of the page of the paper's study: claims, datasets, figures, captions."""
 
+import json
 from functools import cache
 
 import numpy as np
@@ -17,11 +18,13 @@ from paper_datasets import (
 from repository import PAPER, ROOT
 
 from hardcontact.paper.evaluation import COLUMNS
-from hardcontact.paper.verdicts import VERDICTS
+from hardcontact.paper.verdicts import VERDICTS, add_open_ends
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_answer import paper_answer
-from hardcontact.report.paper_page import paper_head, paper_page
+from hardcontact.report.paper_page import paper_page
+from hardcontact.report.quantities import answer_text
+from hardcontact.report.table1 import table1_rows
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 
@@ -56,10 +59,17 @@ def datasets(contacts=20, pixels=512):
     }
 
 
+def open_claims(rows=None, **changed):
+    """Return claims with the open ends of their intervals."""
+    data = datasets() | changed
+    return add_open_ends(claims() if rows is None else rows, [data["edges"], data["sets"]])
+
+
 def answer(rows=None, **changed):
-    """Return the answer of the study, from other claims or datasets if given."""
-    table = claims() if rows is None else rows
-    return paper_answer(table, datasets() | changed, CONSTANTS, published_table1())
+    """Return answer.json of the study, from other claims or datasets if given."""
+    table = open_claims(rows, **changed)
+    content = paper_answer(table, datasets() | changed, CONSTANTS, PAPER, CITATION["version"])
+    return json.loads(answer_text(content))
 
 
 def svg(colour):
@@ -80,8 +90,14 @@ def captions():
     }
 
 
-def make_page(page_answer=None):
+def make_page(rows=None, **changed):
     """The page."""
-    page_answer = answer() if page_answer is None else page_answer
-    head = paper_head(page_answer, PAPER, CITATION["version"])
-    return paper_page(page_answer, head, figures(), captions(), CITATION)
+    topography = (datasets() | changed)["topography"]
+    return paper_page(
+        answer(rows, **changed),
+        open_claims(rows, **changed),
+        table1_rows(topography, published_table1()),
+        figures(),
+        captions(),
+        CITATION,
+    )

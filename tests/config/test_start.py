@@ -164,7 +164,7 @@ def test_a_table_that_lists_a_missing_scan_is_refused(tmp_path, monkeypatch, pro
     [
         (
             ["answer.html", "answer.json"],
-            ["Band 1 to 2 nm.", "The answer is made: open answer.html"],
+            ["Band 1 to 2 nm.", "Take care.", "The answer is made: open answer.html"],
         ),
         (["insight.html"], ["The answer is made: open insight.html"]),
         (["other.nc"], []),
@@ -174,7 +174,10 @@ def test_a_run_ends_with_its_headline_and_the_page_to_open(
     caplog, tmp_path, monkeypatch, outputs, messages
 ):
     monkeypatch.chdir(tmp_path)
-    Path("answer.json").write_text('{"headline": ["Band 1 to 2 nm."]}')
+    Path("answer.json").write_text(
+        '{"headline": ["Band 1 to 2 nm."], "notes": [{"grave": true, "text": "Take care."}, '
+        '{"grave": false, "text": "Less so."}]}'
+    )
     caplog.set_level(logging.INFO, start.logger.name)
     workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
     start.log_answer(workflow, "answer.html", "insight.html")

@@ -6,28 +6,30 @@ from answer_inputs import (
     SURFACES,
     datasets,
     edges,
+    fit,
     force,
     scale_extrapolated_force,
+    setting,
     spectra,
 )  # fmt: skip
 
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.report.artificial import measurement_name
-from hardcontact.report.cautions import cautions
-from hardcontact.report.surface_facts import answer_rows
+from hardcontact.report.own_answer import surface_answers
 
 
-def first_surface(**others):
-    return datasets(**others).select_surface(SURFACES[0])
+def all_cautions(**others):
+    """The cautions about the first surface."""
+    return surface_answers(datasets(**others), setting())[0].cautions
 
 
 def find_cautions(code, **others):
     """The cautions with a code."""
-    return [caution for caution in cautions(first_surface(**others)) if caution["code"] == code]
+    return [caution for caution in all_cautions(**others) if caution.code == code]
 
 
 def grave_codes(**others):
-    return [caution["code"] for caution in cautions(first_surface(**others)) if caution["grave"]]
+    return [caution.code for caution in all_cautions(**others) if caution.grave]
 
 
 def test_finite_scans_have_their_numbers():
@@ -35,45 +37,42 @@ def test_finite_scans_have_their_numbers():
         finite_scan_ratio=(("surface", "bound"), [[2.0, 4.0]]), search_size=("surface", [2560.0])
     )
     (caution,) = find_cautions("small_scan", force=small)
-    assert caution["share"].value == 0.25 and np.isnan(caution["tried"].value)
-    assert (caution["ratio"].low, caution["ratio"].high) == (2.0, 4.0)
+    assert caution.numbers["share"].value == 0.25 and "tried" not in caution.numbers
+    assert (caution.numbers["ratio"].low, caution.numbers["ratio"].high) == (2.0, 4.0)
     tiny = small.assign(search_size=("surface", [64e3]))
-    assert find_cautions("small_scan", force=tiny)[0]["tried"].value == SMALLEST_TESTED
+    assert find_cautions("small_scan", force=tiny)[0].numbers["tried"].value == SMALLEST_TESTED
     assert not find_cautions("small_scan")
 
 
 def test_a_window_that_cuts_off_the_force_is_named():
     small = force().assign(window_share=("rho", [1, 1, 0.36, 0.2, 0.1]))
     (caution,) = find_cautions("window", force=small)
-    assert np.isnan(caution["from"].value)
-    assert (caution["share"].value, caution["at"].value) == (0.36, 5.6)
+    assert np.isnan(caution.numbers["from"].value)
+    assert (caution.numbers["share"].value, caution.numbers["at"].value) == (0.36, 5.6)
     long = force().assign(window_share=("rho", [1, 1, 0.995, 0.95, 0.9]))
     (long_caution,) = find_cautions("window", force=long)
-    values = [long_caution[name].value for name in ("from", "at", "share")]
+    values = [long_caution.numbers[name].value for name in ("from", "at", "share")]
     assert values == [10.0, 14.0, 0.9]
-    assert long_caution["window"].value == 12.5e3 and not find_cautions("window")
+    assert long_caution.numbers["window"].value == 12.5e3 and not find_cautions("window")
 
 
-@pytest.mark.parametrize(
-    ("area", "code"), [(20.0, "one_pixel"), (250.0, "few_pixels"), (1000.0, None)]
-)
-def test_pixels_larger_than_the_contact_are_named(area, code):
-    data = force().assign_attrs(contact_area=area)
-    pixel_cautions = [
-        *find_cautions("one_pixel", force=data),
-        *find_cautions("few_pixels", force=data),
-    ]
-    assert [caution["code"] for caution in pixel_cautions] == ([code] if code else [])
-    assert all(caution["pixels"].value == area / 100 for caution in pixel_cautions)
+@pytest.mark.parametrize(("area", "grave"), [(20.0, True), (250.0, False)])
+def test_pixels_that_are_too_large_for_the_contact_are_named(area, grave):
+    (caution,) = find_cautions("few_pixels", force=force().assign_attrs(contact_area=area))
+    assert (caution.numbers["pixels"].value, caution.grave) == (area / 100, grave)
+    assert not find_cautions("few_pixels", force=force().assign_attrs(contact_area=1000.0))
 
 
 def test_measurements_that_contradict_each_other_are_named():
     data = spectra()
     data["psd"][0, 2] *= 100  # of the line scan, which shares wavelengths with coarse.spm alone
     (caution,) = find_cautions("contradiction", spectra=data)
-    assert [name.split("/")[-1] for name in caution["measurements"]] == ["line.txt", "coarse.spm"]
-    assert caution["factor"].value == pytest.approx(100, rel=0.2) and caution["others"] == 0
-    assert 790 < caution["band"].low < caution["band"].high < 5100
+    assert caution.texts == {"higher": "scans/line.txt", "lower": "scans/coarse.spm"}
+    assert (
+        caution.numbers["factor"].value == pytest.approx(100, rel=0.2)
+        and caution.numbers["others"].value == 0
+    )
+    assert 790 < caution.numbers["band"].low < caution.numbers["band"].high < 5100
     assert not find_cautions("contradiction")
 
 
@@ -84,9 +83,9 @@ def test_cautions_that_change_the_force_are_grave():
     assert grave_codes(force=small) == ["small_scan"]
     small_share = ("rho", [0.5] * 5)
     assert grave_codes(force=mild.assign(window_share=small_share)) == ["window"]
-    codes = ["window", "small_scan", "window_and_small_scan"]
+    codes = ["window", "small_scan"]
     assert grave_codes(force=small.assign(window_share=small_share)) == codes
-    assert grave_codes(force=force().assign_attrs(contact_area=20.0)) == ["one_pixel"]
+    assert grave_codes(force=force().assign_attrs(contact_area=20.0)) == ["few_pixels"]
 
 
 def test_contacts_on_unreliable_scans_are_named():
@@ -104,7 +103,7 @@ def test_intervals_of_few_scans_are_conditional():
         interval_is_conditional=("surface", [1]), correlation_of_parts=("surface", [0.2])
     )
     (caution,) = find_cautions("conditional_intervals", force=quarters)
-    assert caution["correlation"].value == 0.2 and caution["scans"] == 3
+    assert caution.numbers["correlation"].value == 0.2 and caution.numbers["scans"].value == 3
 
 
 def test_contacts_that_touch_few_places_are_named():
@@ -112,7 +111,8 @@ def test_contacts_that_touch_few_places_are_named():
     few_places = force().assign(counts | {"interval_source": ("surface", ["few_places"])})
     few_places["interval_is_conditional"][:] = 1
     (caution,) = find_cautions("few_places", force=few_places)
-    assert (caution["contacts"], caution["touched_places"], caution["grave"]) == (64, 3, True)
+    counts = [number.value for number in caution.numbers.values()]
+    assert (counts, caution.grave) == ([64, 3], True)
     assert not find_cautions("few_places") and not find_cautions(
         "conditional_intervals", force=few_places
     )
@@ -129,15 +129,19 @@ def test_roughness_beyond_the_scans_is_named():
     # As where tails end.
     shortened["spectrum"][:, np.flatnonzero(shortened["spectrum"].values[0])[-1]] *= 0.01
     (tail,) = find_cautions("tail", spectra=shortened)
-    assert tail["hurst"].value == pytest.approx(0.8) and tail["ends_at"].value < 0.33
+    assert (
+        tail.numbers["hurst"].value == pytest.approx(0.8) and tail.numbers["ends_at"].value < 0.33
+    )
     (long,) = find_cautions("long_waves")
-    assert (long["above"].value, long["rolloff"].value) == (25e3, 37.5e3)
+    assert (long.numbers["above"].value, long.numbers["rolloff"].value) == (25e3, 37.5e3)
 
 
 def test_the_hurst_exponent_has_an_interval_of_the_study_s_confidence():
     sure = edges().assign_attrs(confidence=0.6827)  # of one standard error, here 0.1
     (tail,) = find_cautions("tail", edges=sure)
-    assert (tail["hurst"].low, tail["hurst"].high) == pytest.approx((0.7, 0.9), abs=1e-4)
+    assert (tail.numbers["hurst"].low, tail.numbers["hurst"].high) == pytest.approx(
+        (0.7, 0.9), abs=1e-4
+    )
 
 
 def test_a_spectrum_above_the_scans_is_named():
@@ -146,16 +150,47 @@ def test_a_spectrum_above_the_scans_is_named():
     added = data["spectrum"].interp(wavevector=data["bin_wavevector"])
     smooth = data["psd"].where(wavelength >= data["shortest_measured"], added / 10)
     (caution,) = find_cautions("more_than_measured", spectra=data.assign(psd=smooth))
-    assert caution["factor"].value == pytest.approx(10)
+    assert caution.numbers["factor"].value == pytest.approx(10)
     # Between two pixels and the shortest reliable wavelength.
-    assert 20 <= caution["band"].low < caution["band"].high < 55
+    assert 20 <= caution.numbers["band"].low < caution.numbers["band"].high < 55
     assert not find_cautions("more_than_measured")
 
 
 def test_a_tail_of_unknown_exponent_gives_no_force():
     data = spectra().assign(tail_known=("surface", [0]))
-    surface = first_surface(spectra=data, force=scale_extrapolated_force(force(), small=0.5))
-    (tail,) = [caution for caution in cautions(surface) if caution["code"] == "tail"]
-    assert tail["known"] is False
-    (answer,) = [row.fact for row in answer_rows(surface) if row.fact.name == "force_extrapolated"]
+    (surface,) = surface_answers(
+        datasets(spectra=data, force=scale_extrapolated_force(force(), small=0.5)), setting()
+    )
+    (tail,) = [caution for caution in surface.cautions if caution.code == "tail"]
+    assert tail.numbers["known"].value == 0
+    answer = surface.numbers["force_extrapolated_small"]
     assert np.isnan(answer.value) and answer.status == "no_exponent"
+
+
+def test_a_force_at_the_smooth_bound_is_named():
+    assert not find_cautions("smooth_bound")
+    smooth = force()
+    smooth["smooth_bound"] = smooth["force"].isel(surface=0)
+    assert find_cautions("smooth_bound", force=smooth)
+
+
+@pytest.mark.parametrize(("high", "count"), [(700.0, 0), (900.0, 1)])
+def test_a_lopsided_interval_of_few_tests_is_named(high, count):
+    data = fit()
+    data["measured_force_interval"].loc[{"bound": "high"}] = 1e-9 * high
+    assert len(find_cautions("few_tests", fit=data)) == count
+
+
+@pytest.mark.parametrize(("work", "count"), [(10.0, 0), (50.8, 1)])
+def test_a_work_beyond_that_of_solids_is_named(work, count):
+    data = fit()
+    data["work_by_range"] = data["work_by_range"] * 0 + work
+    assert len(find_cautions("strong_work", fit=data)) == count
+
+
+def test_defects_are_named_with_their_measurement():
+    clipped = spectra()
+    clipped["highest_share"].loc[{"measurement": [1, 3]}] = [[0.04, 0.06]]
+    defects = find_cautions("highest", spectra=clipped)
+    shares = {defect.measurement: defect.numbers["highest_share"].value for defect in defects}
+    assert shares == {1: 0.04, 3: 0.06} and all(defect.grave for defect in defects)

@@ -23,7 +23,7 @@ def test_each_module_is_a_figure_or_shared():
 
 
 def test_each_figure_of_the_paper_belongs_to_a_chapter():
-    page = (ROOT / "workflow/report/templates/paper.html").read_text("utf-8")
+    page = (ROOT / "workflow/report/templates/paper_part.html").read_text("utf-8")
     chapters = set(re.findall(r'^  "(\d\. [^"]+)": "', page, re.M))
     assert {describe_figure(name).chapter for name in PAPER_FIGURES} <= chapters
 

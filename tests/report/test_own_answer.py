@@ -23,14 +23,15 @@ from answer_inputs import (
 )  # fmt: skip
 from html_page import Page
 from jsonschema import Draft202012Validator
+from own_numbers import numbers_of
 from repository import ROOT
 from snakemake.iocontainers import Namedlist
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import canonical
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
-from hardcontact.report.own_answer import own_answer, own_head, own_headline, own_quantities
-from hardcontact.report.quantities import answer_json
+from hardcontact.report.own_answer import own_answer
+from hardcontact.report.quantities import answer_text
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
@@ -52,12 +53,7 @@ CASES = {
 
 @cache
 def content(case):
-    answer = own_answer(CASES[case], setting())
-    return json.loads(
-        answer_json(
-            own_head(setting(), own_headline(answer)), own_quantities(answer, {"work of adhesion"})
-        )
-    )
+    return json.loads(answer_text(own_answer(CASES[case], setting())))
 
 
 def quantities(case, surface="my_coating"):
@@ -94,18 +90,29 @@ def test_the_answer_has_the_numbers_of_the_datasets():
 
 
 def test_cautions_are_codes_with_their_numbers():
-    surface_rows = quantities("contradiction")
-    codes = {row["status"] for name, row in surface_rows.items() if name.startswith("caution")}
-    assert {"contradiction", "tail"} <= codes
-    assert surface_rows["contradiction_factor"]["value"] == pytest.approx(100, rel=0.2)
-    assert quantities("no band")["answered"]["status"] == "no"
+    cautions = [note for note in content("contradiction")["notes"] if note["kind"] == "caution"]
+    assert {"contradiction", "tail"} <= {note["code"] for note in cautions}
+    factor = quantities("contradiction")["contradiction_factor"]["value"]
+    assert factor == pytest.approx(100, rel=0.2)
+
+
+def test_the_head_says_whether_each_surface_is_answered():
+    (surface,) = content("no band")["surfaces"]
+    assert (surface["name"], surface["answered"]) == ("my_coating", "no")
+    names = [surface["name"] for surface in content("two substitutes, forces")["surfaces"]]
+    assert names == ["my_coating", "twin"]
+
+
+def test_substitutes_are_a_grave_note():
+    (note,) = [n for n in content("two substitutes, forces")["notes"] if n["grave"]]
+    assert note["code"] == "substitutes" and "my coating (substitute), twin" in note["text"]
 
 
 @pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
 def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(paper_values, count):
-    answer = own_answer(datasets(), setting()._replace(of_paper=paper_values))
-    names = [row.fact.name for row in answer.surfaces["my_coating"].rows]
-    assert names.count("force_of_pair") == count
+    numbers = numbers_of(setting()._replace(of_paper=paper_values))
+    pairs = {"force_of_pair_long_range", "force_of_pair_short_range"}
+    assert len(pairs & numbers.keys()) == count
 
 
 def run_script(folder, own_datasets):
@@ -114,6 +121,7 @@ def run_script(folder, own_datasets):
     for name, path in inputs.items():
         dataset.write(getattr(own_datasets, name), path)
     inputs["pairs"] = ROOT / "resources/adhesion/pairs.csv"
+    inputs["citation"] = ROOT / "CITATION.cff"
     script_inputs = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
     outputs = {"page": folder / "answer.html", "json": folder / "answer.json"}
     output = Namedlist(fromdict={name: str(path) for name, path in outputs.items()})

@@ -1,5 +1,6 @@
 """The page of own surfaces: self-contained, honest, readable; its figures show the datasets."""
 
+import json
 import re
 from functools import cache
 from html import unescape
@@ -26,12 +27,14 @@ from answer_inputs import (
 from browser import WIDTHS, measure_page, needs_browser, run_on_page
 from html_page import Page
 from matplotlib.text import Text
-from paper_study import svg
+from paper_study import CITATION, svg
 
 from hardcontact.report import own_figures as figures
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
-from hardcontact.report.own_answer import own_answer, own_headline, own_page, own_warnings
+from hardcontact.report.own_answer import own_answer
+from hardcontact.report.page import render_page
+from hardcontact.report.quantities import answer_text
 
 FORCES = "two substitutes, forces"
 LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
@@ -51,13 +54,16 @@ MIN_TEXT = 9.0  # pixels: as small as footnotes on phones are
 PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 
 
-def page_of(answer):
-    return own_page(answer, own_headline(answer), own_warnings(answer), PICTURES)
+def page_of(own_datasets, own_setting=None):
+    """The page of an answer as answer.json has it."""
+    own_setting = own_setting or setting()
+    answer = json.loads(answer_text(own_answer(own_datasets, own_setting)))
+    return render_page(answer, PICTURES, CITATION, left_out=own_setting.left_out)
 
 
 @cache
 def html(case):
-    return page_of(own_answer(*CASES[case]))
+    return page_of(*CASES[case])
 
 
 @cache
@@ -90,7 +96,16 @@ def test_sections_and_figures_have_anchors(case):
     assert len(set(ids)) == len(ids)
     forces = ["forces"] if "force" in case else []
     sections = [section["id"] for section in page(case).attributes["section"]]
-    assert sections == ["answer", "inputs", "cutoffs", "surfaces", *forces, "next", "details"]
+    assert sections == [
+        "answer",
+        "inputs",
+        "next",
+        "cutoffs",
+        "surfaces",
+        *forces,
+        "details",
+        "cite",
+    ]
     links = {link[1:] for link in page(case).values("href") if link.startswith("#")}
     assert links <= set(ids)
 
@@ -102,14 +117,14 @@ def test_the_unfolded_page_is_short():
 
 
 def test_the_page_begins_with_the_headline():
-    headline = own_headline(own_answer(*CASES["one"]))
+    headline = own_answer(*CASES["one"])["headline"]
     assert headline and not any("<" in line or "&" in line for line in headline)
     first_words = " ".join(page("one").texts["div"][0].replace("\u00a0", " ").split())
     assert first_words.startswith(" ".join(headline))
 
 
 def headline_of(**changed):
-    (line,) = own_headline(own_answer(datasets(**changed), setting()))
+    (line,) = own_answer(datasets(**changed), setting())["headline"]
     return line.replace("\u00a0", " ")
 
 
@@ -137,20 +152,13 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
     assert words_on_edges in line and ("extrapolated" in line) == bool(words_on_edges)
 
 
-def test_a_band_that_is_none_says_which_edge_is_extrapolated():
-    """The short edge is the longer one, at wavelengths that no scan shows."""
-    blind = spectra(scans={"fine.spm": ("map", 640, 10, 55, 320, "tip", 10)})
-    line = headline_of(edges=move_edge(3000.0, 2000.0, 4000.0), spectra=blind)
-    assert re.search(r"or above .* \(.*extrapolated\), the force hardly changes", line), line
-
-
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
     data = datasets()
     paths = data.spectra["path"].astype(object) + hostile
     labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:4]))
     labelled = labelled._replace(spectra=labelled.spectra.assign(path=paths))
-    text = page_of(own_answer(labelled, setting([(hostile, "x & <b>y</b>")])))
+    text = page_of(labelled, setting([(hostile, "x & <b>y</b>")]))
     assert "<b>" not in text and Page(text).texts["h1"]
 
 
@@ -158,7 +166,7 @@ def test_names_of_the_user_are_escaped():
 def test_a_fit_that_is_exact_by_construction_has_no_error(exact):
     two_fits = fit(2)
     two_fits["exact_pairs"][:] = exact
-    page_html = page_of(own_answer(datasets(2, fit=two_fits), setting()))
+    page_html = page_of(datasets(2, fit=two_fits))
     text = re.search('<p id="fit">(.*?)</p>', page_html, re.DOTALL)[1]
     assert ("error" in text) == (exact == 0) and ("tests nothing" in text) == (exact > 0)
 
@@ -274,7 +282,7 @@ def test_tables_sort_and_figures_open_at_full_size(tmp_path):
 def test_the_page_names_defects_of_scans_with_their_numbers():
     clipped = spectra()
     clipped["highest_share"].loc[{"measurement": 1}] = 0.04
-    text = page_of(own_answer(datasets(spectra=clipped), setting()))
+    text = page_of(datasets(spectra=clipped))
     sentence = "fine.spm: 4\N{NO-BREAK SPACE}% of its pixels have the highest value"
     assert text.count(sentence) == 2  # at the top, and in detail
     assert "of its pixels have" not in html("one")

@@ -7,13 +7,12 @@ import pytest
 from jsonschema import Draft202012Validator
 from paper_datasets import band, published_table1, scan_size, topography
 from paper_numbers import SUBSTRATES
-from paper_study import CITATION, answer, claims, datasets
-from repository import PAPER, ROOT
+from paper_study import answer, claims, datasets
+from repository import ROOT
 
 from hardcontact.base.number import Number
-from hardcontact.report.paper_answer import ANSWER_CLAIMS, paper_quantities
-from hardcontact.report.paper_page import paper_head
-from hardcontact.report.quantities import answer_json
+from hardcontact.report.paper_answer import ANSWER_CLAIMS
+from hardcontact.report.quantities import numbers_by_name
 from hardcontact.report.table1 import decimals_of, table1_rows
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
@@ -34,6 +33,11 @@ def move_edge(side, wavelength):
     return moved
 
 
+def numbers_of(rows=None, **changed):
+    """Numbers of the whole study, by name."""
+    return numbers_by_name(answer(rows, **changed))
+
+
 def replace_fits(ranges, works):
     """Sets whose best ranges (nm) and works (J/m2) with plastic contact are these."""
     sets = datasets()["sets"].isel(set=slice(len(ranges))).copy(deep=True)
@@ -43,9 +47,7 @@ def replace_fits(ranges, works):
 
 
 def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
-    head = paper_head(answer(), PAPER, CITATION["version"])
-    text = answer_json(head, paper_quantities(answer()))
-    content = json.loads(text)
+    content = answer()
     Draft202012Validator(SCHEMA).validate(content)
     rows = {(row["surface"], row["name"]): row for row in content["quantities"]}
     table = claims().set_index("id")
@@ -59,27 +61,23 @@ def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
         assert [edge["value"], edge["low"], edge["high"]] == pytest.approx([60, 55.2, 76.8])
 
 
-def test_grids_coarser_than_the_paper_s_are_recognized():
-    cases = {
-        "full": [answer()],
-        "quick": [answer(**datasets(contacts=6)), answer(**datasets(pixels=128))],
-    }
-    for effort, answers in cases.items():
-        for paper_answer in answers:
-            assert paper_answer.coarse == (effort == "quick")
-            assert paper_head(paper_answer, PAPER, CITATION["version"])["effort"] == effort
+@pytest.mark.parametrize(("grid", "effort"), [
+    ({}, "full"), ({"contacts": 6}, "quick"), ({"pixels": 128}, "quick"),
+])  # fmt: skip
+def test_grids_coarser_than_the_paper_s_are_recognized(grid, effort):
+    assert answer(**datasets(**grid))["effort"] == effort
 
 
 def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     """The paper's statement is that the range exceeds 5 nm."""
     two_groups = replace_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
-    numbers = answer(change_claim("range_exceeds", frequency=0.6), sets=two_groups).numbers
+    numbers = numbers_of(change_claim("range_exceeds", frequency=0.6), sets=two_groups)
     long, short = numbers["long_range_sets_range_of_adhesion"], numbers["short_range_sets"]
     assert (long.value, long.low, long.high, short.value) == (9, 8, 10, 2)
     assert numbers["short_range_sets_work_of_adhesion"].value == pytest.approx(0.115)
-    assert "short_range_sets" not in answer(sets=replace_fits([9.0, 8.0], [0.01, 0.02])).numbers
-    unjudged = answer(change_claim("range_exceeds", frequency=np.nan), sets=two_groups)
-    assert "long_range_sets" not in unjudged.numbers
+    assert "short_range_sets" not in numbers_of(sets=replace_fits([9.0, 8.0], [0.01, 0.02]))
+    unjudged = numbers_of(change_claim("range_exceeds", frequency=np.nan), sets=two_groups)
+    assert "long_range_sets" not in unjudged
 
 
 @pytest.mark.parametrize(
@@ -87,8 +85,8 @@ def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     [("small", "short_edge", "open_above"), ("large", "long_edge", "open_below")],
 )
 def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
-    open_answer = answer(edges=move_edge(side, np.nan))
-    assert open_answer.numbers[name].status == status and answer().numbers[name].status == ""
+    assert numbers_of(edges=move_edge(side, np.nan))[name].status == status
+    assert numbers_of()[name].status == ""
 
 
 @pytest.mark.parametrize(
@@ -103,9 +101,10 @@ def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
 def test_an_end_at_the_last_cutoff_is_open(name, end, end_cutoff, closed_end):
     sets = datasets()["sets"]
     fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
-    open_answer = answer(change_claim(name, **{end: end_cutoff}), sets=fewer)
-    assert open_answer.numbers[name].status == f"interval_open_{end}"
-    assert answer(change_claim(name, **{end: closed_end}), sets=fewer).numbers[name].status == ""
+    open_numbers = numbers_of(change_claim(name, **{end: end_cutoff}), sets=fewer)
+    assert open_numbers[name].status == f"interval_open_{end}"
+    closed_numbers = numbers_of(change_claim(name, **{end: closed_end}), sets=fewer)
+    assert closed_numbers[name].status == ""
 
 
 def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
@@ -116,11 +115,10 @@ def test_an_edge_at_wavelengths_of_artificial_roughness_says_so():
         rows = change_claim("first_short_edge", computed=50.0)
         rows.loc[rows["id"] == ANSWER_CLAIMS["first_long_edge"], "computed"] = 2000.0
         artificial_answer = answer(rows, scales=moved)
-        sources[small] = [
-            artificial_answer.numbers[name].source
-            for name in ("first_short_edge", "first_long_edge")
-        ]
-        assert artificial_answer.surfaces["mcd"]["short_edge"].source == sources[small][0]
+        numbers = numbers_by_name(artificial_answer)
+        sources[small] = [numbers[name].source for name in ("first_short_edge", "first_long_edge")]
+        mcd = numbers_by_name(artificial_answer, "mcd")
+        assert mcd["short_edge"].source == sources[small][0]
     assert sources == {20.0: ["computed"] * 2, 80.0: ["artificial"] * 2}
 
 
@@ -130,7 +128,7 @@ def test_a_claim_without_a_number_is_not_in_the_answer(name):
         claims()[claims()["id"] != ANSWER_CLAIMS[name]],
         change_claim(name, computed=np.nan),
     ):
-        assert ANSWER_CLAIMS.keys() - answer(rows).numbers.keys() == {name}
+        assert ANSWER_CLAIMS.keys() - numbers_of(rows).keys() == {name}
 
 
 def test_forces_on_scans_equal_those_on_windows_of_their_size():
@@ -138,9 +136,8 @@ def test_forces_on_scans_equal_those_on_windows_of_their_size():
     labels = {"surface": "mcd", "map_size": 2500.0}
     data["force_over_largest"].loc[labels] = 2.24
     data["force_over_largest_interval"].loc[labels] = [1.48, 3.39]
-    page_answer = answer(scan_size=data)
     force = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
-    assert page_answer.surfaces["mcd"]["force_on_scans"] == force
+    assert numbers_by_name(answer(scan_size=data), "mcd")["force_on_scans"] == force
 
 
 def test_table_1_compares_values_and_marks_those_by_construction():
@@ -160,17 +157,23 @@ def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty
 
 
 def test_fits_with_protrusions_count_only_sets_that_agree():
-    data = datasets()
-    numbers = answer().numbers
-    agreeing = data["protruded"]["range_of_adhesion"].values[1]
+    agreeing = datasets()["protruded"]["range_of_adhesion"].values[1]
+    numbers = numbers_of()
     number = numbers["protruded_range_of_adhesion"]
     assert (number.value, number.low) == (np.median(agreeing), np.quantile(agreeing, 0.05))
     assert numbers["protruded_sets_that_agree"].value == 0.5
-    rare = data["protruded"].assign(agrees=data["protruded"]["agrees"].where([[True], [False]], 0))
-    assert "protruded_sphere_work_of_adhesion" in numbers
-    assert "protruded_sphere_work_of_adhesion" not in answer(protruded_sphere=rare).numbers
-    reduced_fits = data["sets"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
+
+
+def test_a_fit_with_protrusions_needs_sets_that_agree():
+    protruded = datasets()["protruded"]
+    disagreeing = protruded.assign(agrees=0 * protruded["agrees"])
+    assert "protruded_sphere_work_of_adhesion" in numbers_of()
+    assert "protruded_range_of_adhesion" not in numbers_of(protruded=disagreeing)
+    sphere_disagrees = numbers_of(protruded_sphere=disagreeing)
+    assert "protruded_sphere_work_of_adhesion" not in sphere_disagrees
+
+
+def test_the_fit_without_the_decisive_surface_has_the_interval_of_the_sets():
+    reduced_fits = datasets()["sets"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
     upper_end = reduced_fits["work_without_surface"].quantile(0.95).item()
-    assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(upper_end)
-    disagreeing = data["protruded"].assign(agrees=0 * data["protruded"]["agrees"])
-    assert "protruded_range_of_adhesion" not in answer(protruded=disagreeing).numbers
+    assert numbers_of()["without_decisive_work_of_adhesion"].high == pytest.approx(upper_end)

@@ -32,8 +32,12 @@ def test_the_table_repeats_the_design_and_the_closed_form():
         assert (form.rms_height, form.apex_height) == pytest.approx(
             (row["unfollowed_rms_height"], row["apex_height"]), rel=1e-3
         )
-    predicted = validate_prediction.predict_row(row)
-    assert predicted["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
+
+
+def test_the_table_repeats_predicted_edges():
+    for row in TABLE.to_dict("records")[::40]:
+        short_edge = validate_prediction.predict_row(row)["predicted_short_edge"]
+        assert short_edge == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 
 
 def test_the_forces_of_a_designed_surface_are_reproduced():

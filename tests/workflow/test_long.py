@@ -9,7 +9,7 @@ import pytest
 import slurm
 import xarray as xr
 from comparison import differences
-from own_studies import SHARED, make_study, quantities
+from own_studies import SHARED, make_study, numbers, quantities
 from repository import copy_repository
 
 pytestmark = pytest.mark.system
@@ -50,6 +50,6 @@ def test_real_scans_give_plausible_roughness_edges_and_forces(folder):
     mean = surface["force_mean"]
     assert mean["low"] < mean["value"] < mean["high"]
     assert 20 < surface["short_edge"]["value"] < 100
-    cautions = {row["status"] for name, row in surface.items() if name.startswith("caution")}
+    cautions = {note["code"] for note in numbers(results)["notes"] if note["kind"] == "caution"}
     assert "conditional_intervals" in cautions
     assert surface["force_extrapolated_small"]["value"] < 0.7 * mean["value"]

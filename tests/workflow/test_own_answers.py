@@ -186,7 +186,8 @@ def test_a_colloidal_probe_has_a_force_below_the_smooth_limit(probe):
     assert_honest(probe)
     answer = numbers(probe)
     assert answer["contact"] == {
-        "hardness": "5 GPa", "preload": "100 nN", "radius of the sphere": "5 µm",
+        "contact model": "plastic", "hardness": "5 GPa", "preload": "100 nN",
+        "radius of the sphere": "5 µm",
         "range of adhesion": "2 nm", "sphere": "smooth", "work of adhesion": "30 mJ/m²",
     }  # fmt: skip
     study, surface = quantities(probe).values()

@@ -1,8 +1,8 @@
-# The page of the paper's study: question, answer, figures in their order, verdicts, departures.
+# The answer of the paper's study: answer.json, and the page that shows it.
 
 
 rule answer_paper:
-    """Write the page that tells the story of the study, and its numbers."""
+    """Write the numbers of the answer, then the page that shows them."""
     input:
         **{
             name: PATTERNS.dataset(name)
@@ -22,7 +22,14 @@ rule answer_paper:
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
         captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in PAPER_FIGURES],
         citation="CITATION.cff",
-        templates=template_inputs("paper.html", "paper_headline.txt", "verdicts.html"),
+        templates=template_inputs(
+            "answer.html",
+            "paper_part.html",
+            "verdicts.html",
+            "paper_headline.txt",
+            "paper_protrusions.txt",
+            "substitutes.txt",
+        ),
         code=code_inputs("answer_paper.py"),
     output:
         page=report(

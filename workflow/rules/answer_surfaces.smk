@@ -13,13 +13,19 @@ OWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"
 
 
 rule answer_surfaces:
-    """Write the page that answers for own surfaces, its numbers and its figures."""
+    """Write the numbers of the answer, its figures, then the page that shows them."""
     input:
         **{name: PATTERNS.dataset(name) for name in ("topography", "spectra", "edges", "force")},
         fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
         code=code_inputs("answer_surfaces.py"),
         templates=template_inputs(
-            "own.html", "own_headline.txt", "own_warnings.txt", "own_words.html"
+            "answer.html",
+            "own_part.html",
+            "own_headline.txt",
+            "own_caution.txt",
+            "own_next.txt",
+            "own_fit.txt",
+            "substitutes.txt",
         ),
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
@@ -44,9 +50,7 @@ rule answer_surfaces:
                 "contact": contact_words(STUDY),
                 "of_paper": quantities_of_paper(STUDY),
                 "left_out": list(omitted_targets(STUDY).items()),
-                "citation": {
-                    name: read_yaml("CITATION.cff")[name] for name in ("title", "version")
-                },
+                "version": read_yaml("CITATION.cff")["version"],
             }
         ),
     script:

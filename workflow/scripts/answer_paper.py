@@ -1,4 +1,4 @@
-"""The page of the paper's study, and its numbers for machines."""
+"""The answer of the paper's study: answer.json, and the page that shows it."""
 
 from pathlib import Path
 
@@ -7,11 +7,12 @@ import yaml
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
-from hardcontact.paper.verdicts import read_verdicts
+from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.captions import caption
-from hardcontact.report.paper_answer import paper_answer, paper_quantities
-from hardcontact.report.paper_page import paper_head, paper_page
-from hardcontact.report.quantities import answer_json
+from hardcontact.report.paper_answer import paper_answer
+from hardcontact.report.paper_page import paper_page
+from hardcontact.report.quantities import answer_text
+from hardcontact.report.table1 import table1_rows
 
 DATASETS = (
     "topography", "scales", "edges", "sets", "protruded", "protruded_sphere",
@@ -19,15 +20,14 @@ DATASETS = (
 )  # fmt: skip
 
 with job(snakemake) as job:
-    answer = paper_answer(
-        read_verdicts(job.input.claims),
-        {name: read(job.input[name]) for name in DATASETS},
-        published.constants(job.input.published_constants),
-        published.table1(job.input.published_table1),
-    )
+    datasets = {name: read(job.input[name]) for name in DATASETS}
+    claims = read_verdicts(job.input.claims)
+    claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
+    constants = published.constants(job.input.published_constants)
+    citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
+    answer = paper_answer(claims, datasets, constants, job.parameters, citation["version"])
+    job.write_text(answer_text(answer), "json")
+    table1 = table1_rows(datasets["topography"], published.table1(job.input.published_table1))
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
-    citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    head = paper_head(answer, job.parameters, citation["version"])
-    job.write_text(paper_page(answer, head, figures, captions, citation), "page")
-    job.write_text(answer_json(head, paper_quantities(answer)), "json")
+    job.write_text(paper_page(answer, claims, table1, figures, captions, citation), "page")

@@ -1,21 +1,18 @@
-"""The answer of a study of own surfaces: one page for people, the same numbers for machines."""
+"""The answer of a study of own surfaces: answer.json, and the page that shows it."""
+
+from pathlib import Path
 
 import pandas as pd
+import yaml
 
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.report.figures.listing import FILE_KINDS
-from hardcontact.report.own_answer import (
-    own_answer,
-    own_head,
-    own_headline,
-    own_page,
-    own_quantities,
-    own_warnings,
-)
+from hardcontact.report.own_answer import own_answer
 from hardcontact.report.own_figures import write_figures
-from hardcontact.report.quantities import answer_json
+from hardcontact.report.page import render_page
+from hardcontact.report.quantities import answer_text
 
 with job(snakemake) as job:
     paths = {name: getattr(job.input, name, None) for name in Datasets._fields}
@@ -25,9 +22,8 @@ with job(snakemake) as job:
     pairs = pd.read_csv(job.input.pairs).to_dict("records")
     setting = Setting(**job.parameters, pairs=pairs)
     answer = own_answer(datasets, setting)
-    headline = own_headline(answer)
-    warnings = own_warnings(answer)
-    pictures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
-    job.write_text(own_page(answer, headline, warnings, pictures), "page")
-    head = own_head(setting, [*headline, *warnings])
-    job.write_text(answer_json(head, own_quantities(answer, setting.of_paper)), "json")
+    job.write_text(answer_text(answer), "json")
+    figures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
+    citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
+    page = render_page(answer, figures, citation, left_out=setting.left_out)
+    job.write_text(page, "page")

@@ -166,7 +166,9 @@ def log_answer(workflow: Any, *pages: str) -> None:
     for page in filter(asked_for.__contains__, pages):
         answer = Path(page).with_name("answer.json")
         if str(answer) in asked_for:
-            for line in json.loads(answer.read_text("utf-8")).get("headline", []):
+            content = json.loads(answer.read_text("utf-8"))
+            grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
+            for line in [*content["headline"], *grave_notes]:
                 logger.info(line)
         logger.info(f"The answer is made: open {page}")
         break

@@ -12,12 +12,14 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
+from numpy.typing import ArrayLike
 
+from hardcontact.base.formatting import is_boundless
 from hardcontact.base.number import Number
 from hardcontact.inference.edges import POOLED
 from hardcontact.report.captions import Caption
 from hardcontact.report.figures.listing import describe_figure
-from hardcontact.report.quantities import number_of, on_scans
+from hardcontact.report.quantities import ends, printed_label
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.templates import rendered
 from hardcontact.surfaces.synthesis import SIDES
@@ -69,6 +71,11 @@ def insight_page(
         band_edge=edge_number,
         long_edge=long_edge,
         on_scans=on_scans,
+        number_of=number_of,
+        span=span,
+        surfaces=surfaces,
+        in_percent=in_percent,
+        Number=Number,
         exp=math.exp,
         **datasets,
     )
@@ -133,3 +140,65 @@ def scatter_errors(statistics: xr.Dataset) -> Iterator[dict[str, Any]]:
         for name in DISTRIBUTIONS:
             row[name] = Number(name, group[f"designed_distance_{name}"].median().item())
         yield row
+
+
+def number_of(
+    dataset: xr.Dataset,
+    variable: str,
+    unit: str = "",
+    missing: str = "",
+    *,
+    name: str = "",
+    source: str = "computed",
+    strict: bool = True,
+) -> Number:
+    """Return a variable without dimensions, with its `<variable>_interval` if there is one.
+
+    The unit replaces that of the dataset, and the name that of the variable. `missing` is the
+    status of a value that is not finite. If strict, an interval that reaches too far counts as
+    none, and an interval without ends has the status "no_interval".
+    """
+    unit = unit or str(dataset[variable].attrs.get("units", "1"))
+    number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
+    if not math.isfinite(number.value):
+        return number._replace(status=missing)
+    if f"{variable}_interval" not in dataset:
+        return number
+    low, high = ends(dataset, variable)
+    if (low, high) == (0, math.inf) or (strict and is_boundless(number.value, low, high, unit)):
+        return number._replace(status="no_interval")
+    without = strict and not (math.isfinite(low) or math.isfinite(high))
+    return number._replace(low=low, high=high, status="no_interval" if without else "")
+
+
+def span(values: ArrayLike, unit: str = "1", name: str = "span") -> Number:
+    """Return the smallest and the largest of the finite values."""
+    finite = [value for value in np.ravel(values) if np.isfinite(value)]
+    return _bounds_only(name, min(finite, default=np.nan), max(finite, default=np.nan), unit)
+
+
+def in_percent(share: Number) -> Number:
+    """Return a share, which is a fraction of one, in percent."""
+    low, high = 100 * share.low, 100 * share.high
+    return share._replace(value=100 * share.value, low=low, high=high, unit="%")
+
+
+def surfaces(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
+    """Return the printed name of each surface of a dataset, and the data of this surface."""
+    selected = [dataset.sel(surface=name) for name in dataset["surface"].values]
+    return [(printed_label(data["label"].item(), data["basis"].item()), data) for data in selected]
+
+
+def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
+    """Return edges and forces on mirrored windows of the size of the study's scans."""
+    windows = scan_size.sel(map_size=scan_size["mirrored"] == 1)
+    return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
+
+
+def _bounds_only(
+    name: str, low: float, high: float, unit: str = "1", missing: str = "not_known"
+) -> Number:
+    """Return a number of which only ends are known; the status says which."""
+    codes = {(True, True): "between", (True, False): "more_than", (False, True): "at_most"}
+    status = codes.get((math.isfinite(low), math.isfinite(high)), missing)
+    return Number(name, math.nan, unit, low, high, status)

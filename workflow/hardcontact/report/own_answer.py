@@ -1,9 +1,10 @@
-"""The answer of a study of own surfaces: its page, and its numbers for answer.json."""
+"""The answer of a study of own surfaces: the content of its answer.json."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.report.artificial import (
@@ -14,20 +15,26 @@ from hardcontact.report.artificial import (
 )
 from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
-from hardcontact.report.force_facts import AnswerRow, fit_facts, preferred_fit
-from hardcontact.report.own_figures import mean_free_heights
-from hardcontact.report.quantities import (
-    QuantityMapping,
-    number_of,
-    numbers_within,
-    quantity_mapping,
-)
-from hardcontact.report.surface_facts import (
-    answer_rows,
+from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.own_edges import (
+    EDGES,
+    Measurement,
+    Verdict,
+    edge_numbers,
     next_measurements,
     surface_verdict,
 )
-from hardcontact.report.templates import rendered, rendered_lines
+from hardcontact.report.own_figures import mean_free_heights
+from hardcontact.report.own_forces import (
+    fit_numbers,
+    force_numbers,
+    measured_numbers,
+    pair_numbers,
+    preferred_fit,
+)
+from hardcontact.report.quantities import all_quantities, number_of
+from hardcontact.report.templates import rendered_lines, rendered_text
+from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE
 
 #: Metrics of a scan, with their units.
 METRIC_UNITS = {
@@ -39,217 +46,153 @@ METRIC_UNITS = {
     "kurtosis": "1",
 }
 
-#: Texts of each measurement.
-MEASUREMENT_TEXTS = ("kind", "limited_by", "notes")
 
+class SurfaceAnswer(NamedTuple):
+    """The answer of one surface."""
 
-class OwnSurface(NamedTuple):
-    """The answer of one surface, from which page and answer.json are made."""
-
+    name: str
     label: str
-    data: Datasets
-    rows: list[AnswerRow]
+    basis: str  #: measured or substitute.
+    numbers: dict[str, Number]
+    verdict: Verdict
     cautions: list[Caution]
-    next: list[Mapping[str, Any]]
-
-    @property
-    def basis(self) -> str:
-        """Whether it is "measured" or a "substitute"."""
-        return str(self.data.topography["basis"].item())
-
-    @property
-    def roughness(self) -> list[dict[str, Number]]:
-        """The metrics of each scan, then those over all scales, as far as they are known."""
-        topography = self.data.topography
-        scans = topography.dropna("scan", subset=["rms_height"])
-        rows = [
-            {
-                name: number_of(scans.sel(scan=scan), name, unit)
-                for name, unit in METRIC_UNITS.items()
-            }
-            for scan in scans["scan"].values
-        ]
-        known_metrics = [name for name in METRIC_UNITS if f"all_scales_{name}" in topography]
-        all_scales = {
-            name: number_of(topography, f"all_scales_{name}", METRIC_UNITS[name], strict=False)
-            for name in known_metrics
-        }
-        unknown = {name: Number(name, np.nan) for name in METRIC_UNITS}
-        return [*rows, unknown | all_scales]
-
-    @property
-    def scan_lengths(self) -> list[dict[str, Number]]:
-        """Size, pixel size, reliable wavelengths and tip radius of each measurement."""
-        return [
-            {
-                name: number_of(measurement, name, "nm", source="file")
-                for name in MEASUREMENT_LENGTHS
-            }
-            for measurement in split_measurements(measurements(self.data.spectra))
-        ]
+    next: list[Measurement]
 
 
-class OwnAnswer(NamedTuple):
-    """The answer of a study of own surfaces, with the datasets and settings it was made from."""
-
-    datasets: Datasets
-    setting: Setting
-    surfaces: dict[str, OwnSurface]
-
-    @property
-    def fit(self) -> dict[str, Any] | None:
-        """The range and work of adhesion that own forces allow; None without own forces."""
-        return None if self.datasets.fit is None else fit_facts(preferred_fit(self.datasets.fit))
-
-
-def own_answer(datasets: Datasets, setting: Setting) -> OwnAnswer:
-    """Return the answer of each surface that has a band.
+def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
+    """Return the content of answer.json: a head, notes in words, and all numbers.
 
     setting: the settings that the datasets do not hold.
-    Returns the answers by surface.
     """
-    surfaces = {}
-    adhesion = {"range of adhesion", "work of adhesion"}
-    # A user who gave both, or own forces, has a pair.
-    asks_for_pairs = datasets.fit is None and adhesion & set(setting.of_paper)
-    pairs = setting.pairs if asks_for_pairs else ()
-    for name, label in datasets.labels().items():
-        surface_data = datasets.select_surface(name)
-        rows = answer_rows(surface_data, pairs)
-        surfaces[name] = OwnSurface(
-            label, surface_data, rows, cautions(surface_data), next_measurements(surface_data)
-        )
-    return OwnAnswer(datasets, setting, surfaces)
-
-
-def own_headline(answer: OwnAnswer) -> list[str]:
-    """Return the first sentences of the page, which the terminal also shows.
-
-    answer: from `own_answer`.
-    """
-    surfaces = [
-        {**surface._asdict(), "basis": surface.basis, "verdict": surface_verdict(surface.rows)}
-        for surface in answer.surfaces.values()
-    ]
-    return rendered_lines("own_headline.txt", surfaces=surfaces)
-
-
-def own_warnings(answer: OwnAnswer) -> list[str]:
-    """Return the sentences on substitutes and on grave cautions that follow the headline.
-
-    answer: from `own_answer`.
-    """
-    return rendered_lines("own_warnings.txt", surfaces=list(answer.surfaces.values()))
-
-
-def own_head(setting: Setting, headline: Sequence[str]) -> dict[str, Any]:
-    """Return the head of answer.json.
-
-    headline: the first sentences of the page.
-    Returns the entries before the list of quantities.
-    """
+    surfaces = surface_answers(datasets, setting)
+    study_numbers = _study_numbers(datasets, setting)
     return {
         "study": setting.study,
-        "version": setting.citation["version"],
+        "version": setting.version,
         "effort": setting.effort,
         "kind": "own surfaces",
-        "headline": list(headline),
-        "contact": dict(setting.contact),
+        "headline": rendered_lines("own_headline.txt", surfaces=surfaces),
+        "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
+        "assumed": list(setting.of_paper),
+        "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
+        "notes": _notes(surfaces, study_numbers),
+        "quantities": all_quantities(
+            study_numbers, {surface.name: surface.numbers.values() for surface in surfaces}
+        ),
     }
 
 
-def own_quantities(answer: OwnAnswer, of_paper: Collection[str]) -> Iterator[QuantityMapping]:
-    """Yield every number of the page, those of the whole study first.
+def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
+    """Return the answer of each surface that has a band."""
+    return [
+        _surface_answer(name, label, datasets.select_surface(name), setting)
+        for name, label in datasets.labels().items()
+    ]
 
-    answer: from `own_answer`.
-    of_paper: the quantities of the contact that are the paper's: assumed.
-    Yields a number as a mapping for answer.json.
-    """
-    datasets, _, surfaces = answer
+
+def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> SurfaceAnswer:
+    """Return the answer of one surface from its datasets."""
+    numbers = [*edge_numbers(data), *force_numbers(data)]
+    # A user who gave both range and work of adhesion, or own forces, has a pair.
+    if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
+        numbers += pair_numbers(data.force, setting.pairs)
+    if data.fit is not None and name in data.fit["surface"].values:
+        numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data.spectra)
+    by_name = {number.name: number for number in numbers}
+    surface_cautions = cautions(data, by_name)
+    edges = [by_name[name] for name in EDGES.values()]
+    measurements = next_measurements(edges, data.spectra)
+    numbers += [
+        *_caution_numbers(surface_cautions),
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number in measurements],
+        *_scan_numbers(data),
+    ]
+    by_name = {number.name: number for number in numbers}
+    basis = str(data.topography["basis"].item())
+    verdict = surface_verdict(by_name)
+    return SurfaceAnswer(name, label, basis, by_name, verdict, surface_cautions, measurements)
+
+
+def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
+    """Return the numbers of the whole study: settings and, with own forces, the fit."""
+    numbers = []
     for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
-        source = "assumed" if name.replace("_", " ") in of_paper else "given"
-        yield quantity_mapping(Number(name, datasets.force.attrs[name], unit, source=source))
+        source = "assumed" if name.replace("_", " ") in setting.of_paper else "given"
+        numbers.append(Number(name, datasets.force.attrs[name], unit, source=source))
     for name in ("tolerance", "confidence"):
-        yield quantity_mapping(Number(name, datasets.edges.attrs[name], source="given"))
-    yield quantity_mapping(tabor_number(datasets.force))
-    for number in numbers_within("fit", answer.fit or {}):
-        yield quantity_mapping(number)
-    for name, surface in surfaces.items():
-        for number in _numbers_of(surface):
-            yield quantity_mapping(number, name)
+        numbers.append(Number(name, datasets.edges.attrs[name], source="given"))
+    numbers.append(tabor_number(datasets.force))
+    if datasets.fit is not None:
+        numbers += fit_numbers(preferred_fit(datasets.fit))
+    return numbers
 
 
-def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
-    """Yield the numbers of one surface: answer, cautions, what to measure, scans."""
-    yield Number("answered", np.nan, status=surface_verdict(surface.rows)["answer"])
-    for row in surface.rows:
-        variant = row.about.get("side") or row.about.get("pair") or ""
-        name = f"{row.fact.name}_{variant}".rstrip("_")
-        yield row.fact._replace(name=name)
-        yield from numbers_within(name, row.about)
-    for number, caution in enumerate(surface.cautions, start=1):
-        yield Number(f"caution_{number}", np.nan, status=caution["code"])
-        yield from numbers_within(caution["code"], caution)
-    for measurement in surface.next:
-        yield from numbers_within(f"{measurement['edge']}_{measurement['code']}", measurement)
+def _notes(surfaces: list[SurfaceAnswer], study_numbers: list[Number]) -> list[dict[str, Any]]:
+    """Return what the numbers alone do not tell, in words: cautions, what to measure, the fit."""
+    notes = substitutes_note([surface.label for surface in surfaces if surface.basis != "measured"])
+    several = len(surfaces) > 1
+    for surface in surfaces:
+        facts = {"label": surface.label, "several": several}
+        for caution in surface.cautions:
+            text = rendered_text("own_caution.txt", caution=caution, **facts)
+            notes.append(note("caution", text, caution.code, surface.name, grave=caution.grave))
+        limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
+        for measurement in surface.next:
+            text = rendered_text("own_next.txt", measurement=measurement, **facts, **limits)
+            notes.append(note("next", text, measurement.code, surface.name))
+    numbers = {number.name: number for number in study_numbers}
+    if "fit_range" in numbers:
+        status = numbers["fit_region_range"].status
+        disagrees = status in ("ends", "no_agreement") and numbers["fit_agrees"].value == 0
+        text = rendered_text("own_fit.txt", n=numbers)
+        notes.append(note("fit", text, status, grave=disagrees))
+    return notes
+
+
+def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
+    """Yield the numbers of cautions; those of a defect are named after its measurement."""
+    for caution in surface_cautions:
+        prefix = f"measurement_{caution.measurement}" if caution.measurement else caution.code
+        for name, number in caution.numbers.items():
+            yield number._replace(name=f"{prefix}_{name}")
+
+
+def _scan_numbers(data: Datasets) -> Iterator[Number]:
+    """Yield the sizes and the roughness of the scans, and the lengths of the measurements."""
+    topography = data.topography
     for name in ("scan_size", "pixel_size"):
-        yield number_of(surface.data.topography, name, "nm", source="file")
-    *scans, all_scales = surface.roughness
-    for number, metrics in enumerate(scans, start=1):
-        yield from numbers_within(f"scan_{number}", metrics)
-    yield from numbers_within("all_scales", all_scales)
-    for number, lengths in enumerate(surface.scan_lengths, start=1):
-        yield from numbers_within(f"measurement_{number}", lengths)
+        yield number_of(topography, name, "nm", source="file")
+    heights = mean_free_heights(topography)
+    yield Number("heights", np.nan, "nm", float(heights.min()), float(heights.max()), "ends")
+    scans = topography.dropna("scan", subset=["rms_height"])
+    for index in range(scans.sizes["scan"]):
+        for name, unit in METRIC_UNITS.items():
+            number = number_of(scans.isel(scan=index), name, unit)
+            yield number._replace(name=f"scan_{index + 1}_{name}")
+    for name, unit in METRIC_UNITS.items():
+        if f"all_scales_{name}" in topography:
+            yield number_of(topography, f"all_scales_{name}", unit)
+    for index, measurement in enumerate(split_measurements(measurements(data.spectra)), start=1):
+        for name in MEASUREMENT_LENGTHS:
+            number = number_of(measurement, name, "nm", source="file")
+            yield number._replace(name=f"measurement_{index}_{name}")
 
 
-def own_page(
-    answer: OwnAnswer,
-    headline: Sequence[str],
-    warnings: Sequence[str],
-    pictures: Mapping[str, bytes],
-) -> str:
-    """Return the page.
-
-    answer: from `own_answer`.
-    headline, warnings: from `own_headline` and `own_warnings`.
-    pictures: SVG by the name of the figure.
-    """
-    datasets, setting, surfaces = answer
-    return rendered(
-        "own.html",
-        headline=headline,
-        warnings=warnings,
-        study=setting.study,
-        effort=setting.effort,
-        citation=setting.citation,
-        left_out=setting.left_out,
-        tolerance=float(datasets.edges.attrs["tolerance"]),
-        confidence=float(datasets.edges.attrs["confidence"]),
-        surfaces=[_page_facts(surface) for surface in surfaces.values()],
-        contact=setting.contact,
-        of_paper=setting.of_paper,
-        tabor=tabor_number(datasets.force),
-        pictures=pictures,
-        fit=answer.fit,
-        fit_model=None if datasets.fit is None else preferred_model(datasets.fit),
-    )
-
-
-def _page_facts(surface: OwnSurface) -> dict[str, Any]:
-    """Return the facts about one surface for the template of the page."""
-    data = surface.data
-    heights = mean_free_heights(data.topography)
-    lengths = zip(split_measurements(measurements(data.spectra)), surface.scan_lengths, strict=True)
-    return surface._asdict() | {
+def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
+    """Return what is known of one surface besides numbers: its name, verdict and measurements."""
+    scans = split_measurements(measurements(spectra.sel(surface=surface.name)))
+    return {
+        "name": surface.name,
+        "label": surface.label,
         "basis": surface.basis,
-        "heights": [float(heights.min()), float(heights.max())],
-        "size": float(data.topography["scan_size"]),
-        "pixel": float(data.topography["pixel_size"]),
-        "roughness": surface.roughness,
+        "answered": surface.verdict.answer,
         "measurements": [
-            {"name": measurement_name(measurement), "reliable": bool(measurement["reliable"].any())}
-            | {text: str(measurement[text].item()) for text in MEASUREMENT_TEXTS}
-            | numbers
-            for measurement, numbers in lengths
+            {
+                "name": measurement_name(scan),
+                "kind": str(scan["kind"].item()),
+                "shortest_by": str(scan["limited_by"].item()) if scan["reliable"].any() else "",
+                "notes": str(scan["notes"].item()),
+            }
+            for scan in scans
         ],
     }

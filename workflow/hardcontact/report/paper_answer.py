@@ -1,8 +1,7 @@
-"""The numbers of the answer of the paper's study, from claims and datasets."""
+"""The answer of the paper's study, from claims and datasets: the content of its answer.json."""
 
-import math
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -13,9 +12,11 @@ from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
-from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
-from hardcontact.report.quantities import QuantityMapping, number_of, on_scans, quantity_mapping
-from hardcontact.report.table1 import table1_rows
+from hardcontact.paper.verdicts import interval_with_sets, open_end, summary
+from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.quantities import all_quantities, number_of
+from hardcontact.report.report_pages import claim_facts
+from hardcontact.report.templates import rendered_lines, rendered_text
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
@@ -42,99 +43,126 @@ FIT_GROUPS = {True: "long_range_sets", False: "short_range_sets"}
 GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 
 
-class PaperAnswer(NamedTuple):
-    """The numbers and labels from which the paper's page and answer.json are made."""
-
-    claims: pd.DataFrame  #: The table from `verdicts.add_open_ends`.
-    numbers: dict[str, Number]  #: Numbers of the whole study, by their names in answer.json.
-    #: For each substrate: label, basis, both edges, and force on scans relative to large surfaces.
-    surfaces: dict[str, dict[str, Any]]
-    sphere: dict[str, Any]  #: Label and basis of the sphere.
-    decisive: str  #: Label of the surface that decides range and work of adhesion most.
-    protruded: str  #: Label of the surface that has protrusions in some sets.
-    table1: list[list[str]]
-
-    @property
-    def coarse(self) -> bool:
-        """Whether the study has fewer pixels or contacts than the paper."""
-        sizes = ("scan_pixels", "contacts_per_side")
-        return any(self.numbers[name].value < self.numbers[f"{name}_published"].value
-                   for name in sizes)  # fmt: skip
-
-
 def paper_answer(
     claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
-    published_table1: pd.DataFrame,
-) -> PaperAnswer:
-    """Return the answer, in the units of the claims.
+    configuration: Mapping[str, Any],
+    version: str,
+) -> dict[str, Any]:
+    """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    claims: the table that `verdicts.read_verdicts` returns.
+    claims: the table that `verdicts.add_open_ends` returns.
     datasets: final datasets: `topography`, `scales`, `edges`, `sets`, `protruded`,
         `protruded_sphere` and `scan_size`.
-    constants, published_table1: the tables that `published.constants` and `published.table1`
-        return.
+    constants: the table that `published.constants` returns.
     """
     topography = datasets["topography"]
-    band = datasets["edges"]
-    sets = datasets["sets"]
-    transitions = datasets["scales"]["transition"]
-    claims = add_open_ends(claims, [band, sets])
-    rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
-    numbers: list[Number] = []
+    facts = _facts(claims, datasets, constants)
+    numbers, surfaces, labels = facts["numbers"], facts["surfaces"], facts["labels"]
+    return {
+        "study": configuration["study"],
+        "version": version,
+        "effort": "quick" if facts["coarse"] else configuration["effort"],
+        "kind": "paper",
+        "headline": rendered_lines("paper_headline.txt", **facts),
+        "contact": {
+            "sphere": facts["sphere"],
+            "radius of the sphere": configuration["sphere"]["radius"],
+            "hardness": configuration["contact"]["hardness"],
+            "preload": configuration["contact"]["preload"],
+        },
+        "assumed": [],
+        "surfaces": [
+            {"name": name, "label": labels[name], "basis": _basis(topography, name)}
+            for name in (*surfaces, topography.attrs["sphere_surface"])
+        ],
+        "notes": _notes(topography, facts),
+        "quantities": all_quantities(
+            numbers.values(), {name: surfaces[name].values() for name in surfaces}
+        ),
+    }
+
+
+def _facts(
+    claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
+) -> dict[str, Any]:
+    """Return the facts that the templates of headline and notes show."""
+    topography = datasets["topography"]
+    names = [str(name) for name in topography["surface"].values]
+    labels = {name: str(topography["label"].sel(surface=name).item()) for name in names}
+    numbers = {number.name: number for number in study_numbers(claims, datasets, constants)}
+    substrates = [str(name) for name in datasets["edges"]["surface"].values]
+    return {
+        "numbers": numbers,
+        "surfaces": {name: surface_numbers(name, datasets) for name in substrates},
+        "labels": labels,
+        "sphere": labels[topography.attrs["sphere_surface"]],
+        "decisive": labels[_decisive_surface(datasets["sets"])],
+        "protruded": datasets["protruded"].attrs["label"],
+        "coarse": is_coarse(numbers),
+        **claim_facts(claims),
+    }
+
+
+def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the notes on substitutes and on rare protrusions."""
+    is_substitute = (topography["basis"] == "substitute").values
+    notes = substitutes_note(topography["label"].values[is_substitute].tolist())
+    if {"protruded_range_of_adhesion", "range_of_adhesion_published"} <= facts["numbers"].keys():
+        text = rendered_text("paper_protrusions.txt", **facts)
+        notes.append(note("protrusions", text))
+    return notes
+
+
+def _basis(topography: xr.Dataset, surface: str) -> str:
+    """Return whether a surface is "measured" or a "substitute"."""
+    return str(topography["basis"].sel(surface=surface).item())
+
+
+def is_coarse(numbers: Mapping[str, Number]) -> bool:
+    """Return whether the study has fewer pixels or contacts than the paper."""
+    sizes = ("scan_pixels", "contacts_per_side")
+    return any(numbers[name].value < numbers[f"{name}_published"].value for name in sizes)
+
+
+def study_numbers(
+    claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
+) -> Iterator[Number]:
+    """Yield the numbers of the whole study, in the units of the claims."""
+    known_claims = claims.dropna(subset="computed")
+    rows: dict[str, Any] = {str(row.id): row for row in known_claims.itertuples()}
     for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
-            numbers += _numbers_of_claim(name, rows[claim], band, transitions)
-    numbers += _fit_numbers(sets, rows.get(ANSWER_CLAIMS["range_exceeds"]))
-    protruded = {name: datasets[name] for name in ("protruded", "protruded_sphere")}
-    decisive = _decisive_surface(sets)
-    numbers += _decisive_numbers(sets, protruded, decisive, sets.attrs["confidence"])
-    numbers += _settings(datasets, constants)
+            yield from _claim_numbers(name, rows[claim], datasets)
+    statement = rows.get(ANSWER_CLAIMS["range_exceeds"])
+    if statement is not None and np.isfinite(statement.frequency):
+        yield from _group_numbers(datasets["sets"], statement.published)
+    yield from _fit_samples(datasets)
+    yield from _settings(datasets, constants)
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
-        numbers += [Number(name, row["claims"]), Number(f"{name}_independent", row["independent"])]
-    sphere = topography.attrs["sphere_surface"]
-    descriptions: Any = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    surface_descriptions = descriptions.to_dict("index")
-    forces = on_scans(datasets["scan_size"])
-    return PaperAnswer(
-        claims,
-        {number.name: number for number in numbers},
-        {
-            name: surface_descriptions[name]
-            | _numbers_of_surface(name, band, sets, forces, transitions)
-            for name in map(str, band["surface"].values)
-        },
-        surface_descriptions[sphere],
-        str(surface_descriptions[decisive]["label"]),
-        datasets["protruded"].attrs["label"],
-        table1_rows(topography, published_table1),
-    )
+        yield Number(name, row["claims"])
+        yield Number(f"{name}_independent", row["independent"])
 
 
-def _edge_source(transitions: xr.DataArray, side: str, edge: float) -> str:
-    """Return the source of an edge (nm): whether the roughness beyond it is artificial.
-
-    `transitions` (side) are the wavelengths in nm from which masters have artificial roughness.
-    """
-    transition = transitions.sel(side=side).item()
+def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
+    """Return the source of an edge (nm): whether the roughness beyond it is artificial."""
+    transition = scales["transition"].sel(side=side).item()
     is_artificial = edge < transition if side == "small" else edge > transition
     return "artificial" if is_artificial else "computed"
 
 
-def _numbers_of_claim(
-    name: str, row: Any, band: xr.Dataset, transitions: xr.DataArray
-) -> list[Number]:
+def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
     """Return the computed and the published number of a claim, and its frequency over sets."""
     edge = name.removeprefix("first_")
     source = "computed"
     if edge in EDGE_SIDES:
-        source = _edge_source(transitions, EDGE_SIDES[edge][0], row.computed)
+        source = _edge_source(datasets["scales"], EDGE_SIDES[edge][0], row.computed)
     status = f"interval_open_{row.open_end}" if row.open_end else ""
     if name in EDGE_SIDES:
         side, open_status = EDGE_SIDES[name]
-        if np.isnan(band["edge"].sel(side=side, group=POOLED).item()):
+        if np.isnan(datasets["edges"]["edge"].sel(side=side, group=POOLED).item()):
             status = open_status
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
@@ -143,41 +171,37 @@ def _numbers_of_claim(
     ]
 
 
-def _numbers_of_surface(
-    name: str,
-    band: xr.Dataset,
-    sets: xr.Dataset,
-    forces: xr.Dataset,
-    transitions: xr.DataArray,
-) -> dict[str, Number]:
+def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
     """Return both edges of one substrate, and its force on scans relative to large surfaces."""
+    band, sets = datasets["edges"], datasets["sets"]
     numbers = {}
-    for edge, (side, _) in EDGE_SIDES.items():
-        labels = {"side": side, "group": name}
+    for name, (side, _) in EDGE_SIDES.items():
+        labels = {"side": side, "group": surface}
         value = edges_or_bounds(band).sel(labels).item()
         replicas = edges_or_bounds(sets).sel(labels).values
         interval = bounds(band.sel(labels), "edge")
         low, high = interval_with_sets(value, interval, replicas, band.attrs["confidence"])
         end = open_end(side, value, low, high, [band, sets])
         status = f"interval_open_{end}" if end else ""
-        source = _edge_source(transitions, side, value)
-        numbers[edge] = Number(edge, value, "nm", low, high, status, source)
-    if name in forces["surface"].values:
-        force = number_of(forces.sel(surface=name), "force_over_largest")
-        numbers["force_on_scans"] = force._replace(name="force_on_scans")
+        source = _edge_source(datasets["scales"], side, value)
+        numbers[name] = Number(name, value, "nm", low, high, status, source)
+    forces = _on_scans(datasets["scan_size"])
+    if surface in forces["surface"].values:
+        force = forces.sel(surface=surface)
+        numbers["force_on_scans"] = number_of(force, "force_over_largest", name="force_on_scans")
     return numbers
 
 
-def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
-    """Yield median and extremes of the fits of sets with a long and with a short range.
+def _on_scans(scan_size: xr.Dataset) -> xr.Dataset:
+    """Return forces on mirrored windows of the size of the study's scans."""
+    windows = scan_size.sel(map_size=scan_size["mirrored"] == 1)
+    return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
 
-    A range is long if it exceeds that of the paper's statement. Yields nothing if the study does
-    not judge that statement.
-    """
+
+def _group_numbers(sets: xr.Dataset, limit: float) -> Iterator[Number]:
+    """Yield median and extremes of the fits of sets with a range above a limit, and below (nm)."""
     fits = sets.sel(contact_model=PLASTIC, drop=True)[[*FITTED_UNITS]].to_dataframe()
-    if statement is None or math.isnan(statement.frequency):
-        return
-    for exceeds, group in fits.groupby(fits["range_of_adhesion"] > statement.published):
+    for exceeds, group in fits.groupby(fits["range_of_adhesion"] > limit):
         prefix = FIT_GROUPS[bool(exceeds)]
         yield Number(prefix, len(group))
         for name, unit in FITTED_UNITS.items():
@@ -191,33 +215,33 @@ def _decisive_surface(sets: xr.Dataset) -> str:
     return str(ranges["left_out"].values[np.log(ranges.values).std(axis=1).argmin()])
 
 
-def _decisive_numbers(
-    sets: xr.Dataset, protruded: Mapping[str, xr.Dataset], decisive: str, confidence: float
-) -> Iterator[Number]:
+def _fit_samples(datasets: Mapping[str, xr.Dataset]) -> Iterator[Number]:
     """Yield range and work of adhesion without the decisive surface, and with protrusions.
 
-    Each number is the median over the sets, with the interval of the claims. Among the sets with
-    protrusions, only those are used whose forces agree with the published forces.
+    Among the sets with protrusions, only those are used whose forces agree with the published
+    forces.
     """
-    tail = (1 - confidence) / 2
-    plastic_sets = sets.sel(contact_model=PLASTIC)
-    reduced_sets = plastic_sets.sel(left_out=decisive)
-    samples = {
-        "all_surfaces": {name: plastic_sets[name].values for name in FITTED_UNITS},
-        "without_decisive": {
-            name: reduced_sets[WITHOUT_SURFACE[name]].values for name in FITTED_UNITS
-        },
-    }
-    for prefix, dataset in protruded.items():
+    confidence = datasets["sets"].attrs["confidence"]
+    for prefix in ("protruded", "protruded_sphere"):
+        dataset = datasets[prefix]
         agrees = dataset["agrees"].values == 1
         if agrees.size:
             yield Number(f"{prefix}_sets_that_agree", agrees.mean())
-        if agrees.any():
-            samples[prefix] = {name: dataset[name].values[agrees] for name in FITTED_UNITS}
-    for prefix, values in samples.items():
-        for name, sample in values.items():
-            low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
-            yield Number(f"{prefix}_{name}", median, FITTED_UNITS[name], low, high)
+        for name in FITTED_UNITS if agrees.any() else ():
+            yield _median(prefix, name, dataset[name].values[agrees], confidence)
+    sets = datasets["sets"].sel(contact_model=PLASTIC)
+    without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
+    for name in FITTED_UNITS:
+        yield _median("all_surfaces", name, sets[name].values, confidence)
+        sample = without_decisive[WITHOUT_SURFACE[name]].values
+        yield _median("without_decisive", name, sample, confidence)
+
+
+def _median(prefix: str, name: str, sample: np.ndarray, confidence: float) -> Number:
+    """Return the median over sets of a fitted parameter, with the interval of the claims."""
+    tail = (1 - confidence) / 2
+    low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
+    return Number(f"{prefix}_{name}", median, FITTED_UNITS[name], low, high)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
@@ -239,23 +263,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("confidence", float(band.attrs["confidence"]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
-    map_sizes = {
-        "mirrored_scan_size": on_scans(datasets["scan_size"])["map_size"],
-        "large_surface_size": datasets["scan_size"]["map_size"][-1],
-    }
-    for name, map_size in map_sizes.items():
-        yield Number(name, float(map_size), "nm", source="given")
-
-
-def paper_quantities(answer: PaperAnswer) -> Iterator[QuantityMapping]:
-    """Yield the numbers of the whole study, then the numbers of each substrate.
-
-    answer: from `paper_answer`.
-    Yields a number as a mapping for answer.json.
-    """
-    for number in answer.numbers.values():
-        yield quantity_mapping(number)
-    for name, surface in answer.surfaces.items():
-        for number in surface.values():
-            if isinstance(number, Number):
-                yield quantity_mapping(number, name)
+    map_size = datasets["scan_size"]["map_size"]
+    mirrored = _on_scans(datasets["scan_size"])["map_size"]
+    yield Number("mirrored_scan_size", float(mirrored), "nm", source="given")
+    yield Number("large_surface_size", float(map_size[-1]), "nm", source="given")

@@ -1,19 +1,16 @@
-"""Quantities of an answer: how they are read from datasets, printed, and listed in answer.json."""
+"""Numbers of an answer: read from datasets, printed in words, and read from answer.json."""
 
 import json
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
-import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike
 
 from hardcontact.base.formatting import (
     PRINTED_UNITS,
     format_as_paper,
     format_quantity,
-    is_boundless,
 )
 from hardcontact.base.number import Number, plain
 from hardcontact.base.statistics import bounds
@@ -22,52 +19,40 @@ QuantityMapping = dict[str, Any]
 
 #: Words in place of an unknown value, by its status.
 NO_VALUE = {
-    "none": "",
-    "not_computed": "not computed",
-    "not_bounded": "not bounded",
-    "no_edge": "no edge within the cutoffs computed",
     "no_band": "no band",
-    "not_reached": "not reached",
-    "not_printed": "not printed",
     "no_exponent": "not answered: the scans do not tell how their roughness goes on",
+    "no_agreement": "none agrees",
 }
 #: Words after a value without an interval, by its status.
 NO_INTERVAL = {
-    "not_bounded": "not bounded by so few scans",
-    "no_interval": "no interval",
-    "whole_scan": "not bounded: every contact feels the whole scan",
-    "few_parts": "not bounded: too few parts, which differ too much",
+    "no_interval": "not bounded by these scans",
     "few_places": "not bounded: contacts touch too few places",
 }
+#: Words before a value that is a bound, by its status.
+BOUND = {"open_above": "at least ", "open_below": "at most "}
 
 
 def number_of(
     dataset: xr.Dataset,
     variable: str,
     unit: str = "",
-    missing: str = "",
     *,
     name: str = "",
     source: str = "computed",
-    strict: bool = True,
 ) -> Number:
     """Return a variable without dimensions, with its `<variable>_interval` if there is one.
 
-    The unit replaces that of the dataset, and the name that of the variable. `missing` is the
-    status of a value that is not finite. If strict, an interval that reaches too far counts as
-    none, and an interval without ends has the status "no_interval".
+    The unit replaces that of the dataset, and the name that of the variable. An interval from zero
+    to infinity counts as none.
     """
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
     number = Number(name or variable, float(dataset[variable].item()), unit, source=source)
-    if not math.isfinite(number.value):
-        return number._replace(status=missing)
-    if f"{variable}_interval" not in dataset:
+    if not math.isfinite(number.value) or f"{variable}_interval" not in dataset:
         return number
     low, high = ends(dataset, variable)
-    if (low, high) == (0, math.inf) or (strict and is_boundless(number.value, low, high, unit)):
-        return number._replace(status="not_bounded")
-    without = strict and not (math.isfinite(low) or math.isfinite(high))
-    return number._replace(low=low, high=high, status="no_interval" if without else "")
+    if (low, high) == (0, math.inf):
+        return number._replace(status="no_interval")
+    return number._replace(low=low, high=high)
 
 
 def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
@@ -76,30 +61,15 @@ def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:
     return low.item(), high.item()
 
 
-def bounds_only(
-    name: str, low: float, high: float, unit: str = "1", missing: str = "not_known"
-) -> Number:
-    """Return a number of which only ends are known; the status says which."""
-    codes = {(True, True): "between", (True, False): "more_than", (False, True): "at_most"}
-    status = codes.get((math.isfinite(low), math.isfinite(high)), missing)
-    return Number(name, math.nan, unit, low, high, status)
-
-
-def span(values: ArrayLike, unit: str = "1", name: str = "span") -> Number:
-    """Return the smallest and the largest of the finite values."""
-    finite = [value for value in np.ravel(values) if np.isfinite(value)]
-    return bounds_only(name, min(finite, default=np.nan), max(finite, default=np.nan), unit)
-
-
-def in_percent(share: Number) -> Number:
-    """Return a share, which is a fraction of one, in percent."""
-    low, high = 100 * share.low, 100 * share.high
-    return share._replace(value=100 * share.value, low=low, high=high, unit="%")
+def ends_only(name: str, low: float, high: float, unit: str = "1") -> Number:
+    """Return a number of which only one end or both ends are known."""
+    is_known = math.isfinite(low) or math.isfinite(high)
+    return Number(name, math.nan, unit, low, high, "ends" if is_known else "not_known")
 
 
 def bare(number: Number) -> Number:
     """Return a number without its interval; a bound remains a bound."""
-    status = number.status if number.status in ("open_above", "open_below") else ""
+    status = number.status if number.status in BOUND else ""
     return number._replace(low=math.nan, high=math.nan, status=status)
 
 
@@ -120,19 +90,18 @@ def printed(number: Number, digits: int = 3, end: str = "") -> str:
 
 def in_words(number: Number, digits: int = 3) -> str:
     """Return a number with its interval in words, as its status asks for."""
-    if number.status == "between":
-        both = [printed(number, digits, end) for end in ("low", "high")]
-        text = " to ".join(dict.fromkeys(both))
-    elif number.status == "more_than":
-        text = f"more than {printed(number, digits, 'low')}"
-    elif number.status == "at_most":
-        text = f"at most {printed(number, digits, 'high')}"
-    elif math.isfinite(number.value):
-        bound = {"open_above": "at least ", "open_below": "at most "}.get(number.status, "")
-        text = bound + printed(number, digits) + _unbounded(number, digits)
-    else:
-        text = NO_VALUE.get(number.status, "not known")
-    return text
+    if math.isfinite(number.value):
+        bound = BOUND.get(number.status, "")
+        return bound + printed(number, digits) + _unbounded(number, digits)
+    low, high = math.isfinite(number.low), math.isfinite(number.high)
+    if low and high:
+        both = [printed(number, digits, "low"), printed(number, digits, "high")]
+        return " to ".join(dict.fromkeys(both))
+    if low:
+        return f"more than {printed(number, digits, 'low')}"
+    if high:
+        return f"at most {printed(number, digits, 'high')}"
+    return NO_VALUE.get(number.status, "not known")
 
 
 def _unbounded(number: Number, digits: int) -> str:
@@ -147,52 +116,48 @@ def _unbounded(number: Number, digits: int) -> str:
     return ""
 
 
-def surfaces(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
-    """Return the printed name of each surface of a dataset, and the data of this surface."""
-    selected = [dataset.sel(surface=name) for name in dataset["surface"].values]
-    return [(printed_label(data["label"].item(), data["basis"].item()), data) for data in selected]
-
-
 def printed_label(label: str, basis: str) -> str:
     """Return the printed name of a surface; a substitute is called so."""
     return f"{label} (substitute)" if basis == "substitute" else label
 
 
-def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
-    """Return edges and forces on mirrored windows of the size of the study's scans."""
-    windows = scan_size.sel(map_size=scan_size["mirrored"] == 1)
-    return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
+def quantity_mapping(number: Number, surface: str = "") -> QuantityMapping:
+    """Return a number as a mapping for answer.json; without a surface it is of the whole study."""
+    return {"surface": surface, **plain(number)}
 
 
-def quantity_mapping(number: Number, surface: str = "", name: str = "") -> QuantityMapping:
-    """Return a number as a mapping for answer.json, with None for unknown values.
-
-    number: the number with its interval, unit, status and source.
-    surface: the surface that it belongs to; empty for a number of the whole study.
-    name: its name in the list; by default that of the number.
-    """
-    return {"surface": surface, **plain(number), "name": name or number.name}
-
-
-def numbers_within(prefix: str, mapping: Mapping[str, Any]) -> Iterator[Number]:
-    """Yield the numbers among the values of a mapping, counts too, named `<prefix>_<key>`."""
-    for key, value in mapping.items():
-        if isinstance(value, Number):
-            yield value._replace(name=f"{prefix}_{key}")
-        elif isinstance(value, int) and not isinstance(value, bool):
-            yield Number(f"{prefix}_{key}", value)
+def all_quantities(
+    study_numbers: Iterable[Number], surface_numbers: Mapping[str, Iterable[Number]]
+) -> list[QuantityMapping]:
+    """Return the numbers of the whole study and of each surface as the list of answer.json."""
+    quantities = [quantity_mapping(number) for number in study_numbers]
+    for surface, numbers in surface_numbers.items():
+        quantities += [quantity_mapping(number, surface) for number in numbers]
+    return quantities
 
 
-def answer_json(head: Mapping[str, Any], quantities: Iterable[QuantityMapping]) -> str:
+def numbers_by_name(answer: Mapping[str, Any], surface: str = "") -> dict[str, Number]:
+    """Return the numbers of one surface in answer.json, or those of the whole study, by name."""
+    numbers = {}
+    for quantity in answer["quantities"]:
+        if quantity["surface"] == surface:
+            values = {key: quantity[key] for key in Number._fields}
+            for key in ("value", "low", "high"):
+                if values[key] is None:
+                    values[key] = math.nan
+            if values["status"] in ("known", "not_known"):
+                values["status"] = ""
+            numbers[values["name"]] = Number(**values)
+    return numbers
+
+
+def answer_text(answer: Mapping[str, Any]) -> str:
     """Return the text of answer.json, as answer.schema.json describes it.
 
-    head: the entries before the list.
     Raises ValueError if two quantities of one surface have the same name.
     """
-    rows = list(quantities)
-    names = [(row["surface"], row["name"]) for row in rows]
+    names = [(row["surface"], row["name"]) for row in answer["quantities"]]
     repeated = sorted({name for name in names if names.count(name) > 1})
     if repeated:
         raise ValueError(f"expected quantities with different names, found twice: {repeated}")
-    content = {**head, "quantities": rows}
-    return json.dumps(content, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+    return json.dumps(answer, ensure_ascii=False, allow_nan=False, indent=1) + "\n"

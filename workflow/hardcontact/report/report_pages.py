@@ -88,7 +88,7 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     kind = "follows" if row["follows_from"] else "independent"
     computed_text = format_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
     if is_boundless(row["computed"], *interval, unit):
-        computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['not_bounded']})"
+        computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['no_interval']})"
     return {
         "published_text": format_as_paper(row["published"], unit),
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),

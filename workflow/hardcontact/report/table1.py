@@ -1,7 +1,6 @@
 """Table 1 of the paper: published and computed rms height, slope and curvature of surfaces."""
 
 import math
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import pandas as pd
@@ -10,30 +9,38 @@ import xarray as xr
 from hardcontact.base.published import rows_met
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
-#: Variables that may correspond to the paper's quantities, with their definitions.
-DEFINITIONS_IN_WORDS = {
-    "height": {"rms_height": ""},
-    "slope": {"rms_gradient": "gradient", "rms_profile_slope": "slope of profiles"},
-    "curvature": {"rms_half_laplacian": "half the Laplacian", "rms_laplacian": "Laplacian"},
-}
-
 
 class _Quantity(NamedTuple):
     """A quantity of the paper's Table 1."""
 
     name: str  # as in resources/paper/table1.csv
     title: str
-    printed_unit: float = 1  # in the unit of the datasets
+    printed_unit: float  # in the unit of the datasets
+    computed: dict[str, str]  # titles of the variables that may correspond to it
 
 
 TABLE1_QUANTITIES = (
-    _Quantity("afm_rms_height", "AFM scans: rms height (nm)"),
-    _Quantity("afm_rms_slope", "AFM scans: rms slope"),
-    _Quantity("afm_rms_curvature", "AFM scans: rms curvature (10⁻³ nm⁻¹)", 1e-3),
-    _Quantity("all_rms_height", "All scales: rms height (nm)"),
-    _Quantity("all_rms_slope", "All scales: rms slope"),
-    _Quantity("all_rms_curvature", "All scales: rms curvature (nm⁻¹)"),
-)
+    _Quantity("afm_rms_height", "AFM scans: rms height (nm)", 1, {"rms_height": "computed"}),
+    _Quantity("afm_rms_slope", "AFM scans: rms slope", 1, {
+        "rms_gradient": "computed, gradient",
+        "rms_profile_slope": "computed, slope of profiles",
+    }),
+    _Quantity("afm_rms_curvature", "AFM scans: rms curvature (10⁻³ nm⁻¹)", 1e-3, {
+        "rms_half_laplacian": "computed, half the Laplacian",
+        "rms_laplacian": "computed, Laplacian",
+    }),
+    _Quantity("all_rms_height", "All scales: rms height (nm)", 1, {
+        "all_scales_rms_height": "computed",
+    }),
+    _Quantity("all_rms_slope", "All scales: rms slope", 1, {
+        "all_scales_rms_gradient": "computed, gradient",
+        "all_scales_rms_profile_slope": "computed, slope of profiles",
+    }),
+    _Quantity("all_rms_curvature", "All scales: rms curvature (nm⁻¹)", 1, {
+        "all_scales_rms_half_laplacian": "computed, half the Laplacian",
+        "all_scales_rms_laplacian": "computed, Laplacian",
+    }),
+)  # fmt: skip
 
 
 def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[str]]:
@@ -55,17 +62,10 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
             _print_published(values, str(data["surface"].item()), quantity) for data in surfaces
         ]
         rows.append([f"{quantity.title}, published", *cells])
-        for variable, definition in _variables(quantity.name):
+        for variable, title in quantity.computed.items():
             cells = [_print_computed(data, variable, quantity) for data in surfaces]
-            rows.append([", ".join(filter(None, ("computed", definition))), *cells])
+            rows.append([title, *cells])
     return rows
-
-
-def _variables(quantity: str) -> Iterator[tuple[str, str]]:
-    """Yield the variables of topography.nc that may be a quantity, and their definitions."""
-    prefix = "all_scales_" if quantity.startswith("all_") else ""
-    for variable, definition in DEFINITIONS_IN_WORDS[quantity.rpartition("_")[-1]].items():
-        yield prefix + variable, definition
 
 
 def _print_published(values: pd.DataFrame, surface: str, quantity: _Quantity) -> str:

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.formatting import format_as_paper, format_share
-from hardcontact.base.number import Number
 from hardcontact.report import quantities
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
@@ -44,7 +43,13 @@ def rendered_lines(template: str, **facts: Any) -> list[str]:
     from markupsafe import Markup
 
     text = _environment().get_template(template).render(**facts)
-    return [line for line in (Markup(line).striptags() for line in text.splitlines()) if line]
+    lines = [Markup(line).striptags() for line in text.splitlines()]
+    return [line for line in lines if line]
+
+
+def rendered_text(template: str, **facts: Any) -> str:
+    """Return a template as one paragraph of plain text."""
+    return " ".join(rendered_lines(template, **facts))
 
 
 def _environment() -> Any:
@@ -57,11 +62,8 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
-        "in_percent": quantities.in_percent, "percent": format_share, "as_paper": format_as_paper,
-        "surfaces": quantities.surfaces, "unbroken": _unbroken, "base64": _base64,
-    }  # fmt: skip
-    environment.globals |= {
-        "number_of": quantities.number_of, "span": quantities.span, "Number": Number,
+        "percent": format_share, "as_paper": format_as_paper,
+        "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
     environment.tests["known"] = math.isfinite
     return environment

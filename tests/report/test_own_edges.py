@@ -1,0 +1,195 @@
+"""Edges of own surfaces, what to measure next, and the verdict on their scans."""
+
+import numpy as np
+import pytest
+from answer_inputs import (
+    SURFACES,
+    datasets,
+    drop_interval,
+    edges,
+    force,
+    move_edge,
+    open_edges,
+    scale_extrapolated_force,
+    setting,
+    spectra,
+    unresolved_edges,
+)  # fmt: skip
+from own_numbers import numbers_of
+
+from hardcontact.base.number import Number, plain
+from hardcontact.inference.edges import computed_cutoffs
+from hardcontact.report.artificial import classify_edge, parts_of_change
+from hardcontact.report.own_answer import surface_answers
+from hardcontact.report.own_edges import surface_verdict
+
+
+@pytest.mark.parametrize(
+    ("data", "source"),
+    [
+        (move_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
+        (move_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
+        (move_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
+        (move_edge(120.0, np.nan, np.nan), ("measured", None, None)),
+        (move_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
+    ],
+)
+def test_artificial_ends_of_intervals_are_left_out(data, source):
+    fact = plain(numbers_of(edges=data)["short_edge"])
+    assert (fact["source"], fact["low"], fact["high"]) == source
+
+
+def test_the_change_at_an_edge_is_split_at_the_shortest_reliable_wavelength():
+    # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
+    data = move_edge(80.0, 70.0, 90.0)
+    low, high = np.log(data["filtered_force_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[
+        0
+    ].values
+    unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
+    surface = datasets(edges=data).select_surface(SURFACES[0])
+    np.testing.assert_allclose(
+        parts_of_change(surface, "small", 0, 80), [high - unseen, unseen], 1e-4
+    )
+    assert numbers_of(edges=data)["short_edge_measured_share"].value == pytest.approx(
+        1 - unseen / high, rel=1e-4
+    )
+    assert sum(parts_of_change(surface, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
+
+
+def test_open_edges_are_bounds():
+    bound = Number("long_edge", 2560.0, "nm", status="open_above", source="measured")
+    assert plain(numbers_of(edges=open_edges())["long_edge"]) == plain(bound)
+    lower_bound = open_edges()
+    lower_bound["edge_status"].loc[{"side": "large"}] = "open_below"
+    assert numbers_of(edges=lower_bound)["long_edge"].status == "open_below"
+    lower_bound["edge_bound"].loc[{"side": "large"}] = 30_000.0
+    assert (
+        classify_edge(datasets(edges=lower_bound).select_surface(SURFACES[0]), "large") == "inside"
+    )
+
+
+def measurements_for(data):
+    """The measurements to make next for the first surface with these edges."""
+    return surface_answers(datasets(edges=data), setting())[0].next
+
+
+@pytest.mark.parametrize(
+    ("data", "advice"),
+    [
+        (move_edge(120.0, 90.0, 150.0), []),
+        (move_edge(37.0, 20.0, 90.0), [("short_edge", "finer", 37.0)]),
+        (move_edge(70.0, 40.0, 90.0), [("short_edge", "finer", 55.0)]),
+        (unresolved_edges(), [("short_edge", "finer", 55.0), ("long_edge", "larger", 25_000.0)]),
+    ],
+)
+def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
+    # The scans are reliable from 55 nm to 25 µm.
+    measurements = measurements_for(data)
+    assert [
+        (measurement.edge, measurement.code, measurement.limit.value)
+        for measurement in measurements
+    ] == advice
+
+
+@pytest.mark.parametrize(
+    ("status", "advice"), [("open_above", ("larger", 25_000.0)), ("open_below", ("finer", 55.0))]
+)
+def test_an_open_edge_recommends_finer_or_larger_scans(status, advice):
+    data = open_edges()
+    data["edge_status"].loc[{"side": "large"}] = status
+    measurements = measurements_for(data)
+    long = [
+        (measurement.code, measurement.limit.value)
+        for measurement in measurements
+        if measurement.edge == "long_edge"
+    ]
+    assert long == [advice]
+
+
+def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():
+    # The scans are reliable from 55 nm.
+    numbers = numbers_of(edges=move_edge(31.6, 20.0, 50.0))
+    cutoffs = computed_cutoffs(
+        move_edge(31.6, 20.0, 50.0)["filtered_force_ratio"].sel(side="small")
+    )
+    low, high = numbers["short_edge_cutoffs"].low, numbers["short_edge_cutoffs"].high
+    assert numbers["short_edge"].status == "no_interval" and low < 31.6 <= high
+    assert not ((low < cutoffs) & (cutoffs < high)).any()
+    assert "short_edge_cutoffs" not in numbers_of(edges=move_edge(120.0, 90.0, 150.0))
+
+
+def test_a_missing_interval_has_a_reason():
+    data = move_edge(120.0, np.nan, np.nan)
+    for source, status in {"quarters": "no_interval", "few_places": "few_places"}.items():
+        edges_without_interval = data.assign(interval_source=("surface", [source]))
+        assert numbers_of(edges=edges_without_interval)["short_edge"].status == status
+    half = numbers_of(edges=move_edge(120.0, 90.0, np.nan))["short_edge"]
+    assert (half.low, plain(half.high), half.status) == (90.0, None, "")
+    assert numbers_of(force=drop_interval(force()))["force_mean"].status == "no_interval"
+    endless = force()
+    endless["force_interval"].loc[{"bound": "low"}] = 0
+    endless["force_interval"].loc[{"bound": "high"}] = np.inf
+    mean = numbers_of(force=endless)["force_mean"]
+    assert np.isnan([mean.low, mean.high]).all() and mean.status == "no_interval"
+
+
+def test_contacts_that_touch_too_few_places_give_no_answer():
+    few_places = drop_interval(force()).assign(
+        interval_source=("surface", ["few_places"]),
+        contacts=("surface", [64]),
+        touched_places=("surface", [3.0]),
+    )
+    verdict = surface_verdict(numbers_of(force=few_places))
+    assert (verdict.answer, verdict.band) == ("no", "few_places")
+
+
+def answer_of(data, wavelengths, force_data=None):
+    """The verdict on edges with scans of these reliable wavelengths (nm)."""
+    scan = ("map", 2 * wavelengths[1], 1, *wavelengths, "pixels", np.nan)
+    numbers = numbers_of(
+        edges=data, spectra=spectra(scans={"scan.spm": scan}), force=force_data or force()
+    )
+    verdict = surface_verdict(numbers)
+    return verdict.answer, verdict.band
+
+
+@pytest.mark.parametrize(
+    ("data", "wavelengths", "answer_and_band"),
+    [
+        (edges(), (6, 25e3), ("yes", "found")),
+        (edges(), (55, 25e3), ("partly", "found")),
+        (edges(), (400, 1000), ("no", "found")),
+        (open_edges(), (6, 25e3), ("partly", "found")),
+        (move_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
+        (unresolved_edges(), (6, 25e3), ("no", "none")),
+    ],
+)
+def test_the_verdict_follows_from_the_edges_and_the_scans(data, wavelengths, answer_and_band):
+    assert answer_of(data, wavelengths) == answer_and_band
+
+
+def test_scans_that_lack_roughness_answer_in_part_at_most():
+    assert (
+        answer_of(edges(), (6, 25e3), scale_extrapolated_force(force(), small=0.25))[0] == "partly"
+    )
+    assert answer_of(edges(), (400, 1000), scale_extrapolated_force(force(), small=0.25))[0] == "no"
+
+
+def test_the_verdict_has_the_force_with_and_without_extrapolated_roughness():
+    numbers = numbers_of(force=scale_extrapolated_force(force(), small=0.25))
+    extrapolated = numbers["force_extrapolated_small"]
+    assert extrapolated.value == pytest.approx(0.16e-6) and extrapolated.source == "extrapolated"
+    assert numbers["force_extrapolated_small_start"].value == 20.0
+    assert numbers["force_extrapolated_small_end"].value == 5.0
+    verdict = surface_verdict(numbers)
+    assert verdict.extrapolated == ["small"]
+    assert (verdict.force.value, verdict.force.low) == pytest.approx((0.64e-6, 0.512e-6))
+
+
+def test_a_force_with_an_unknown_extrapolation_is_not_in_the_verdict():
+    unknown = spectra().assign(tail_known=("surface", [0]))
+    extrapolated_force = scale_extrapolated_force(force(), small=0.25)
+    partial = surface_verdict(numbers_of(force=extrapolated_force, spectra=unknown))
+    assert (partial.answer, partial.extrapolated) == ("partly", [])
+    alike = surface_verdict(numbers_of())
+    assert alike.extrapolated == [] and alike.short_edge.value == 37.0

@@ -1,0 +1,21 @@
+"""Notes of an answer: what its numbers alone do not tell, in words."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from hardcontact.report.templates import rendered_text
+
+
+def note(
+    kind: str, text: str, code: str = "", surface: str = "", *, grave: bool = False
+) -> dict[str, Any]:
+    """Return a note for answer.json; grave ones stand at the top of the page."""
+    return {"surface": surface, "kind": kind, "code": code, "grave": grave, "text": text}
+
+
+def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:
+    """Return the note that these surfaces are substitutes, or none if all are measured."""
+    if not labels:
+        return []
+    text = rendered_text("substitutes.txt", substitutes=labels)
+    return [note("caution", text, "substitutes", grave=True)]

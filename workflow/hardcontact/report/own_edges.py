@@ -1,0 +1,175 @@
+"""The edges of the band of an own surface, the verdict on its scans, and what to measure next."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.number import Number
+from hardcontact.inference.edges import computed_cutoffs
+from hardcontact.report.artificial import (
+    artificial_bands,
+    classify_edge,
+    measured_share_at_edge,
+    overlaps_any,
+)
+from hardcontact.report.datasets import Datasets
+from hardcontact.report.quantities import BOUND, bare, ends, ends_only
+from hardcontact.surfaces.synthesis import SIDES
+
+EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
+#: Source of an edge by the code of `classify_edge`.
+EDGE_SOURCES = {
+    "inside": "artificial",
+    "partly": "partly_artificial",
+    "interval": "interval_artificial",
+    "outside": "measured",
+}
+
+
+class Measurement(NamedTuple):
+    """A measurement to make next: scans beyond `limit` (nm) would find the edge."""
+
+    edge: str  #: short_edge or long_edge.
+    code: str  #: finer or larger.
+    limit: Number
+
+
+class Verdict(NamedTuple):
+    """The answer of one surface in short; printed intervals have both ends.
+
+    answer: "yes" if there is one force, neither edge is a bound, and all three come from
+        wavelengths at which a scan is reliable. "no" if none of them does, if contacts touch too
+        few places, or if there is no band. Otherwise "partly".
+    band: "few_places", "none" if no resolved wavelength changes the force, "overlapping" if the
+        short edge is the longer one, otherwise "found".
+    extrapolated: sides with a known force with extrapolated roughness.
+    """
+
+    answer: str
+    band: str
+    short_edge: Number
+    long_edge: Number
+    force: Number
+    extrapolated: list[str]
+
+
+def interval_status(source: xr.DataArray) -> str:
+    """Return why a number has no interval: contacts touch few places, or scans do not bound it."""
+    return "few_places" if source.item() == "few_places" else "no_interval"
+
+
+def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> Number:
+    """Return an edge in nm with its interval, or the bound on an open edge.
+
+    `side_edges` is the part of edges.nc at one side of one surface.
+    """
+    edge = side_edges["edge"].item()
+    low, high = ends(side_edges, "edge")
+    if np.isfinite(edge):
+        return Number(name, edge, "nm", low, high, "", source)
+    bound, status = side_edges["edge_bound"].item(), side_edges["edge_status"].item()
+    return Number(name, bound, "nm", low, high, status, source)
+
+
+def resolves_nothing(edges: xr.Dataset) -> bool:
+    """Return whether no cutoff changes the force on one surface, which is that of a smooth one."""
+    short, long = [edge_number(edges.sel(side=side), EDGES[side]) for side in SIDES]
+    return (short.status, long.status) == ("open_above", "open_below")
+
+
+def edge_numbers(data: Datasets) -> list[Number]:
+    """Return the edges of one surface, each with its measured share and the cutoffs around it."""
+    if resolves_nothing(data.edges):
+        return [Number(name, np.nan, "nm", status="no_band") for name in EDGES.values()]
+    numbers = []
+    for side in SIDES:
+        edge = _known_ends(data, side)
+        share = measured_share_at_edge(data, side)
+        numbers += [edge, Number(f"{edge.name}_measured_share", share, source=edge.source)]
+        if edge.status == "no_interval":
+            numbers.append(_cutoffs_around(edge, data.edges.sel(side=side)))
+    return numbers
+
+
+def _known_ends(data: Datasets, side: str) -> Number:
+    """Return an edge without the ends of its interval at artificial wavelengths."""
+    source = EDGE_SOURCES[classify_edge(data, side)]
+    edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
+    bands = artificial_bands(data.spectra)
+    low, high = edge.low, edge.high
+    if edge.source == "artificial" or overlaps_any(low, low, bands):
+        low = np.nan
+    if edge.source == "artificial" or overlaps_any(high, high, bands):
+        high = np.nan
+    status = edge.status
+    if not status and not np.isfinite([low, high]).any():
+        status = interval_status(data.edges["interval_source"])
+    return edge._replace(low=low, high=high, status=status)
+
+
+def _cutoffs_around(edge: Number, side_edges: xr.Dataset) -> Number:
+    """Return the two cutoffs between which an edge was found."""
+    cutoffs = computed_cutoffs(side_edges["filtered_force_ratio"])
+    index = np.clip(np.searchsorted(cutoffs, edge.value), 1, len(cutoffs) - 1)
+    return ends_only(f"{edge.name}_cutoffs", cutoffs[index - 1], cutoffs[index], "nm")
+
+
+def next_measurements(edges: Iterable[Number], spectra: xr.Dataset) -> list[Measurement]:
+    """Return one measurement to make next for each edge that is open or extrapolated."""
+    return [
+        _next_measurement(edge, spectra)
+        for edge in edges
+        if edge.status in (*BOUND, "no_band") or edge.source in ("artificial", "partly_artificial")
+    ]
+
+
+def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
+    """Return what would find an edge.
+
+    Its limit is the edge, or its bound, or the nearest wavelength beyond it at which no scan is
+    reliable.
+    """
+    bands = artificial_bands(spectra)
+    wavelength = edge.value
+    is_finer = edge.name == "short_edge"
+    if edge.status == "no_band":
+        measured_end = "shortest_measured" if is_finer else "longest_measured"
+        wavelength = spectra[measured_end].item()
+    if edge.status in BOUND:
+        is_finer = edge.status == "open_below"
+    if is_finer:
+        _, longest_below = max(band for band in bands if band[0] < wavelength)
+        limit = min(wavelength, longest_below)
+    else:
+        shortest_above, _ = min(band for band in bands if wavelength < band[1])
+        limit = max(wavelength, shortest_above)
+    return Measurement(edge.name, "finer" if is_finer else "larger", Number("limit", limit, "nm"))
+
+
+def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
+    """Return the verdict on one surface from its numbers by name."""
+    short, long = _whole(numbers["short_edge"]), _whole(numbers["long_edge"])
+    force = _whole(numbers["force_mean"])
+    sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
+    sources = {short.source, long.source, numbers["force_mean_change"].source}
+    if numbers["force_mean"].status == "few_places":
+        band = "few_places"
+    elif np.isnan(short.value):
+        band = "none"
+    else:
+        band = "overlapping" if short.value >= long.value else "found"
+    if band in ("few_places", "none") or sources == {"artificial"}:
+        answer = "no"
+    elif sources == {"measured"} and not sides and not short.status and not long.status:
+        answer = "yes"
+    else:
+        answer = "partly"
+    known = [side for side in sides if np.isfinite(numbers[f"force_extrapolated_{side}"].value)]
+    return Verdict(answer, band, short, long, force, known)
+
+
+def _whole(number: Number) -> Number:
+    """Return a number without its interval if an end of it is not known."""
+    return number if np.isfinite([number.low, number.high]).all() else bare(number)

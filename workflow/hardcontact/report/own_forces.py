@@ -1,0 +1,201 @@
+"""Predicted and measured forces of own surfaces as numbers of the answer, and the fit to them."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.number import Number
+from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
+from hardcontact.report.datasets import Datasets, forces_at_range, preferred_model
+from hardcontact.report.own_edges import interval_status
+from hardcontact.report.quantities import ends_only, number_of
+from hardcontact.surfaces.synthesis import SIDES
+
+
+def with_status(number: Number, source: xr.DataArray) -> Number:
+    """Return a number; if it has no interval, its status says why."""
+    if np.isfinite([number.low, number.high]).any() or number.status not in ("", "no_interval"):
+        return number
+    return number._replace(status=interval_status(source))
+
+
+def force_numbers(data: Datasets) -> list[Number]:
+    """Return the predicted forces of one surface at the configured range, and the smooth limit."""
+    force = data.force
+    forces = forces_at_range(force)
+    mean = number_of(forces, "force", name="force_mean")
+    quantiles = forces["force_quantile"]
+    lowest, median, highest = quantiles.sel(quantile=[0, 0.5, 1], method="nearest").values.tolist()
+    share = float(np.ptp(quantiles["quantile"].values))
+    smooth = 2 * np.pi * 1e-9 * force.attrs["sphere_radius"] * force.attrs["work_of_adhesion"]
+    return [
+        with_status(mean, force["interval_source"]),
+        _change_from_smooth(data),
+        *_extrapolated_forces(data),
+        Number("force_median", median, "N"),
+        ends_only("force_middle", lowest, highest, "N"),
+        Number("force_middle_share", share),
+        Number("smooth_sphere", float(smooth), "N"),
+        number_of(force, "log_force_std", "1", name="force_scatter"),
+        number_of(force, "weibull_modulus", "1", name="force_scatter_weibull_modulus"),
+        number_of(force, "contacts_needed", "1", name="force_scatter_contacts_needed"),
+        number_of(force, "search_size", "nm", name="force_scatter_search_size"),
+        Number("range_sensitivity", _sensitivity(force)),
+    ]
+
+
+def _change_from_smooth(data: Datasets) -> Number:
+    """Return the share of the decrease of the force that reliable wavelengths cause.
+
+    The force decreases from that of a smooth sphere. The source is "measured" if artificial
+    wavelengths change the force by no more than the tolerance.
+    """
+    reliable, artificial = parts_of_change(data, "small")
+    share = reliable_share((reliable, artificial))
+    source = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
+    if artificial <= np.log1p(data.edges.attrs["tolerance"]):
+        source = "measured"
+    return Number("force_mean_change", share, source=source)
+
+
+def _extrapolated_forces(data: Datasets) -> list[Number]:
+    """Return the forces that extrapolated roughness changes, with the wavelengths it spans."""
+    numbers = []
+    for side in differing_sides(data.force):
+        force = data.force.sel(side=side)
+        name = f"force_extrapolated_{side}"
+        number = extrapolated_number(force, "extrapolated_force", name, data.spectra)
+        numbers += [
+            with_status(number, force["extrapolated_force_interval_source"]),
+            number_of(force, "transition", "nm", name=f"{name}_start"),
+            number_of(force, "extrapolation_end", "nm", name=f"{name}_end"),
+        ]
+    return numbers
+
+
+def differing_sides(data: xr.Dataset) -> list[str]:
+    """Return the sides on which extrapolated roughness changes the force beyond its interval."""
+    return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
+
+
+def extrapolated_number(
+    side_data: xr.Dataset, variable: str, name: str, spectra: xr.Dataset
+) -> Number:
+    """Return the force, or the work of adhesion, with roughness extrapolated at one side.
+
+    At the small side it has no value if the scans do not tell how the spectrum goes on.
+    """
+    number = number_of(side_data, variable, name=name, source="extrapolated")
+    if side_data["side"] == "small" and spectra["tail_known"].item() != 1:
+        return Number(name, np.nan, number.unit, status="no_exponent", source=number.source)
+    return number
+
+
+def _sensitivity(force: xr.Dataset) -> float:
+    """Return d ln F/d ln rho at the configured range, NaN if no other range was computed."""
+    model_forces = force.sel(contact_model=preferred_model(force))
+    rho = np.log(model_forces["rho"].values)
+    forces = np.log(model_forces["force"].values)
+    if len(rho) < 2:
+        return np.nan
+    nearest = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
+    return float(np.gradient(forces, rho)[nearest])
+
+
+def pair_numbers(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Number]:
+    """Return the force of one surface at other pairs of range and work of adhesion.
+
+    A pair is a row of resources/adhesion/pairs.csv. The logarithm of the force is interpolated over
+    the logarithm of the range; beyond the computed ranges a force is not known. The configured
+    pair has no number.
+    """
+    configured = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
+    model_forces = force.sel(contact_model=preferred_model(force))
+    ranges = np.log(model_forces["rho"].values)
+    forces = np.log(model_forces["force"].values)
+    numbers = []
+    for pair in pairs:
+        rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
+        if np.allclose(configured, (rho, work), rtol=1e-6):
+            continue
+        pair_force = np.exp(np.interp(np.log(rho), ranges, forces, np.nan, np.nan))
+        name = f"force_of_pair_{pair['pair']}"
+        numbers += [
+            Number(name, float(pair_force * work / configured[1]), "N"),
+            Number(f"{name}_range", rho, "nm"),
+            Number(f"{name}_work", work, "J m-2"),
+            Number(f"{name}_share", pair["share_of_sets"]),
+        ]
+    return numbers
+
+
+def preferred_fit(fit: xr.Dataset) -> xr.Dataset:
+    """Return the fit of the preferred contact model."""
+    return fit.sel(contact_model=preferred_model(fit))
+
+
+def measured_numbers(fit: xr.Dataset, spectra: xr.Dataset) -> list[Number]:
+    """Return the force measured on one surface, and the works of adhesion that fit it.
+
+    Both datasets hold this surface alone.
+    """
+    at_range = fit.sel(rho_fine=fit.attrs["assumed_range"], method="nearest")
+    numbers = [
+        number_of(fit, "measured_force", source="measured"),
+        Number("measured_force_tests", int(fit["test_count"].item())),
+        number_of(at_range, "work_by_range", name="measured_work", source="from_measured"),
+    ]
+    for side in differing_sides(fit):
+        side_fit = fit.sel(side=side)
+        name = f"extrapolated_work_{side}"
+        numbers += [
+            extrapolated_number(side_fit, "extrapolated_work", name, spectra),
+            number_of(side_fit, "transition", "nm", name=f"{name}_start"),
+        ]
+    return numbers
+
+
+def fit_numbers(fit: xr.Dataset) -> list[Number]:
+    """Return which ranges and works of adhesion agree with all measured forces.
+
+    The fit is the part of fit.nc for one contact model. The status of `fit_region_range` is
+    "one_force" for a single surface, "no_interval" if a surface has none (no region), and
+    "no_agreement" if no pair agrees with all forces. `fit_exact_pairs` counts the pairs that
+    give the forces of two surfaces by construction. `fit_gap` lies between ranges that agree.
+    `fit_agrees` is 1 if the range of the predicted forces agrees, otherwise 0.
+    """
+    rho = fit["rho_fine"].values
+    agrees = np.isfinite(fit["region"].values).all(axis=-1)
+    shortest, longest = fit["region_range"].values.tolist()
+    weakest, strongest = fit["region_work"].values.tolist()
+    region = ends_only("fit_region_range", shortest, longest, "nm")
+    if fit.sizes["surface"] == 1:
+        region = region._replace(status="one_force")
+    elif fit["work_by_range_interval"].isnull().any():
+        region = region._replace(status="no_interval")
+    elif not agrees.any():
+        region = region._replace(status="no_agreement")
+    nearest = np.abs(rho - fit.attrs["assumed_range"]).argmin()
+    return [
+        Number("fit_best_range", fit["range_of_adhesion"].item(), "nm"),
+        Number("fit_best_work", fit["work_of_adhesion"].item(), "J m-2"),
+        Number("fit_best_error", fit["best_error"].item()),
+        region,
+        ends_only("fit_region_work", weakest, strongest, "J m-2"),
+        Number("fit_exact_pairs", int(fit["exact_pairs"].item())),
+        _gap(rho, agrees),
+        Number("fit_range", fit.attrs["assumed_range"], "nm"),
+        Number("fit_agrees", int(agrees[nearest])),
+    ]
+
+
+def _gap(rho: np.ndarray, agrees: np.ndarray) -> Number:
+    """Return the ranges (nm) that agree on both sides of the widest gap of a region."""
+    agreeing = rho[agrees]
+    steps = np.diff(np.flatnonzero(agrees))
+    if not (steps > 1).any():
+        return Number("fit_gap", np.nan, "nm")
+    widest = steps.argmax()
+    return ends_only("fit_gap", float(agreeing[widest]), float(agreeing[widest + 1]), "nm")
