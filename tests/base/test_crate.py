@@ -14,8 +14,8 @@ from hardcontact.base import crate
 from hardcontact.base.origin import digest, pinned_versions
 
 REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=quick")
-#: Figures that are drawn again: maps, curves against the cutoff, and sets.
-DRAWN_AGAIN = ("fig1", "fig6", "fig_sets")
+#: Figures that are drawn again: maps, curves against the cutoff, and fits.
+DRAWN_AGAIN = ("fig1", "fig6", "fig_fit")
 REPORT = ("--report", "results/quick/report.html", "--report-after-run")
 
 
@@ -23,7 +23,7 @@ REPORT = ("--report", "results/quick/report.html", "--report-after-run")
 def folder(tmp_path):
     """Make a folder of results with a table, a log and a hidden file, and its crate."""
     folder = tmp_path / "results" / "small"
-    for name in ("claims.csv", "figures/fig1.csv", "logs/a.log", ".lock"):
+    for name in ("claims.csv", "figures/fig1.svg", "logs/a.log", ".lock"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(name)
     text = crate.crate_text(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
@@ -32,7 +32,7 @@ def folder(tmp_path):
 
 
 def test_outputs_are_described_and_logs_are_not(folder):
-    files = [folder / "claims.csv", folder / "figures/fig1.csv"]
+    files = [folder / "claims.csv", folder / "figures/fig1.svg"]
     assert crate.described_files(folder) == {path.as_posix(): digest(path) for path in files}
 
 

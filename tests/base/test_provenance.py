@@ -97,8 +97,8 @@ STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", variant="study", scan=2
 #: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/inference.nc", f"{FINAL}/claims.csv"],
-    f"{FINAL}/band.nc": [f"{FINAL}/figures/fig6.csv"],
-    f"{FINAL}/figures/fig6.csv": [],
+    f"{FINAL}/band.nc": [f"{FINAL}/figures/fig6.svg"],
+    f"{FINAL}/figures/fig6.svg": [],
     STITCHED: [f"{FINAL}/indent.nc"],
     "resources/paper/table1.csv": [f"{FINAL}/answer.html"],
     "workflow/hardcontact/contact/indents.py": [f"{FINAL}/indent.nc"],

@@ -1,5 +1,7 @@
 # The page of the paper's study: question, answer, figures in their order, verdicts, departures.
 
+from hardcontact.report.figures.listing import PAPER_FIGURES
+
 
 rule answer_paper:
     """Write the page that tells the story of the study, and its numbers."""
@@ -21,7 +23,7 @@ rule answer_paper:
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
-        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in PAPER_FIGURES],
+        captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         templates=template_inputs("paper.html", "paper_headline.txt", "verdicts.html"),
         code=code_inputs("answer_paper.py"),

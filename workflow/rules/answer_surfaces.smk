@@ -21,6 +21,7 @@ rule answer_surfaces:
         templates=template_inputs(
             "own.html", "own_headline.txt", "own_warnings.txt", "own_words.html"
         ),
+        captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:

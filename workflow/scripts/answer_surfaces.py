@@ -6,6 +6,7 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.report.figures.listing import FILE_KINDS
+from hardcontact.report.figures.own_figures import write_figures
 from hardcontact.report.own_answer import (
     own_answer,
     own_head,
@@ -14,7 +15,6 @@ from hardcontact.report.own_answer import (
     own_quantities,
     own_warnings,
 )
-from hardcontact.report.own_figures import write_figures
 from hardcontact.report.quantities import answer_json
 
 with job(snakemake) as job:

@@ -15,8 +15,7 @@ import xarray as xr
 
 from hardcontact.band.critical_band import POOLED
 from hardcontact.base.number import Number
-from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import describe_figure
+from hardcontact.report.figures.listing import Caption, describe_figure
 from hardcontact.report.quantities import number_of, on_scans
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.templates import rendered

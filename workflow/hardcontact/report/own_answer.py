@@ -14,8 +14,8 @@ from hardcontact.report.artificial import (
 )
 from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
+from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.force_facts import AnswerRow, fit_facts, preferred_fit
-from hardcontact.report.own_figures import mean_free_heights
 from hardcontact.report.quantities import (
     QuantityMapping,
     number_of,
@@ -238,7 +238,7 @@ def own_page(
 def _page_facts(surface: OwnSurface) -> dict[str, Any]:
     """Return the facts about one surface for the template of the page."""
     data = surface.data
-    heights = mean_free_heights(data.topography)
+    heights = mean_free_heights(data.topography["example_heights"])
     lengths = zip(split_measurements(measurements(data.spectra)), surface.scan_lengths, strict=True)
     return surface._asdict() | {
         "basis": surface.basis,

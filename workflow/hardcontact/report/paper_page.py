@@ -4,8 +4,7 @@ from collections.abc import Mapping
 from itertools import groupby
 from typing import Any
 
-from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_figure
 from hardcontact.report.paper_answer import ANSWER_CLAIMS, PaperAnswer
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.templates import rendered, rendered_lines

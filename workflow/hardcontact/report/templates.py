@@ -10,6 +10,7 @@ from typing import Any
 from hardcontact.base.formatting import format_as_paper, format_share
 from hardcontact.base.number import Number
 from hardcontact.report import quantities
+from hardcontact.report.figures.listing import caption
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
 
@@ -62,6 +63,7 @@ def _environment() -> Any:
     }  # fmt: skip
     environment.globals |= {
         "number_of": quantities.number_of, "span": quantities.span, "Number": Number,
+        "caption": caption,
     }  # fmt: skip
     environment.tests["known"] = math.isfinite
     return environment
