@@ -19,8 +19,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS, add_open_ends
-from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import PAPER_FIGURES
+from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
 from hardcontact.report.paper_answer import paper_answer
 from hardcontact.report.paper_page import paper_page
 from hardcontact.report.quantities import answer_text

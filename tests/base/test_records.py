@@ -93,8 +93,8 @@ STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", scan=2, shape="flat")
 #: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],
-    f"{FINAL}/edges.nc": [f"{FINAL}/figures/fig6.csv"],
-    f"{FINAL}/figures/fig6.csv": [],
+    f"{FINAL}/edges.nc": [f"{FINAL}/figures/fig6.svg"],
+    f"{FINAL}/figures/fig6.svg": [],
     STITCHED: [f"{FINAL}/indent.nc"],
     "resources/paper/table1.csv": [f"{FINAL}/answer.html"],
     "workflow/hardcontact/contact/indents.py": [f"{FINAL}/indent.nc"],

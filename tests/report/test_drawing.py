@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
 import xarray as xr
 from PIL import Image
@@ -13,7 +12,6 @@ from hardcontact.report.figures import drawing
 SURFACES = xr.Dataset(
     {"label": ("surface", ["UNCD", "NCD"]), "basis": ("surface", ["measured", "substitute"])}
 )
-TABLE = pd.DataFrame({"value": [1.5], "unit": ["nm"]})
 
 
 def figure(points: int = 10):
@@ -30,10 +28,9 @@ def outputs(folder: Path) -> dict[str, str]:
 def test_drawing_twice_gives_the_same_bytes(tmp_path):
     contents = []
     for folder in (tmp_path / "first", tmp_path / "second"):
-        drawing.save(figure(), TABLE, "a figure", outputs(folder))
+        drawing.save(figure(), "a figure", outputs(folder))
         contents.append({path.name: path.read_bytes() for path in folder.iterdir()})
     assert contents[0] == contents[1] and len(contents[0]) == len(drawing.FILE_KINDS)
-    assert contents[0]["figure.csv"] == b"value,unit\n1.5,nm\n"
     assert contents[0]["figure.pdf"].startswith(b"%PDF") and b"<svg" in contents[0]["figure.svg"]
     with Image.open(tmp_path / "first/figure.png") as image:
         assert image.size == (drawing.WIDTH * drawing.RESOLUTION, 3 * drawing.RESOLUTION)
@@ -41,7 +38,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path):
 
 @pytest.mark.parametrize(("points", "images"), [(10, 0), (2000, 1)])
 def test_curves_of_many_points_are_images_in_the_svg(points, images, tmp_path):
-    drawing.save(figure(points), TABLE, "a figure", outputs(tmp_path))
+    drawing.save(figure(points), "a figure", outputs(tmp_path))
     assert (tmp_path / "figure.svg").read_text().count("<image") == images
 
 
@@ -52,12 +49,13 @@ def test_a_figure_names_only_the_substitutes():
     assert drawing.create(3, all_measured).texts[0].get_text() == "all surfaces measured"
 
 
-def test_nothing_is_written_when_saving_fails(tmp_path):
-    class Broken(pd.DataFrame):
-        def to_csv(self, path, **_):
-            Path(path).write_text("half")
-            raise OSError("disk full")
+def test_nothing_is_written_when_saving_fails(tmp_path, monkeypatch):
+    def write_half(path, _):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("half")
+        raise OSError("disk full")
 
-    with pytest.raises(ValueError, match="figure.csv: expected a file to be written, found: disk"):
-        drawing.save(figure(), Broken(), "a figure", outputs(tmp_path))
+    monkeypatch.setattr(Path, "write_bytes", write_half)  # of the last file, the SVG
+    with pytest.raises(ValueError, match="figure.svg: expected a file to be written, found: disk"):
+        drawing.save(figure(), "a figure", outputs(tmp_path))
     assert not list(tmp_path.iterdir())

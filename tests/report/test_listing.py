@@ -9,17 +9,14 @@ import pytest
 from jinja2 import UndefinedError
 from repository import PAPER, ROOT
 
-from hardcontact.report.captions import caption
 from hardcontact.report.figures import listing
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe_figure
-
-#: Modules that are no figure.
-SHARED = {"__init__", "drawing", "listing", "style", "tables"}
+from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, caption, describe_figure
+from hardcontact.report.figures.own_figures import OWN_DRAWINGS
 
 
-def test_each_module_is_a_figure_or_shared():
-    modules = {path.stem for path in Path(listing.__file__).parent.glob("*.py")}
-    assert modules - SHARED == set(FIGURES)
+def test_each_figure_has_its_drawing():
+    assert {path.stem for path in Path(listing.__file__).parent.glob("fig*.py")} == set(FIGURES)
+    assert set(OWN_DRAWINGS) == set(listing.OWN_FIGURES)
 
 
 def test_each_figure_of_the_paper_belongs_to_a_chapter():
@@ -35,12 +32,16 @@ def test_a_caption_names_the_values_of_the_study():
         caption("fig6", PAPER | {"inference": {}})
 
 
+def test_a_picture_is_described_by_its_title_unless_told_otherwise():
+    assert caption("fig1", PAPER).alt == caption("fig1", PAPER).title
+    assert caption("maps", {"sizes": "1 µm wide"}).alt == "Height maps: 1 µm wide about the mean."
+
+
 def test_figures_are_described_without_heavy_packages():
     code = (
         "import sys; from hardcontact.report.figures.listing import FIGURES, describe_figure;"
-        "from hardcontact.report.captions import caption;"
         "[describe_figure(name) for name in FIGURES];"
-        "print({'matplotlib', 'PIL', 'scipy'} & set(sys.modules))"
+        "print({'matplotlib', 'PIL', 'scipy', 'jinja2'} & set(sys.modules))"
     )
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "workflow", capture_output=True)
     assert run.stdout.split() == [b"set()"], run.stderr

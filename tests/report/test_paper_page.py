@@ -42,7 +42,7 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
     anchors, links = page.values("id"), page.values("href")
     assert len(anchors) == len(set(anchors))
     assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
-    neighbours = {f"figures/{name}.{kind}" for name in PAPER_FIGURES for kind in ("csv", "pdf")}
+    neighbours = {f"figures/{name}.pdf" for name in PAPER_FIGURES}
     neighbours |= {"answer.json", "claims.csv", "report/claims.html"}
     assert neighbours <= set(links)
     external = {link for link in links if ":" in link}

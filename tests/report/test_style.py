@@ -33,15 +33,6 @@ def test_logarithmic_axes_have_plain_numbers(limits, labels):
     assert axes.xaxis.get_major_formatter()(0.5, None) == "0.5"
 
 
-def test_shades_end_with_the_axes():
-    axes = Figure().subplots()
-    axes.set(xscale="log", xlim=(10, 1000))
-    style.shade_artificial(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
-    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
-    assert np.allclose(spans, [(10, 20), (500, 1000)])
-    assert axes.get_xlim() == (10, 1000)
-
-
 @pytest.mark.parametrize(
     ("bars", "limits"),  # value, low, high of each
     [([(2, 1.9, 2.1), (8, 1e-9, 1e19)], (0.2, 80)), ([(2, 1, 4), (8, 5, 20)], None)],

@@ -140,8 +140,6 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
         (script,) = (Path(file).name for file in graph.inputs[path] if "workflow/scripts/" in file)
         figure = [f"hardcontact.report.figures.{rule[5:]}"] if script == "draw_figure.py" else []
         library = {file for file in graph.inputs[path] if file.startswith("workflow/hardcontact/")}
-        if script in ("answer_paper.py", "answer_insight.py"):  # They read captions there alone.
-            library = {file for file in library if "/figures/fig" not in file}
         runs.setdefault((script, *figure), set()).add(frozenset(library))
     for program, programs_run in runs.items():
         assert programs_run == {frozenset(forked(load, *program))}, program

@@ -105,7 +105,7 @@ def test_stages_of_the_study_are_named():
     stages = read_stages("quick")
     assert stage_of("make_scans_1_2", stages).name == "substitute scans 1 to 2"
     assert stage_of("make_scans_3", stages).name == "substitute scans 3"
-    assert stage_of("draw_fig_sets", stages).name == "figure fig_sets"
+    assert stage_of("draw_fig_fit", stages).name == "figure fig_fit"
     assert stage_of("unheard_of", stages).name == "unheard of"
 
 

@@ -13,7 +13,7 @@ rule answer_insight:
         claims=PATTERNS.result("insight_claims.csv"),
         statements="resources/paper/insight_claims.csv",
         figures=[PATTERNS.figure(name, "svg") for name in INSIGHT_FIGURES],
-        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in INSIGHT_FIGURES],
+        captions="workflow/report/figures.yaml",
         templates=template_inputs(
             "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in INSIGHT_FIGURES)
         ),

@@ -1,5 +1,7 @@
 # The answer of the paper's study: answer.json, and the page that shows it.
 
+from hardcontact.report.figures.listing import PAPER_FIGURES
+
 
 rule answer_paper:
     """Write the numbers of the answer, then the page that shows them."""
@@ -20,7 +22,7 @@ rule answer_paper:
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
-        captions=[f"workflow/hardcontact/report/figures/{name}.py" for name in PAPER_FIGURES],
+        captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         templates=template_inputs(
             "answer.html",

@@ -27,6 +27,7 @@ rule answer_surfaces:
             "own_fit.txt",
             "substitutes.txt",
         ),
+        captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:

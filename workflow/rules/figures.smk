@@ -1,18 +1,18 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.report.captions import caption
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe_figure
+from hardcontact.report.figures.listing import FIGURES, caption, describe_figure
 
 for name in FIGURES:
+    figure = describe_figure(name)
 
     rule:
-        """Draw a figure, and write the table that it is drawn from."""
+        """Draw a figure."""
         name:
             f"draw_{name}"
         input:
             **{
                 source: PUBLISHED_TABLES.get(source, PATTERNS.dataset(source))
-                for source in describe_figure(name).inputs
+                for source in figure.inputs
             },
             code=code_inputs("draw_figure.py", f"hardcontact.report.figures.{name}"),
         output:
@@ -20,17 +20,16 @@ for name in FIGURES:
             png=report(
                 PATTERNS.figure(name, "png"),
                 caption="../report/figure.rst",
-                category=describe_figure(name).chapter,
-                labels={"figure": describe_figure(name).title},
+                category=figure.chapter,
+                labels={"figure": figure.title},
             ),
             svg=PATTERNS.figure(name, "svg"),
-            csv=PATTERNS.figure(name, "csv"),
         log:
             PATTERNS.log(f"draw_{name}"),
         benchmark:
             PATTERNS.benchmark(f"draw_{name}")
         params:
-            canonical=canonical({"figure": name}),
-            caption="\n\n".join(caption(name, config)),
+            canonical=canonical({"figure": name, "title": figure.title, "inputs": figure.inputs}),
+            caption="\n\n".join(caption(name, config)[:3]),
         script:
             "../scripts/draw_figure.py"

@@ -7,8 +7,7 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.evaluation import read_statements
 from hardcontact.paper.verdicts import read_verdicts
-from hardcontact.report.captions import caption
-from hardcontact.report.figures.listing import INSIGHT_FIGURES, describe_figure
+from hardcontact.report.figures.listing import INSIGHT_FIGURES, caption, describe_figure
 from hardcontact.report.insight import insight_page
 from hardcontact.theory.prediction_errors import validated_errors
 

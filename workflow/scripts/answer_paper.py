@@ -8,7 +8,7 @@ from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
-from hardcontact.report.captions import caption
+from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_answer import paper_answer
 from hardcontact.report.paper_page import paper_page
 from hardcontact.report.quantities import answer_text

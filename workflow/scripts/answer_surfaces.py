@@ -9,8 +9,8 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.report.figures.listing import FILE_KINDS
+from hardcontact.report.figures.own_figures import write_figures
 from hardcontact.report.own_answer import own_answer
-from hardcontact.report.own_figures import write_figures
 from hardcontact.report.page import render_page
 from hardcontact.report.quantities import answer_text
 

@@ -1,7 +1,8 @@
-"""One figure as PDF, PNG and SVG, and the table of its data."""
+"""One figure as PDF, PNG and SVG."""
 
 from hardcontact.base.job import job
 from hardcontact.report.figures.drawing import draw_figure
 
 with job(snakemake) as job:
-    draw_figure(job.parameters["figure"], job.input, job.output)
+    inputs = {name: job.input[name] for name in job.parameters["inputs"]}
+    draw_figure(job.parameters["figure"], job.parameters["title"], inputs, job.output)

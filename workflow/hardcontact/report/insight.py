@@ -17,8 +17,7 @@ from numpy.typing import ArrayLike
 from hardcontact.base.formatting import is_boundless
 from hardcontact.base.number import Number
 from hardcontact.inference.edges import POOLED
-from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import describe_figure
+from hardcontact.report.figures.listing import Caption, describe_figure
 from hardcontact.report.quantities import ends, printed_label
 from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.templates import rendered

@@ -15,6 +15,7 @@ from hardcontact.report.artificial import (
 )
 from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
+from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.own_edges import (
     EDGES,
@@ -24,7 +25,6 @@ from hardcontact.report.own_edges import (
     next_measurements,
     surface_verdict,
 )
-from hardcontact.report.own_figures import mean_free_heights
 from hardcontact.report.own_forces import (
     fit_numbers,
     force_numbers,
@@ -162,7 +162,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
     topography = data.topography
     for name in ("scan_size", "pixel_size"):
         yield number_of(topography, name, "nm", source="file")
-    heights = mean_free_heights(topography)
+    heights = mean_free_heights(topography["example_heights"])
     yield Number("heights", np.nan, "nm", float(heights.min()), float(heights.max()), "ends")
     scans = topography.dropna("scan", subset=["rms_height"])
     for index in range(scans.sizes["scan"]):

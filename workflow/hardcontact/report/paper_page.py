@@ -6,8 +6,7 @@ from typing import Any
 
 import pandas as pd
 
-from hardcontact.report.captions import Caption
-from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_figure
 from hardcontact.report.page import render_page
 from hardcontact.report.paper_answer import ANSWER_CLAIMS
 from hardcontact.report.report_pages import claim_facts

@@ -9,6 +9,7 @@ from typing import Any
 
 from hardcontact.base.formatting import format_as_paper, format_share
 from hardcontact.report import quantities
+from hardcontact.report.figures.listing import caption
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
 
@@ -65,6 +66,7 @@ def _environment() -> Any:
         "percent": format_share, "as_paper": format_as_paper,
         "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
+    environment.globals["caption"] = caption
     environment.tests["known"] = math.isfinite
     return environment
 

@@ -1,7 +1,6 @@
-"""Creation of an empty figure, and its files: PDF, PNG, SVG and the table of its numbers."""
+"""Creation of an empty figure, and its files: PDF, PNG and SVG."""
 
 import importlib
-import inspect
 import re
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
@@ -11,7 +10,6 @@ from typing import Any
 
 import matplotlib as mpl
 import numpy as np
-import pandas as pd
 import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.collections import Collection
@@ -36,49 +34,34 @@ READERS = {
 }
 
 
-def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
-    """Draw a figure and write its files.
+def draw_figure(
+    name: str, title: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
+) -> None:
+    """Draw a figure by the module of its name, and write its files.
 
-    name: module of the figure.
-    inputs: paths of the datasets and published tables, by the arguments of `draw`.
-    outputs: paths by kind of file: KINDS.
+    inputs: paths of datasets and published tables, by the arguments of `draw`.
+    outputs: paths by FILE_KINDS.
     """
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
-    arguments = {
-        key: READERS.get(key, dataset.read)(inputs[key])
-        for key in inspect.signature(module.draw).parameters
-    }
+    data = {key: READERS.get(key, dataset.read)(path) for key, path in inputs.items()}
     with style.print_style():
-        table, figure = module.draw(**arguments)
-        save(figure, table, module.TITLE, outputs)
+        save(module.draw(**data), title, outputs)
 
 
 def save(
-    figure: Figure,
-    table: pd.DataFrame,
-    title: str,
-    outputs: Mapping[str, str],
-    svg_resolution: float = SVG_RESOLUTION,
+    figure: Figure, title: str, outputs: Mapping[str, str], svg_resolution: float = SVG_RESOLUTION
 ) -> None:
-    """Write a figure and the table of its numbers.
+    """Write the files of a figure, the same bytes each time, either all or none.
 
-    The bytes are the same each time. Either all files are written or none.
-
-    title: title in the metadata of the files.
-    outputs: paths by kind of file: KINDS.
+    outputs: paths by FILE_KINDS.
     svg_resolution: resolution of the images in the SVG, in dots per inch.
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:
         paths = {kind: stack.enter_context(whole_file(outputs[kind])) for kind in FILE_KINDS}
-        table.to_csv(paths["csv"], index=False, float_format="%.8g", lineterminator="\n")
-        metadata = {"Title": title}
-        figure.savefig(
-            paths["png"], format="png", dpi=RESOLUTION, metadata=metadata | {"Software": None}
-        )
-        figure.savefig(
-            paths["pdf"], format="pdf", dpi=RESOLUTION, metadata=metadata | {"CreationDate": None}
-        )
+        for kind, constant in (("png", {"Software": None}), ("pdf", {"CreationDate": None})):
+            metadata = {"Title": title} | constant
+            figure.savefig(paths[kind], format=kind, dpi=RESOLUTION, metadata=metadata)
         Path(paths["svg"]).write_bytes(svg_bytes(figure, title, svg_resolution))
 
 

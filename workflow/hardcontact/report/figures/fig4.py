@@ -10,24 +10,12 @@ from matplotlib.lines import Line2D
 
 from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.report.figures import drawing, style, tables
-
-TITLE = "Fig. 4: forces against the range of adhesion"
-CHAPTER = "3. Adhesion"
-CAPTION = """\
-(a) One contact at the published range ρ and work of adhesion W: its adhesive pressure, and its
-force against separation. (b) Mean pull-off force relative to the reference substrate, and (c) mean
-pull-off force at the published W, against ρ. Dotted: published mean forces. Dashed: the published
-range.
-
-Contact is plastic. The map in (a) shows the largest pressure in each pixel. Curves in (b, c) are
-means over the study's scans. Bars: {{ inference.confidence | percent }} intervals of these means
-over scans; the axis ends a decade beyond the curves. Bands: 90 % of many sets of substitute
-scans; a set is as good as the study's scans. Cross in (b): the ρ that fits all published ratios
-best, with its interval over scans. Open symbols in (c): forces at the ρ and W that fit the
-published means best. Drawn from contact.nc, fit.nc and sets.nc; published values from
-parameters.csv and pull_off.csv of resources/paper.
-"""
+from hardcontact.report.figures import drawing, panels, style
+from hardcontact.report.figures.values import (
+    summarize_sets,
+    value_and_bounds,
+    value_and_interval,
+)
 
 MEGAPASCAL = 1e6
 DRAWN_MAP_PIXELS = 640  # along a side of the map of the pressure
@@ -43,42 +31,32 @@ def draw(
     sets: xr.Dataset,
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
-) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces.
-
-    The column `x` has the separation (nm, panel a) or the range of adhesion (nm, b and c). Values
-    over "scans" are means with their interval. Values over "sets" are medians, with the ends of
-    SHARE_OF_SETS.
-    """
+) -> Figure:
+    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
     set_fits = sets.sel(contact_model=PLASTIC)
     figure, ((pressure, separation, key), (ratios, forces)) = drawing.create_rows(
         5.6, fit, (1, (1.3, 1, 1)), (1.5, (1, 1))
     )
     _draw_pressure(pressure, contact)
-    distances = contact["separation"].values
-    contact_forces = contact["force"].values
     separation.axhline(0, color="0.7", lw=0.6)
-    separation.plot(distances, contact_forces / style.MICRONEWTON, color=style.PUBLISHED_COLOUR)
+    contact_forces = contact["force"] / style.MICRONEWTON
+    separation.plot(contact["separation"], contact_forces, color=style.PUBLISHED_COLOUR)
     separation.set(xlabel="separation (nm)", ylabel="force (µN)")
     separation.locator_params(nbins=5)
-    curve = tables.quantity_rows("a", "force", "N", x=distances, value=contact_forces)
-    frames = [
-        curve.assign(surface=contact.attrs["surface"]),
-        _draw_ratios(ratios, plastic_fit, set_fits, published_pull_off["mean_force"]),
-        _draw_forces(
-            forces, plastic_fit, set_fits, published_constants, published_pull_off["mean_force"]
-        ),
-    ]
     style.label_panel(separation, "a_2", style.print_pair(published_constants["value"]))
+    published_forces = published_pull_off["mean_force"]
+    work = published_constants["value"]["work_of_adhesion"]
+    _draw_ratios(ratios, plastic_fit, set_fits, published_forces)
+    _draw_forces(forces, plastic_fit, set_fits, work, published_forces)
     for axes in (ratios, forces):
-        style.draw_published_range(axes, published_constants)
+        panels.draw_published_range(axes, published_constants)
         axes.set_xlim(plastic_fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis, digits=(1, 3))
     key.set_axis_off()
     key.legend(handles=_legend_handles(plastic_fit, published_constants), loc="center")
-    return tables.tidy_table(frames, fit, "over", "x"), figure
+    return figure
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:
@@ -125,70 +103,47 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     style.label_panel(axes, "a_1", str(contact.attrs["label"]))
 
 
-def _draw_ratios(
-    axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: pd.Series
-) -> pd.DataFrame:
+def _draw_ratios(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: pd.Series) -> None:
     """Draw the ratio of mean forces to the reference surface against rho (nm).
 
     The reference is the surface whose ratio is 1 everywhere.
     """
     reference = abs(fit["force_ratio"] - 1).max("rho").idxmin("surface").item()
-    scans = tables.value_and_interval(fit, "force_ratio")
-    set_spread = tables.summarize_sets(set_fits["force_ratio"])
-    rows = _draw_curves(axes, scans, set_spread, published / published[reference])
-    best = tables.value_and_bounds(fit, "range_from_ratios")
+    scans = value_and_interval(fit, "force_ratio")
+    set_spread = summarize_sets(set_fits["force_ratio"])
+    _draw_curves(axes, scans, set_spread, published / published[reference])
+    best = value_and_bounds(fit, "range_from_ratios")
     ranges = [best[name] for name in ("low", "value", "high")]
     axes.plot(ranges, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
     axes.set_ylabel(f"force relative to {fit['label'].sel(surface=reference).item()}")
     style.label_panel(axes, "b", "ratios of forces, for any $W$")
-    rows = rows.assign(panel="b", quantity="force_ratio", unit="1")
-    best_rows = tables.quantity_rows("b", "range_from_ratios", "nm", over="scans", **best)
-    return pd.concat([rows, best_rows])
 
 
 def _draw_forces(
-    axes: Axes,
-    fit: xr.Dataset,
-    set_fits: xr.Dataset,
-    published_constants: pd.DataFrame,
-    published: pd.Series,
-) -> pd.DataFrame:
-    """Draw the mean force (µN) at the published work of adhesion against rho (nm)."""
-    work = published_constants["value"]["work_of_adhesion"]
-    scans = tables.value_and_interval(fit, "mean_force") * work
-    set_spread = tables.summarize_sets(set_fits["mean_force"]) * work
-    rows = _draw_curves(axes, scans, set_spread, published, style.MICRONEWTON)
-    fitted = tables.value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair")
-    for look, force in style.iterate_surfaces(fitted / style.MICRONEWTON):
-        look = look | AT_FIT
-        style.draw_bars(axes, fit["range_of_adhesion"], force, elinewidth=1.2, zorder=4, **look)
+    axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, work: float, published: pd.Series
+) -> None:
+    """Draw the mean force (µN) at the published work of adhesion (J/m²) against rho (nm)."""
+    unit = work / style.MICRONEWTON
+    scans = value_and_interval(fit, "mean_force") * unit
+    set_spread = summarize_sets(set_fits["mean_force"]) * unit
+    _draw_curves(axes, scans, set_spread, published / style.MICRONEWTON)
+    fitted = value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair") / style.MICRONEWTON
+    for look, force in style.iterate_surfaces(fitted):
+        at_fit = look | AT_FIT
+        panels.draw_bars(axes, fit["range_of_adhesion"], force, elinewidth=1.2, zorder=4, **at_fit)
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"
     style.label_panel(axes, "c", title)
-    fit_rows = tables.computed_rows(fitted.assign(x=fit["range_of_adhesion"]), over="scans")
-    rows = pd.concat(
-        [rows.assign(quantity="mean_force"), fit_rows.assign(quantity="mean_force_at_fit")]
-    )
-    return rows.assign(panel="c", unit="N")
 
 
 def _draw_curves(
-    axes: Axes, scans: xr.Dataset, set_spread: xr.Dataset, published: pd.Series, unit: float = 1
-) -> pd.DataFrame:
-    """Draw values with intervals, bands of the sets and published levels, in a printed unit."""
-    for look, curve in style.iterate_surfaces(scans / unit):
+    axes: Axes, scans: xr.Dataset, set_spread: xr.Dataset, published: pd.Series
+) -> None:
+    """Draw values with intervals, bands of the sets and published levels against rho (nm)."""
+    for look, curve in style.iterate_surfaces(scans):
         surface = curve["surface"].item()
-        style.fill_interval(axes, set_spread.sel(surface=surface) / unit, "rho", look["color"])
-        style.draw_bars(axes, curve["rho"], curve, elinewidth=0.7, ms=2.5, **look)
-        axes.axhline(published[surface] / unit, color=look["color"], **PUBLISHED_MEAN)
+        panels.draw_band(axes, scans["rho"], set_spread.sel(surface=surface), look["color"])
+        panels.draw_bars(axes, scans["rho"], curve, elinewidth=0.7, ms=2.5, **look)
+        axes.axhline(published[surface], color=look["color"], **PUBLISHED_MEAN)
     axes.set(xscale="log", yscale="log")
     style.end_near_values([axes])
-    published_levels = (
-        published.reindex(scans["surface"].values).rename("value").rename_axis("surface")
-    )
-    frames = [
-        tables.computed_rows(scans, over="scans"),
-        tables.computed_rows(set_spread, over="sets"),
-        published_levels.reset_index().assign(origin="published"),
-    ]
-    return pd.concat(frames).rename(columns={"rho": "x"})

@@ -7,29 +7,12 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.report.figures import drawing, style, tables
-
-TITLE = "Fig. 5: indents in the sphere"
-CHAPTER = "2. Contact"
-CAPTION = """\
-(a) Depth of the indents of one plastic contact. (b, c) Height of the sphere along the red and the
-blue line before and after; indents point downwards. (d-f) Share of contacts whose deepest point,
-root of the largest indent's area, and longer side of that indent do not exceed a length. Dashed:
-published, 2 nm and 50 nm.
-
-The preload of (a) is the published 20 µN, or the nearest one computed. The contact of (a) has the
-median depth of all contacts. Distributions (d-f) are over all contacts, one curve for each preload
-computed. The paper does not say which of (e) and (f) its edge length is. Preload and hardness
-alone fix the whole area in contact, so that (e) cannot exceed its square root. The paper's images
-of a sphere show the sum of 400 contacts, which is not computed here. Drawn from indent.nc and
-resources/paper/parameters.csv.
-"""
+from hardcontact.report.figures import drawing, style
 
 LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
-DEPTH_COLOURS = mpl.colormaps[
-    "Purples"
-]  # preloads have its colours too, as black is for published values
+#: Preloads have its colours too, as black is for published values.
+DEPTH_COLOURS = mpl.colormaps["Purples"]
 SIZES = {  # title, axis, published constant
     "depth": ("deepest point", "depth (nm)", "indent_depth"),
     "equal_area_side": ("largest indent: √area", "edge length (nm)", "indent_edge_length"),
@@ -37,15 +20,10 @@ SIZES = {  # title, axis, published constant
 }
 PRELOAD = "preload_indentation"  # the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
-COLUMNS = [*tables.ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 
 
-def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts.
-
-    The table has the height of the sphere before and after against `position` (b, c), and the size
-    that a `share` of all contacts does not exceed (d to f).
-    """
+def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
     contact = indent.sel(preload=published[PRELOAD], method="nearest")
     figure, ((indents, *lines), sizes) = drawing.create_rows(
@@ -56,26 +34,18 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
     reach = min(2 * style.mask_half_width(depths > 0), depths["x"].values.max())
     view = -reach, reach
     indents.set(xlim=view, ylim=view)
-    frames = []
     for axes, letter, axis in zip(lines, "bc", LINE_COLOURS, strict=True):
-        rows = _draw_line(axes, contact, axis)
+        _draw_line(axes, contact, axis)
         axes.set_xlim(view)
         style.label_panel(axes, letter, f"sphere along {axis}")
-        frames.append(
-            rows.assign(panel=letter, origin="computed", preload=contact["preload"].item())
-        )
     lines[0].set_ylabel("height (nm)")
     for axes, letter, name in zip(sizes, "def", SIZES, strict=True):
-        rows = _draw_sizes(axes, indent, name, published)
+        _draw_sizes(axes, indent, name, published)
         style.label_panel(axes, letter, SIZES[name][0])
-        frames.append(rows.assign(panel=letter, quantity=name))
     sizes[0].set_ylabel("cumulative share of contacts")
     entries = style.legend_entries(sizes[:1])
     figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=len(entries))
-    constant_columns = {name: indent.attrs[name] for name in ("surface", "label", "basis")} | {
-        "unit": "nm"
-    }
-    return pd.concat(frames, ignore_index=True).assign(**constant_columns)[COLUMNS], figure
+    return figure
 
 
 def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
@@ -94,7 +64,7 @@ def _draw_map(axes: Axes, contact: xr.Dataset) -> None:
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
-def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> pd.DataFrame:
+def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
     """Draw the sphere's height (nm) before and after, along x or y through the deepest point.
 
     Heights point out of the sphere, as under a microscope: indents point downwards.
@@ -111,17 +81,14 @@ def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> pd.DataFrame:
     axes.set_xlabel(f"{axis} (nm)")
     axes.locator_params(nbins=5)
     axes.legend(loc="lower left")
-    heights = {"height_before": height_before.values, "height_after": height_after.values}
-    rows = pd.DataFrame(heights | {"position": line[axis].values})
-    return rows.melt("position", var_name="quantity")
 
 
-def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series) -> pd.DataFrame:
+def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series) -> None:
     """Draw the distribution over all contacts of a size (nm), and its published value."""
     _, quantity, constant = SIZES[name]
     contacts = [dim for dim in indent[name].dims if dim != "preload"]
     sizes = indent[name].quantile(SHARES, contacts, method="inverted_cdf")
-    sizes = sizes.transpose("preload", "quantile").rename(quantile="share")
+    sizes = sizes.transpose("preload", "quantile")
     shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
     for values, colour in zip(sizes, shades, strict=True):
         label = f"computed, {_print_preload(values['preload'])}"
@@ -130,10 +97,6 @@ def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series)
     axes.axvline(published[constant], color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
     axes.set(xlabel=quantity, ylim=(0, 1))
     axes.set_xlim(left=0)
-    published_size = {"preload": published[PRELOAD], "value": published[constant]}
-    return pd.concat(
-        [tables.computed_rows(sizes), pd.DataFrame([published_size | {"origin": "published"}])]
-    )
 
 
 def _print_preload(preload: float | xr.DataArray) -> str:

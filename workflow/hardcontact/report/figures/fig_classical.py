@@ -9,43 +9,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.report.figures import drawing, style, tables
-
-TITLE = "Classical models of rough adhesion"
-CHAPTER = "4. Classical models"
-CAPTION = """\
-(a) Mean pull-off forces: published, computed, and of classical models. The models take the
-roughness of Table 1, from AFM scans alone (filled) or from all scales (open). (b) Least mean
-relative error of each model, its work of adhesion fitted to the published (black) or the computed
-forces (grey).
-
-Computed forces: plastic contact at the published range and work of adhesion. Models: at the
-published work. Bars of published forces: their rounding. Bars of computed forces:
-{{ inference.confidence | percent }} interval over scans. Bars of models: what the printed
-uncertainties of Table 1 allow, {{ inference.confidence | percent }}. Bars too long for a panel end
-at its frame. Horizontal lines repeat the published forces. Symbols in the grey strip of (a): less
-than 1 pN. Grey strip of (b): errors below the paper's threshold. The table has the definition of
-roughness of each model and the check of its formula. Drawn from classical.nc and
-resources/paper/parameters.csv.
-"""
+from hardcontact.report.figures import drawing, style
+from hardcontact.report.figures.values import value_and_interval
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
 ERROR_COLOURS = {"published": style.PUBLISHED_COLOUR, "computed": "0.55"}
-QUANTITIES = {  # panel, origin
-    "published_mean_force": ("a", "published"),
-    "computed_mean_force": ("a", "computed"),
-    "pull_off_force": ("a", "computed"),
-    "mean_relative_error": ("b", "computed"),
-}
-FURTHER_COLUMNS = ("model", "metrics", "force_source")  # columns of the table
 
 
-def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) forces at the published work, (b) errors at the best work of each model.
-
-    The table has the definition of roughness and the check of the formula for each model.
-    """
+def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw (a) forces at the published work, (b) errors at the best work of each model."""
     work = published_constants["value"]["work_of_adhesion"]
     figure, ((forces, errors),) = drawing.create_rows(3.6, classical, (1, (2.6, 1)))
     _draw_forces(forces, classical)
@@ -57,17 +30,7 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.D
         for face, label in zip(("0.3", "white"), METRIC_LABELS.values(), strict=True)
     ]
     style.legend_above(figure, [*style.surface_handles(classical, ls="none"), *metric_handles], 6)
-    frames = []
-    for name, (panel, origin) in QUANTITIES.items():
-        rows = tables.number_rows(
-            tables.value_and_interval(classical, name).reset_coords(drop=True)
-        )
-        unit = classical[name].attrs["units"]
-        frames.append(rows.assign(panel=panel, origin=origin, quantity=name, unit=unit))
-    rows = pd.concat(frames).dropna(subset=["value", "low", "high"], how="all")
-    descriptions = classical[["model_roughness", "model_verified"]].to_dataframe()
-    columns = [*tables.ROW_COLUMNS, *FURTHER_COLUMNS, *tables.VALUE_COLUMNS, *descriptions.columns]
-    return tables.label_rows([rows.join(descriptions, on="model")], classical, columns), figure
+    return figure
 
 
 def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
@@ -84,21 +47,19 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     names = ("published_mean_force", "computed_mean_force", "pull_off_force")
     values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
     drawn_values = values[values > MIN_DRAWN_FORCE]
-    bottom, top = (
-        drawn_values.min() / 12,
-        drawn_values.max() * 6,
-    )  # the strip above the bottom is for smaller forces
+    # The strip above the bottom is for smaller forces.
+    bottom, top = drawn_values.min() / 12, drawn_values.max() * 6
     offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
     for (look, surface_data), offset in zip(
         style.iterate_surfaces(classical), offsets, strict=True
     ):
         colour = look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
-            force = tables.value_and_interval(surface_data, variable) / style.MICRONEWTON
+            force = value_and_interval(surface_data, variable) / style.MICRONEWTON
             _draw_point(axes, x + offset, force, **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
-        forces = tables.value_and_interval(surface_data, "pull_off_force") / style.MICRONEWTON
+        forces = value_and_interval(surface_data, "pull_off_force") / style.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
                 force = forces.sel(model=model, metrics=metrics)
@@ -117,7 +78,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the least mean relative error of each model to the published and computed forces."""
-    errors = tables.value_and_interval(classical, "mean_relative_error")
+    errors = value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
     for force_source, side in (("published", -1), ("computed", 1)):

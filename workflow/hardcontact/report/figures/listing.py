@@ -1,72 +1,67 @@
-"""The figures in the order of the report, and their descriptions.
+"""The figures in the order of the report: titles, chapters, inputs and captions.
 
-A figure is a module with the same name. It has a `TITLE`, the `CHAPTER` of the report, a `CAPTION`
-and a function `draw`, which returns the table of the figure and the drawing. The arguments of
-`draw` are its inputs: final datasets, or keys of `config.patterns.PUBLISHED_TABLES`.
+They stand in workflow/report/figures.yaml, so that rules and pages read them without matplotlib.
 """
 
-import ast
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-#: Figures about the statements of the paper, in the order of the report.
-PAPER_FIGURES = (
-    "fig1",
-    "fig_elastic",
-    "fig5",
-    "fig3",
-    "fig4",
-    "fig_fit",
-    "fig_protruded",
-    "fig_classical",
-    "fig_asperities",
-    "fig6",
-    "fig_enhancement",
-)
-#: Figures of the chapter on the causes of the band; the first input of each is its own dataset.
-INSIGHT_FIGURES = (
-    "fig_scaling",
-    "fig_scan_size",
-    "fig_closed_form",
-    "fig_laws",
-    "fig_statistics",
-    "fig_elastic_limit",
-)
-FIGURES = PAPER_FIGURES + INSIGHT_FIGURES
-#: Titles of the figures of own surfaces; "works" needs own forces.
-OWN_FIGURES = {
-    "cutoffs": "Pull-off force without parts of the roughness",
-    "maps": "Height maps",
-    "spectra": "Power spectral densities",
-    "forces": "Pull-off force against the range of adhesion",
-    "works": "Work of adhesion that fits measured forces",
-}
+import yaml
+
+from hardcontact.base.formatting import format_share
+
+FILE = Path(__file__).parents[3] / "report/figures.yaml"
 #: Files of each figure.
-FILE_KINDS = ("pdf", "png", "svg", "csv")
+FILE_KINDS = ("pdf", "png", "svg")
 
 
-class Description(NamedTuple):
-    """Title, chapter of the report, caption and inputs of a figure."""
+@dataclass(frozen=True)
+class Description:
+    """A figure as listed; alternative text, caption and details are templates."""
 
     title: str
-    chapter: str
-    caption: str  #: A template: `hardcontact.report.captions.caption` fills it.
-    inputs: tuple[str, ...]
+    caption: str
+    details: str = ""
+    alt: str = ""
+    chapter: str = ""  #: Of the report of the paper's study.
+    inputs: tuple[str, ...] = ()  #: Final datasets, or keys of `config.patterns.PUBLISHED_TABLES`.
+
+
+class Caption(NamedTuple):
+    """The texts of a figure, plain, each in one line."""
+
+    title: str
+    short: str
+    details: str = ""
+    alt: str = ""  #: What the picture shows, for those who cannot see it.
+
+
+_LISTED = yaml.safe_load(FILE.read_text("utf-8"))
+#: Figures about the statements of the paper.
+PAPER_FIGURES = tuple(_LISTED["paper"])
+#: Figures of the chapter on the causes of the band.
+INSIGHT_FIGURES: tuple[str, ...] = ()
+FIGURES = PAPER_FIGURES + INSIGHT_FIGURES
+#: Figures of own surfaces; "works" needs own forces.
+OWN_FIGURES = tuple(_LISTED["own"])
 
 
 def describe_figure(name: str) -> Description:
-    """Return the description of a figure, read from the source of its module.
+    """Return the description of a figure of the paper's study or of own surfaces."""
+    return Description(**(_LISTED["paper"] | _LISTED["own"])[name])
 
-    An import of the module would import matplotlib, which takes too long before the first job.
 
-    Returns title, chapter, caption and inputs.
+def caption(name: str, facts: Mapping[str, Any]) -> Caption:
+    """Return the texts of a figure with the facts that its templates name.
+
+    Raises jinja2.UndefinedError if a fact is missing.
     """
-    source = Path(__file__).with_name(f"{name}.py").read_text("utf-8")
-    constants: dict[str, str] = {}
-    inputs: tuple[str, ...] = ()
-    for node in ast.parse(source).body:
-        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
-            constants[ast.unparse(node.targets[0])] = str(node.value.value)
-        if isinstance(node, ast.FunctionDef) and node.name == "draw":
-            inputs = tuple(argument.arg for argument in node.args.args)
-    return Description(constants["TITLE"], constants["CHAPTER"], constants["CAPTION"], inputs)
+    from jinja2 import Environment, StrictUndefined
+
+    environment = Environment(undefined=StrictUndefined)
+    environment.filters["percent"] = format_share
+    figure = describe_figure(name)
+    templates = (figure.title, figure.caption, figure.details, figure.alt or figure.title)
+    return Caption(*(environment.from_string(text).render(facts) for text in templates))

@@ -1,4 +1,4 @@
-"""Style of all figures: fonts, looks of surfaces, axes, legends, marks, maps."""
+"""Style of all figures: fonts, looks of surfaces, axes, legends, marks."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
@@ -9,7 +9,6 @@ import matplotlib as mpl
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib import rcParams
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
@@ -20,7 +19,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
 from hardcontact.base.formatting import format_share
-from hardcontact.report.figures.tables import SHARE_OF_SETS
+from hardcontact.report.figures.values import SHARE_OF_SETS
 
 # The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
 # for the sphere, its black for published and pooled values; its yellow is too pale for thin lines.
@@ -44,9 +43,7 @@ REMOVED_TITLES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
-FIT_COLOUR = "#6A3D9A"  # no surface has this colour
-FIT_STAR: Look = {"marker": "*", "color": FIT_COLOUR, "mec": "white", "mew": 0.6, "ms": 11}
-FIT_RING: Look = {"marker": "o", "mfc": "white", "mec": FIT_COLOUR, "mew": 1.4, "ms": 5}
+POOLED_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
 NOTE_LOOK: Look = {"fontsize": 7, "color": "0.35"}  # text within a panel
@@ -150,28 +147,6 @@ def end_near_values(panels: Sequence[Axes]) -> None:
     panels[0].set_ylim(max(low, lowest), min(high, highest))
 
 
-def fill_interval(axes: Axes, curve: xr.Dataset, coordinate: str, color: str) -> None:
-    """Fill a band from `low` to `high` along a coordinate."""
-    axes.fill_between(
-        curve[coordinate], curve["low"], curve["high"], color=color, alpha=OPACITY, lw=0
-    )
-
-
-def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
-    """Draw `value` against x, with bars from `low` to `high`, or without bars if these are NaN."""
-    lengths = np.nan_to_num(abs(curve[["low", "high"]].to_array() - curve["value"]).values)
-    axes.errorbar(x, curve["value"], lengths.reshape(2, -1), **look)
-
-
-def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
-    """Shade bands of wavelengths (nm) within the limits of logarithmic axes."""
-    low, high = axes.get_xlim()
-    for shortest, longest in bands:
-        if longest > low and shortest < high:
-            axes.axvspan(max(shortest, low), min(longest, high), zorder=-1, **ARTIFICIAL_LOOK)
-    axes.set_xlim(low, high)
-
-
 def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D | Patch]:
     """Return one entry of a legend for each substrate of a dataset with `label(surface)`."""
     return [
@@ -213,41 +188,3 @@ def print_pair(pair: pd.Series | xr.Dataset) -> str:
     """Return a pair of range and work of adhesion as text."""
     work = float(pair["work_of_adhesion"]) / MILLIJOULE
     return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"
-
-
-def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
-    """Draw the published range of adhesion (nm) as a line."""
-    axes.axvline(published_constants["value"]["range_of_adhesion"], **PUBLISHED_RANGE, zorder=1)
-
-
-def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
-    """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
-    rho = published_constants.loc["range_of_adhesion"]
-    work = published_constants.loc["work_of_adhesion"]
-    values = rho["value"], work["value"] / MILLIJOULE
-    half = work["uncertainty"] / MILLIJOULE, rho["uncertainty"]
-    axes.errorbar(*values, *half, zorder=5, label="published fit", **PUBLISHED_FIT)
-
-
-def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
-    """Mark the best fit of the study with a star, the other minima of its error with rings.
-
-    The `height` over the range of adhesion (nm) is the "work" or the "error", in `unit`.
-    """
-    best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
-    is_other = fit["range_at_minimum"].values != fit["range_of_adhesion"].item()
-    ranges = fit["range_at_minimum"][is_other]
-    heights = fit[f"{height}_at_minimum"][is_other]
-    best_look: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
-    other_look: Look = best_look | {"label": "other minimum of it"}
-    axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
-    axes.plot(ranges, heights / unit, **FIT_RING, **other_look)
-
-
-def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
-    """Draw heights (nm) of a square scan with a size (nm), and a colour bar."""
-    image = axes.imshow(heights - heights.mean(), cmap="viridis", extent=(0, size, 0, size))
-    bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
-    bar.ax.set_title("nm", fontsize=rcParams["xtick.labelsize"], loc="left", pad=3)
-    printed = f"{size:g} nm" if size < 1000 else f"{size / 1000:g} µm"
-    axes.set(xticks=[], yticks=[], xlabel=printed)

@@ -1,0 +1,56 @@
+"""Parts of panels draw the numbers that they are given."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.figure import Figure
+
+from hardcontact.report.figures import panels
+
+CURVE = xr.Dataset(
+    {"value": ("x", [1.0, 2, 4]), "low": ("x", [0.5, 1, np.nan]), "high": ("x", [3.0, 5, np.nan])},
+    {"x": [1.0, 10, 100]},
+)
+
+
+def test_bars_reach_from_low_to_high_and_are_missing_without_an_interval():
+    axes = Figure().subplots()
+    panels.draw_bars(axes, CURVE["x"], CURVE)
+    (bars,) = axes.collections
+    ends = [segment[:, 1].tolist() for segment in bars.get_segments()]
+    assert ends == [[0.5, 3], [1, 5], [4, 4]]
+
+
+def test_bands_are_filled_where_both_ends_are_bounded():
+    axes = Figure().subplots()
+    unbounded = CURVE.assign(low=("x", [0.5, 1.0, 2.0]), high=("x", [3.0, 5.0, np.inf]))
+    for curve in (CURVE, unbounded):
+        panels.draw_band(axes, CURVE["x"], curve, "red")
+    for band in axes.collections:
+        (path,) = band.get_paths()
+        assert {tuple(point) for point in path.vertices} == {(1, 0.5), (1, 3), (10, 1), (10, 5)}
+
+
+@pytest.mark.parametrize(
+    ("numbers", "symbols"),  # value, low and high, and the symbols drawn
+    [((20, 10, 30), ["h"]), ((20, 10, 500), [">", "h"]), ((500, 100, 500), [">"])],
+)
+def test_edges_at_the_last_cutoff_are_open(numbers, symbols):
+    axes = Figure().subplots()
+    edges = xr.Dataset(
+        dict(zip(("value", "low", "high"), numbers, strict=True)), {"group": "pooled"}
+    ).expand_dims("group")
+    no_surface = xr.DataArray([], {"surface": []}, name="label")
+    panels.draw_edges(axes, edges, no_surface, end=500, arrow=">")
+    interval, *marks = axes.lines
+    assert tuple(interval.get_xdata()) == numbers[1:]
+    assert [mark.get_marker() for mark in marks] == symbols
+
+
+def test_shades_end_with_the_axes():
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=(10, 1000))
+    panels.shade_artificial(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
+    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
+    assert np.allclose(spans, [(10, 20), (500, 1000)])
+    assert axes.get_xlim() == (10, 1000)

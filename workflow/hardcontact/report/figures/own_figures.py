@@ -1,0 +1,253 @@
+"""Figures of own surfaces: force ratios, height maps, spectra, forces and fits.
+
+Each figure has a panel or a curve for every surface.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path, PurePath
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.inference.edges import computed_cutoffs
+from hardcontact.report.artificial import (
+    artificial_bands,
+    measurement_name,
+    measurements,
+    split_measurements,
+)
+from hardcontact.report.datasets import Datasets, preferred_model
+from hardcontact.report.figures import drawing, panels, style
+from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
+from hardcontact.report.figures.values import mean_free_heights, value_and_interval
+
+#: Label and look of the curve for each side of the band.
+SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
+    "small": ("without shorter wavelengths", {"ls": "-", "marker": "o"}),
+    "large": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
+}
+#: Looks of curves: the contact model of the answer first, then other models.
+MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
+KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
+UNRELIABLE_LOOK: style.Look = {"color": "#999999"}
+JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
+FITS_ALL_LOOK: style.Look = {"color": "0.3", "label": "fits all"}
+#: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
+MAX_UNRELIABLE_CURVES = 3
+MAX_MARKED_POINTS = 30  # on a line
+MAP_RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
+PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
+
+
+def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
+    """Write the files of all figures of own surfaces, and return the SVG of each by its name.
+
+    outputs: paths of all figures, in one order, by FILE_KINDS. A file has the name of its figure.
+    """
+    pictures = {}
+    for paths in zip(*(outputs[kind] for kind in FILE_KINDS), strict=True):
+        files = dict(zip(FILE_KINDS, paths, strict=True))
+        name = PurePath(files["svg"]).stem
+        with style.print_style():
+            figure = OWN_DRAWINGS[name](datasets)
+            drawing.save(figure, describe_figure(name).title, files, MAP_RESOLUTION)
+        pictures[name] = Path(files["svg"]).read_bytes()
+    return pictures
+
+
+def draw_maps(datasets: Datasets) -> Figure:
+    """Draw the first levelled scan of each surface."""
+    figure, surface_panels = _surface_panels(datasets, 3.3)
+    for axes, colour, data in surface_panels:
+        heights = mean_free_heights(data.topography["example_heights"])
+        panels.draw_map(axes, heights, data.topography["scan_size"].item(), colour)
+    return figure
+
+
+def draw_cutoffs(datasets: Datasets) -> Figure:
+    """Draw the force relative to the unfiltered surface against the cutoff, for each surface.
+
+    The axis of the ratio is logarithmic if it spans more than a factor of ten.
+    """
+    figure, surface_panels = _surface_panels(datasets)
+    for axes, colour, data in surface_panels:
+        cutoffs = computed_cutoffs(data.edges["filtered_force_ratio"])
+        ratios = value_and_interval(data.edges, "filtered_force_ratio")
+        for side, (label, look) in SIDE_LOOKS.items():
+            curve = ratios.sel(side=side, cutoff_wavelength=cutoffs)
+            _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
+        panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
+        _mark_positions(axes, data.edges["edge"].values)
+        _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
+        style.end_near_values([axes])
+        low, high = axes.get_ylim()
+        if high > 10 * low:
+            style.label_logarithmic(axes.yaxis)
+        else:
+            axes.set_yscale("linear")
+        panels.shade_artificial(axes, artificial_bands(data.spectra))
+    _add_legend(figure)
+    return figure
+
+
+def draw_spectra(datasets: Datasets) -> Figure:
+    """Draw the isotropic PSDs of each surface: its measurements, the joined and the used PSD."""
+    figure, surface_panels = _surface_panels(datasets, 3.6)
+    for axes, colour, data in surface_panels:
+        wavelengths = 2 * np.pi / data.spectra["bin_wavevector"].values
+        all_measurements = measurements(data.spectra)
+        has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
+        shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
+        for measurement in split_measurements(all_measurements):
+            _draw_measurement(axes, wavelengths, measurement, shows_unreliable)
+        used_density = _used_spectrum(data.spectra)[has_data]
+        joined_density = data.spectra["joined_psd"].values[has_data]
+        axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
+        axes.plot(wavelengths[has_data], joined_density, **JOINED_LOOK, label="joined")
+        _scale(axes, "wavelength (nm)", "isotropic PSD (nm⁴)", wavelengths[has_data])
+        panels.shade_artificial(axes, artificial_bands(data.spectra))
+        axes.legend(loc="lower right")
+    return figure
+
+
+def draw_forces(datasets: Datasets) -> Figure:
+    """Draw the mean force of all surfaces and contact models against the range of adhesion.
+
+    Intervals are drawn for the contact model of the answer.
+    """
+    force = datasets.force
+    labels = datasets.labels()
+    answer_model = preferred_model(force)
+    models = sorted(
+        map(str, force["contact_model"].values), key=lambda model: model != answer_model
+    )
+    figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
+    axes = figure.subplots()
+    forces = value_and_interval(force, "force") / style.MICRONEWTON
+    for surface, colour in style.colours(labels).items():
+        for model, look in zip(models, MODEL_LINES, strict=False):
+            curve = forces.sel(surface=surface, contact_model=model)
+            drawn_curve = curve if model == answer_model else curve[["value"]]
+            label = f"{labels[surface]}, {model}"
+            _draw_curve(
+                axes, force["rho"].values, drawn_curve, look | {"color": colour, "label": label}
+            )
+    rho = force.attrs["range_of_adhesion"]
+    _finish_over_range(figure, force["rho"].values, rho, "pull-off force (µN)")
+    return figure
+
+
+def draw_works(datasets: Datasets) -> Figure:
+    """Draw the work of adhesion that fits the force of each surface, against the range.
+
+    Forces are from the contact model of the answer. If there are several surfaces, the figure also
+    shows the works that fit all of them.
+    """
+    assert datasets.fit is not None
+    fit = datasets.fit.sel(contact_model=preferred_model(datasets.fit))
+    labels = datasets.labels()
+    names = [str(name) for name in fit["surface"].values]
+    rho = fit["rho_fine"].values
+    colours = style.colours(labels)
+    figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
+    axes = figure.subplots()
+    works = value_and_interval(fit, "work_by_range") / style.MILLIJOULE
+    for name in names:
+        look = {"color": colours[name], "label": labels[name]}
+        _draw_curve(axes, rho, works.sel(surface=name), look)
+    low, high = fit["region"].values.T / style.MILLIJOULE
+    if len(names) > 1 and np.isfinite([low, high]).any():
+        ends = {"value": np.sqrt(low * high), "low": low, "high": high}
+        region = xr.Dataset({name: ("rho", values) for name, values in ends.items()})
+        _draw_curve(axes, rho, region, FITS_ALL_LOOK)
+    assumed_range = fit.attrs["assumed_range"]
+    _finish_over_range(figure, rho, assumed_range, "work of adhesion (mJ/m²)")
+    return figure
+
+
+OWN_DRAWINGS: dict[str, Callable[[Datasets], Figure]] = {
+    "cutoffs": draw_cutoffs,
+    "maps": draw_maps,
+    "spectra": draw_spectra,
+    "forces": draw_forces,
+    "works": draw_works,
+}
+
+
+def _surface_panels(
+    datasets: Datasets, height: float = 3.0
+) -> tuple[Figure, Iterator[tuple[Axes, str, Datasets]]]:
+    """Return a figure, and the panel (height in inches), colour and data of each surface."""
+    labels = datasets.labels()
+    figure = Figure(figsize=(PAGE_WIDTH, height * len(labels) + 0.4), layout="constrained")
+    column = figure.subplots(len(labels), squeeze=False)[:, 0]
+    for axes, label in zip(column, labels.values(), strict=True):
+        axes.set_title(label, loc="left")
+    colours = style.colours(labels)
+    surface_datasets = [datasets.select_surface(surface) for surface in labels]
+    return figure, zip(column, colours.values(), surface_datasets, strict=True)
+
+
+def _draw_measurement(
+    axes: Axes, wavelengths: np.ndarray, measurement: xr.Dataset, shows_unreliable: bool
+) -> None:
+    """Draw the PSD (nm⁴) of one measurement where it is reliable, and grey where it is not."""
+    density = measurement["psd"].values
+    is_reliable = measurement["reliable"].values == 1
+    name = PurePath(measurement_name(measurement)).name
+    colour = KIND_COLOURS[str(measurement["kind"].item())]
+    axes.plot(wavelengths, np.where(is_reliable, density, np.nan), color=colour, label=name)
+    if shows_unreliable and np.isfinite(density[~is_reliable]).any():
+        look: style.Look = UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
+        axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
+
+
+def _used_spectrum(spectra: xr.Dataset) -> np.ndarray:
+    """Return the spectrum (nm⁴) of added roughness at the measured bins, NaN where it is zero."""
+    with np.errstate(divide="ignore"):
+        logarithm = np.log(spectra["spectrum"].values)
+    bins = np.log(spectra["bin_wavevector"])
+    density = np.exp(np.interp(bins, np.log(spectra["wavevector"]), logarithm))
+    return np.where(density > 0, density, np.nan)
+
+
+def _draw_curve(axes: Axes, x: np.ndarray, curve: xr.Dataset, look: style.Look) -> None:
+    """Draw the finite values of a curve, and the band between the ends of its intervals, if any."""
+    is_finite = np.isfinite(curve["value"].values)
+    finite_curve = curve.isel({curve["value"].dims[0]: is_finite})
+    marker = look.get("marker", "o") if is_finite.sum() < MAX_MARKED_POINTS else ""
+    marked: style.Look = look | {"marker": marker, "ms": 2.5}
+    axes.plot(x[is_finite], finite_curve["value"], **marked)
+    if "low" in curve:
+        panels.draw_band(axes, x[is_finite], finite_curve, look["color"])
+
+
+def _mark_positions(axes: Axes, positions: Sequence[float] | np.ndarray) -> None:
+    """Mark finite positions on the x axis by dashed lines."""
+    for position in np.asarray(positions, float)[np.isfinite(positions)]:
+        axes.axvline(position, color="0.4", lw=1, ls="--", zorder=0.6)
+
+
+def _scale(axes: Axes, x_label: str, y_label: str, x: np.ndarray) -> None:
+    """Make both axes logarithmic, label them, and limit the x axis to the values."""
+    axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label, xlim=(x.min(), x.max()))
+    style.label_logarithmic(axes.xaxis, digits=(1, 3))
+
+
+def _finish_over_range(
+    figure: Figure, ranges: np.ndarray, answer_range: float, y_label: str
+) -> None:
+    """Mark the range of adhesion (nm) of the answer, scale the axes and add the legend."""
+    (axes,) = figure.axes
+    _mark_positions(axes, [answer_range])
+    _scale(axes, "range of adhesion (nm)", y_label, ranges)
+    style.label_logarithmic(axes.yaxis)
+    _add_legend(figure)
+
+
+def _add_legend(figure: Figure) -> None:
+    """Write each label above the panels once, in as many columns as fit."""
+    handles = style.legend_entries(figure.axes).values()
+    style.legend_above(figure, list(handles), max_columns=2)

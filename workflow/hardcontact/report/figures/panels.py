@@ -1,0 +1,95 @@
+"""Parts of panels that several figures share: maps, curves, edges, artificial wavelengths, fits."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib import rcParams
+from matplotlib.axes import Axes
+
+from hardcontact.inference.edges import POOLED
+from hardcontact.report.figures import style
+from hardcontact.report.figures.style import Look
+
+UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
+
+
+def draw_map(axes: Axes, heights: np.ndarray, size: float, colour: str) -> None:
+    """Draw heights (nm) of a square scan of a size (nm), framed in a colour, and a colour bar."""
+    image = axes.imshow(heights, cmap="viridis", extent=(0, size, 0, size))
+    bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
+    bar.ax.set_title("nm", fontsize=rcParams["xtick.labelsize"], loc="left", pad=3)
+    printed = f"{size:g} nm" if size < 1000 else f"{size / 1000:g} µm"
+    axes.set(xticks=[], yticks=[], xlabel=printed)
+    axes.spines[:].set(edgecolor=colour, linewidth=1.5)
+
+
+def draw_band(axes: Axes, x: Any, curve: xr.Dataset, colour: str) -> None:
+    """Fill a band from `low` to `high` where both are bounded."""
+    is_bounded = (curve["low"] > 0) & (curve["high"] < np.inf)
+    look: Look = {"color": colour, "alpha": style.OPACITY, "lw": 0}
+    axes.fill_between(x, curve["low"], curve["high"], where=is_bounded, **look)
+
+
+def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
+    """Draw `value` against x, with bars from `low` to `high`, or without bars if these are NaN."""
+    lengths = np.nan_to_num(abs(curve[["low", "high"]].to_array() - curve["value"]).values)
+    axes.errorbar(x, curve["value"], lengths.reshape(2, -1), **look)
+
+
+def draw_tolerance(axes: Axes, tolerance: float) -> None:
+    """Shade the ratios of forces that count as unchanged."""
+    axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0, **UNCHANGED_LOOK)
+
+
+def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
+    """Draw the force ratio of each surface against the cutoff (nm), and the tolerance."""
+    draw_tolerance(axes, tolerance)
+    for look, curve in style.iterate_surfaces(ratio):
+        draw_bars(axes, curve["cutoff_wavelength"], curve, elinewidth=0.7, **look)
+    axes.set(xscale="log", yscale="log")
+    style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
+
+
+def draw_edges(axes: Axes, edges: xr.Dataset, labels: xr.DataArray, end: float, arrow: str) -> None:
+    """Draw the edge (nm) of each group with its interval, a row for each surface and for the mean.
+
+    An edge or an end of an interval at `end` (nm) lies there or beyond, as the arrow shows.
+    """
+    looks = style.looks(labels["surface"].values) | {POOLED: style.POOLED_LOOK}
+    for row, (group, look) in enumerate(looks.items()):
+        value, low, high = edges[["value", "low", "high"]].sel(group=group).to_array().values
+        axes.plot([low, high], [row, row], color=look["color"], lw=1.4)
+        if np.isclose([value, low, high], end).any():
+            axes.plot(end, row, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
+        if not np.isclose(value, end):
+            axes.plot(value, row, **look)
+    axes.set_yticks(range(len(looks)), [*labels.values, "mean of all"])
+    axes.set(ylim=(len(looks) - 0.4, -0.6))
+
+
+def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
+    """Shade bands of wavelengths (nm) within the limits of logarithmic axes."""
+    low, high = axes.get_xlim()
+    for shortest, longest in bands:
+        if longest > low and shortest < high:
+            axes.axvspan(max(shortest, low), min(longest, high), zorder=-1, **style.ARTIFICIAL_LOOK)
+    axes.set_xlim(low, high)
+
+
+def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
+    """Draw the published range of adhesion (nm) as a line."""
+    axes.axvline(
+        published_constants["value"]["range_of_adhesion"], **style.PUBLISHED_RANGE, zorder=1
+    )
+
+
+def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
+    """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
+    rho = published_constants.loc["range_of_adhesion"]
+    work = published_constants.loc["work_of_adhesion"]
+    values = rho["value"], work["value"] / style.MILLIJOULE
+    half = work["uncertainty"] / style.MILLIJOULE, rho["uncertainty"]
+    axes.errorbar(*values, *half, zorder=5, label="published fit", **style.PUBLISHED_FIT)
