@@ -4,6 +4,7 @@ At the effective work of adhesion a smooth sphere has the pull-off force of the 
 Lengths in nm, forces in N, works of adhesion in J/m².
 """
 
+from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
 
@@ -44,81 +45,102 @@ def apply_classical_models(
         sphere in Pa.
     """
     value = constants["value"].to_dict()
-    confidence = sampling.confidence
-    bodies = [
-        Material(
-            modulus=value[f"{body}_youngs_modulus"], poisson_ratio=value[f"{body}_poisson_ratio"]
-        )
-        for body in ("sphere", "substrate")
-    ]
-    sphere = ElasticSphere(
-        fit.attrs["sphere_radius"],
-        smooth_sphere.effective_modulus(*bodies),
-        value["equilibrium_spacing"],
-    )
+    sphere = _elastic_sphere(fit.attrs["sphere_radius"], value)
     rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
     rows = rows.dropna()
     printed = printed.dropna(subset="mean_force")
     published = rows.index.intersection(printed.index)
     surfaces = [name for name in fit["surface"].values.tolist() if name in published]
-    rows = rows.loc[surfaces]
-    plastic = fit.sel(contact_model="plastic", pair="published", surface=surfaces)
-    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "bound")
     forces = {
-        "published": rounding_intervals(printed.loc[surfaces, "mean_force"]),
-        "computed": (plastic["mean_force_at_pair"].values, interval.values),
+        "published": rounded_numbers(printed.loc[surfaces, "mean_force"]),
+        "computed": _forces_at_published_pair(fit.sel(surface=surfaces)),
     }
     maugis = smooth_sphere.maugis_parameter(value["tabor_parameter"])
     coefficient = smooth_sphere.transition_coefficient(maugis)
-    mean_forces: dict[str, Any] = {}
-    works = {}
-    effective = {}
-    for force_source, (force, force_interval) in forces.items():
-        name = f"{force_source}_mean_force"
-        mean_forces |= with_interval(name, "surface", force, force_interval, NEWTON, confidence)
-        works[force_source] = smooth_sphere.effective_work_of_adhesion(
-            force, sphere.radius, coefficient
-        )
-        work_interval = smooth_sphere.effective_work_of_adhesion(
-            force_interval, sphere.radius, coefficient
-        )
-        name = "effective_work_of_adhesion"
-        variables = with_interval(
-            name, "surface", works[force_source], work_interval, JOULE_PER_M2, confidence
-        )
-        effective[(force_source,)] = xr.Dataset(variables)
-    targets = {force_source: force for force_source, (force, _) in forces.items()}
+    works = {
+        source: smooth_sphere.effective_work_of_adhesion(ends, sphere.radius, coefficient)
+        for source, ends in forces.items()
+    }
     models = {}
     for metrics, prefix in METRIC_PREFIXES.items():
-        mean = _roughness(rows, "value", prefix)
-        uncertainty = _roughness(rows, "uncertainty", prefix)
+        mean = _roughness(rows.loc[surfaces], "value", prefix)
+        uncertainty = _roughness(rows.loc[surfaces], "uncertainty", prefix)
         rng = sampling.generator(metrics)
         samples = sample_roughness(rng, mean, uncertainty, sampling.samples)
         comparison = compare_models(
-            mean, samples, sphere, value["work_of_adhesion"], targets, sampling
+            mean, samples, sphere, value["work_of_adhesion"], _values(forces), sampling
         )
-        models[(metrics,)] = comparison.merge(power_laws(mean, samples, works, sampling))
-    hertz = smooth_sphere.hertz_contact(value["preload"], sphere.radius, sphere.modulus)
-    tabor = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *sphere)
-    descriptions: dict[str, Any] = {
-        f"model_{field}": ("model", [getattr(model, field) for model in MODELS.values()])
-        for field in ("label", "roughness", "verified")
-    }
+        laws = power_laws(mean, samples, _values(works), sampling)
+        models[(metrics,)] = comparison.merge(laws)
     return (
         stack(models, ["metrics"])
-        .merge(stack(effective, ["force_source"]))
-        .assign(mean_forces)
+        .merge(_forces_and_works(forces, works, sampling.confidence))
         .assign_coords(surface=surfaces)
         .reindex(surface=fit["surface"].values)
-        .assign(descriptions)
+        .merge(_smooth_contact(sphere, value))
         .assign(
-            tabor_parameter=((), tabor, DIMENSIONLESS),
-            hertz_peak_pressure=((), hertz.peak_pressure, {"units": "Pa"}),
+            model_label=("model", [model.label for model in MODELS.values()]),
+            model_roughness=("model", [model.roughness for model in MODELS.values()]),
+            model_verified=("model", [model.verified for model in MODELS.values()]),
             label=fit["label"],
             basis=fit["basis"],
         )
-        .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=confidence)
+        .assign_attrs(error_threshold=fit.attrs["error_threshold"], confidence=sampling.confidence)
     )
+
+
+def _elastic_sphere(radius: float, constants: Mapping[Any, float]) -> ElasticSphere:
+    """Return the sphere (radius in nm) with the published materials."""
+    materials = [
+        Material(
+            modulus=constants[f"{body}_youngs_modulus"],
+            poisson_ratio=constants[f"{body}_poisson_ratio"],
+        )
+        for body in ("sphere", "substrate")
+    ]
+    modulus = smooth_sphere.effective_modulus(*materials)
+    return ElasticSphere(radius, modulus, constants["equilibrium_spacing"])
+
+
+def _smooth_contact(sphere: ElasticSphere, constants: Mapping[Any, float]) -> xr.Dataset:
+    """Return Tabor parameter and Hertz pressure of the sphere, if it is smooth."""
+    hertz = smooth_sphere.hertz_contact(constants["preload"], sphere.radius, sphere.modulus)
+    tabor = smooth_sphere.tabor_parameter(constants["work_of_adhesion"], *sphere)
+    return xr.Dataset(
+        {
+            "tabor_parameter": ((), tabor, DIMENSIONLESS),
+            "hertz_peak_pressure": ((), hertz.peak_pressure, {"units": "Pa"}),
+        }
+    )
+
+
+def _forces_at_published_pair(fit: xr.Dataset) -> np.ndarray:
+    """Return the mean forces of plastic contact and the ends of their intervals, (surface, 3)."""
+    plastic = fit.sel(contact_model="plastic", pair="published")
+    interval = plastic["mean_force_at_pair_interval"].transpose("surface", "bound")
+    return np.column_stack([plastic["mean_force_at_pair"].values, interval.values])
+
+
+def _values(with_ends: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Return the values (surface,) of numbers and the ends of their intervals, (surface, 3)."""
+    return {source: ends[:, 0] for source, ends in with_ends.items()}
+
+
+def _forces_and_works(
+    forces: Mapping[str, np.ndarray], works: Mapping[str, np.ndarray], confidence: float
+) -> xr.Dataset:
+    """Return mean forces and effective works with their intervals, all (surface, 3)."""
+    variables: dict[str, Any] = {}
+    effective = {}
+    for source, ends in forces.items():
+        name = f"{source}_mean_force"
+        variables |= with_interval(name, "surface", ends[:, 0], ends[:, 1:], NEWTON, confidence)
+        name = "effective_work_of_adhesion"
+        work, interval = works[source][:, 0], works[source][:, 1:]
+        effective[(source,)] = xr.Dataset(
+            with_interval(name, "surface", work, interval, JOULE_PER_M2, confidence)
+        )
+    return stack(effective, ["force_source"]).assign(variables)
 
 
 def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
@@ -127,11 +149,11 @@ def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
     return Roughness(*(rows[name].to_numpy() for name in names))
 
 
-def rounding_intervals(printed: "pd.Series[str]") -> tuple[np.ndarray, np.ndarray]:
-    """Return printed numbers (n,) and the intervals (n, 2) of the numbers rounded to them."""
+def rounded_numbers(printed: "pd.Series[str]") -> np.ndarray:
+    """Return printed numbers, and the smallest and largest number rounded to them, (n, 3)."""
     value = printed.astype(float).to_numpy()
     half = printed.map(_half_unit).astype(float).to_numpy()
-    return value, np.stack([value - half, value + half], axis=-1)
+    return np.stack([value, value - half, value + half], axis=-1)
 
 
 def _half_unit(printed: str) -> float:
