@@ -11,7 +11,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.report.captions import caption
 from hardcontact.report.figures import listing
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
 
 #: Modules that are no figure.
 SHARED = {"__init__", "drawing", "listing", "style", "tables"}
@@ -19,7 +19,7 @@ SHARED = {"__init__", "drawing", "listing", "style", "tables"}
 
 def test_each_module_is_a_figure_or_shared():
     modules = {path.stem for path in Path(listing.__file__).parent.glob("*.py")}
-    assert modules - SHARED == set(FIGURES)
+    assert modules - SHARED == set(PAPER_FIGURES)
 
 
 def test_each_figure_of_the_paper_belongs_to_a_chapter():
@@ -37,9 +37,9 @@ def test_a_caption_names_the_values_of_the_study():
 
 def test_figures_are_described_without_heavy_packages():
     code = (
-        "import sys; from hardcontact.report.figures.listing import FIGURES, describe_figure;"
+        "import sys; from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure;"
         "from hardcontact.report.captions import caption;"
-        "[describe_figure(name) for name in FIGURES];"
+        "[describe_figure(name) for name in PAPER_FIGURES];"
         "print({'matplotlib', 'PIL', 'scipy'} & set(sys.modules))"
     )
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "workflow", capture_output=True)

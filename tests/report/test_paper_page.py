@@ -43,7 +43,7 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
     assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
     neighbours = {f"figures/{name}.{kind}" for name in PAPER_FIGURES for kind in ("csv", "pdf")}
     neighbours |= {f"report/claims.html#{name}" for name in MAIN_FINDINGS}
-    neighbours |= {"answer.json", "claims.csv", "insight.html", "report/claims.html"}
+    neighbours |= {"answer.json", "claims.csv", "report/claims.html"}
     assert neighbours <= set(links)
     external = {link for link in links if ":" in link}
     assert external == {f"https://doi.org/{CITATION['references'][0]['doi']}"}

@@ -11,7 +11,6 @@ from hardcontact.report.quantities import (
     in_words,
     number_of,
     quantity_mapping,
-    span,
 )
 
 NAN = np.nan
@@ -51,8 +50,6 @@ def test_an_endless_interval_is_left_out(low, high, status):
         (bounds_only("size", 1.0, 2.0), "1 to 2"),
         (bounds_only("size", 1.0, NAN), "more than 1"),
         (bounds_only("size", NAN, 2.0), "at most 2"),
-        (span([NAN, 3.0, 1.0], "nm"), "1 nm to 3 nm"),
-        (span([NAN]), "not known"),
     ],
 )  # fmt: skip
 def test_a_number_is_printed_with_its_interval_and_status(number, words):

@@ -1,9 +1,9 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
 from hardcontact.report.captions import caption
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure
 
-for name in FIGURES:
+for name in PAPER_FIGURES:
 
     rule:
         """Draw a figure, and write the table that it is drawn from."""

@@ -178,10 +178,12 @@ def _effort() -> str:
 def _missing_target(message: str) -> str:
     """Return the line for a target that no rule makes, with a similar one if there is any."""
     from hardcontact.config.configuration import OWN_SURFACE_TARGETS, PAPER_TARGETS
-    from hardcontact.report.figures.listing import FIGURES
+    from hardcontact.report.figures.listing import PAPER_FIGURES
 
     name = message.partition("produce ")[2].partition(" ")[0]
-    similar = get_close_matches(name, {*PAPER_TARGETS, *OWN_SURFACE_TARGETS, *FIGURES, "crate"}, 1)
+    similar = get_close_matches(
+        name, {*PAPER_TARGETS, *OWN_SURFACE_TARGETS, *PAPER_FIGURES, "crate"}, 1
+    )
     question = f" (did you mean {similar[0]}?)" if similar else ""
     return f"error: expected a target of README.md or a file of the study, found {name}{question}"
 

@@ -69,11 +69,10 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
     if config["published"] != PAPER:
         return sections
     indent_contact = replace(contact, preload=config["indent"]["preloads"][-1])
-    section = "insight.scaling"
-    scaling = config["insight"]["scaling"]
+    scaling = config["scaling"]
     scaling_contact = replace(contact, preload=scaling["preloads"][-1])
     smallest_scaling_case = SmallestCase(
-        f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0]
+        "scaling.ranges", scaling["ranges"][0], scaling["radii"][0]
     )
     return [
         replace(
@@ -81,11 +80,10 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
         ),
         sections[1],
         ContactSection("sets", "sets.count", largest_contacts, smallest_case),
-        ContactSection("insight", "insight.count", largest_contacts, smallest_case),
         ContactSection(
-            section,
-            "insight.count",
-            {f"{section}.preloads": scaling_contact},
+            "scaling",
+            "scaling.count",
+            {"scaling.preloads": scaling_contact},
             smallest_scaling_case,
         ),
     ]
@@ -161,8 +159,6 @@ def scan_limits(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Li
         yield Limit(holds, section.count_key, accepted, contacts_per_side)
     ranges = {"scales.range": config["scales"]["range"]}
     ranges["adhesion.ranges"] = config["adhesion"]["ranges"][0]
-    if config["published"] == PAPER:
-        ranges["insight.ranges"] = config["insight"]["ranges"][0]
     for key, rho in ranges.items():
         yield _range_limit(window, SmallestCase(key, rho, radius), surface, grid)
 
@@ -228,7 +224,7 @@ def _master_limits(
     cutoff_pixel_size = master_pixel_size if side == "small" else grid.pixel_size
     for name, pixel_size in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
         # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
-        wavelengths = np.atleast_1d(values[name])
+        wavelengths = np.atleast_1d(values.get(name, []))
         accepted = (
             f"wavelengths of more than two pixels ({2 * pixel_size:.4g} nm) and at most the "
             f"{size:.6g} nm of a master of {section.name}.{side} on {surface}"

@@ -14,7 +14,7 @@ from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.paper.verdicts import add_open_ends, interval_with_sets, open_end, summary
-from hardcontact.report.quantities import QuantityMapping, number_of, on_scans, quantity_mapping
+from hardcontact.report.quantities import QuantityMapping, number_of, quantity_mapping
 from hardcontact.report.table1 import table1_rows
 
 #: Claims with numbers in the answer, by the names of these numbers.
@@ -71,8 +71,8 @@ def paper_answer(
     """Return the answer, in the units of the claims.
 
     claims: the table that `verdicts.read_verdicts` returns.
-    datasets: final datasets: `topography`, `scales`, `edges`, `sets`, `protruded`,
-        `protruded_sphere` and `scan_size`.
+    datasets: final datasets: `topography`, `scales`, `edges`, `sets`, `protruded` and
+        `protruded_sphere`; `scan_size`, the table resources/validation/scan_size.nc.
     constants, published_table1: the tables that `published.constants` and `published.table1`
         return.
     """
@@ -97,7 +97,7 @@ def paper_answer(
     sphere = topography.attrs["sphere_surface"]
     descriptions: Any = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
     surface_descriptions = descriptions.to_dict("index")
-    forces = on_scans(datasets["scan_size"])
+    forces = _forces_on_scans(datasets)
     return PaperAnswer(
         claims,
         {number.name: number for number in numbers},
@@ -111,6 +111,13 @@ def paper_answer(
         datasets["protruded"].attrs["label"],
         table1_rows(topography, published_table1),
     )
+
+
+def _forces_on_scans(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return the validated forces on mirrored windows of the size of the study's scans."""
+    table = datasets["scan_size"]
+    windows = table.sel(map_size=table["mirrored"] == 1)
+    return windows.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
 
 
 def _edge_source(transitions: xr.DataArray, side: str, edge: float) -> str:
@@ -240,7 +247,7 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
     map_sizes = {
-        "mirrored_scan_size": on_scans(datasets["scan_size"])["map_size"],
+        "mirrored_scan_size": _forces_on_scans(datasets)["map_size"],
         "large_surface_size": datasets["scan_size"]["map_size"][-1],
     }
     for name, map_size in map_sizes.items():

@@ -5,9 +5,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike
 
 from hardcontact.base.formatting import (
     PRINTED_UNITS,
@@ -85,18 +83,6 @@ def bounds_only(
     return Number(name, math.nan, unit, low, high, status)
 
 
-def span(values: ArrayLike, unit: str = "1", name: str = "span") -> Number:
-    """Return the smallest and the largest of the finite values."""
-    finite = [value for value in np.ravel(values) if np.isfinite(value)]
-    return bounds_only(name, min(finite, default=np.nan), max(finite, default=np.nan), unit)
-
-
-def in_percent(share: Number) -> Number:
-    """Return a share, which is a fraction of one, in percent."""
-    low, high = 100 * share.low, 100 * share.high
-    return share._replace(value=100 * share.value, low=low, high=high, unit="%")
-
-
 def bare(number: Number) -> Number:
     """Return a number without its interval; a bound remains a bound."""
     status = number.status if number.status in ("open_above", "open_below") else ""
@@ -145,23 +131,6 @@ def _unbounded(number: Number, digits: int) -> str:
     if high and not low:
         return f" [below {printed(number, digits, 'high')}]"
     return ""
-
-
-def surfaces(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
-    """Return the printed name of each surface of a dataset, and the data of this surface."""
-    selected = [dataset.sel(surface=name) for name in dataset["surface"].values]
-    return [(printed_label(data["label"].item(), data["basis"].item()), data) for data in selected]
-
-
-def printed_label(label: str, basis: str) -> str:
-    """Return the printed name of a surface; a substitute is called so."""
-    return f"{label} (substitute)" if basis == "substitute" else label
-
-
-def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
-    """Return edges and forces on mirrored windows of the size of the study's scans."""
-    windows = scan_size.sel(map_size=scan_size["mirrored"] == 1)
-    return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
 
 
 def quantity_mapping(number: Number, surface: str = "", name: str = "") -> QuantityMapping:

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from hardcontact.base.formatting import format_as_paper, format_share
-from hardcontact.base.number import Number
 from hardcontact.report import quantities
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
@@ -57,11 +56,8 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
-        "in_percent": quantities.in_percent, "percent": format_share, "as_paper": format_as_paper,
-        "surfaces": quantities.surfaces, "unbroken": _unbroken, "base64": _base64,
-    }  # fmt: skip
-    environment.globals |= {
-        "number_of": quantities.number_of, "span": quantities.span, "Number": Number,
+        "percent": format_share, "as_paper": format_as_paper,
+        "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
     environment.tests["known"] = math.isfinite
     return environment

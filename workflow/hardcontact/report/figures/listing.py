@@ -23,16 +23,6 @@ PAPER_FIGURES = (
     "fig6",
     "fig_enhancement",
 )
-#: Figures of the chapter on the causes of the band; the first input of each is its own dataset.
-INSIGHT_FIGURES = (
-    "fig_scaling",
-    "fig_scan_size",
-    "fig_closed_form",
-    "fig_laws",
-    "fig_statistics",
-    "fig_elastic_limit",
-)
-FIGURES = PAPER_FIGURES + INSIGHT_FIGURES
 #: Titles of the figures of own surfaces; "works" needs own forces.
 OWN_FIGURES = {
     "cutoffs": "Pull-off force without parts of the roughness",

@@ -46,14 +46,6 @@ def quantity_rows(
     return frame.assign(panel=panel, quantity=quantity, unit=unit, origin=origin)
 
 
-def variable_rows(data: xr.Dataset, *variables: tuple[str, str, str]) -> pd.DataFrame:
-    """Return the rows of variables of a dataset, for tuples of panel, name and unit."""
-    return pd.concat(
-        computed_rows(value_and_interval(data, name), panel=panel, quantity=name, unit=unit)
-        for panel, name, unit in variables
-    )
-
-
 def summarize_sets(values: xr.DataArray) -> xr.Dataset:
     """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`."""
     tail = (1 - SHARE_OF_SETS) / 2
