@@ -28,15 +28,9 @@ if COMPARED:
     include: "workflow/rules/classical.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
-    include: "workflow/rules/insight.smk"
-    include: "workflow/rules/laws.smk"
-    include: "workflow/rules/elastic_limit.smk"
-    include: "workflow/rules/scaling.smk"
-    include: "workflow/rules/scan_size.smk"
     include: "workflow/rules/figures.smk"
     include: "workflow/rules/report.smk"
     include: "workflow/rules/answer_paper.smk"
-    include: "workflow/rules/answer_insight.smk"
 
 else:
 
@@ -55,11 +49,7 @@ onstart:
 
 
 onsuccess:
-    start.log_answer(
-        workflow,
-        PATTERNS.result("answer.html"),
-        PATTERNS.result("insight.html"),
-    )
+    start.log_answer(workflow, PATTERNS.result("answer.html"))
 
 
 onerror:

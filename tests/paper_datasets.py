@@ -121,7 +121,6 @@ def scan_size() -> xr.Dataset:
     return xr.Dataset(
         forces | {"mirrored": ("map_size", [1, 1, 1, 0, 0])},
         {"surface": SUBSTRATES, "map_size": [1250.0, 2500.0, 5000.0, 20e3, 40e3]},
-        {"scan_size": 2500.0},
     )
 
 

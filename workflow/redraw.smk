@@ -23,7 +23,6 @@ if COMPARED:
     include: "rules/figures.smk"
     include: "rules/report.smk"
     include: "rules/answer_paper.smk"
-    include: "rules/answer_insight.smk"
 
 else:
 
@@ -37,9 +36,7 @@ include: "rules/targets.smk"
 
 #: What is drawn from the final datasets alone.
 DRAWN = [
-    target
-    for target in available_targets(STUDY)
-    if target in ("figures", "pages", "answer", "insight")
+    target for target in available_targets(STUDY) if target in ("figures", "pages", "answer")
 ]
 
 

@@ -18,7 +18,7 @@ import pandas as pd
 from scipy.stats import qmc
 
 from hardcontact.base.random import generator
-from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.contact.contact import Contact
 from hardcontact.inference.curve_edges import (
     RatioCurve,
     edge_interval,
@@ -29,8 +29,8 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
-from hardcontact.theory.closed_form_errors import spectrum_of_grid
 from hardcontact.theory.prediction_errors import table_coordinates
+from hardcontact.theory.summits import spectrum_between
 
 TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
@@ -180,10 +180,31 @@ def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray)
     }
 
 
+def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
+    """Return the spectrum of the waves that a periodic surface can have.
+
+    The wavevectors of the surface fill a square up to the Nyquist wavevector; the cell at zero is
+    left out. The spectrum ends at circles of the same areas as this square and this cell.
+
+    spectrum: c_iso in nm⁴.
+    size: edge of the surface in nm.
+    pixels: pixels along the edge.
+    Returns the waves between both circles.
+    Raises ValueError if the spectrum has no such waves.
+    """
+    cell = 2 * np.pi / size
+    waves = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
+    if waves is None:
+        raise ValueError(f"expected waves between {size / pixels:g} and {size:g} nm, found none")
+    return waves
+
+
 def predict_row(row: dict[str, Any]) -> dict[str, Any]:
     """Return the prediction of the closed form on the grid, and the coordinates of the surface."""
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
-    contact = contact_of_area(row["radius"], row["rho"], WORK, row["area"])
+    contact = Contact(
+        radius=row["radius"], range=row["rho"], work=WORK, preload=row["area"], hardness=1e18
+    )
     form = closed_form(waves, contact)
     short, long = edges(waves, contact, TOLERANCE)
     return {

@@ -53,10 +53,6 @@ def tiny(draw):
         "small": draw(lengths(2 * period / small, period, 3)),
         "large": draw(lengths(2 * pixel, domain, 3)),
     }
-    insight_keys = {
-        "small": {"pixels": small, "cutoffs": cutoffs["small"]},
-        "large": {"pixels": large, "tiles": tiles, "cutoffs": cutoffs["large"]},
-    }
     return {
         "scan": {"pixels": pixels, "size": f"{pixels * pixel:.9g} nm"},
         "sphere": {"radius": f"{max(pixels * pixel, pick(10, 1e4, 2.5e5, 1e9)):.9g} nm"},
@@ -90,20 +86,13 @@ def tiny(draw):
             "small": {"pixels": small, "cutoffs": cutoffs["small"]},
             "large": {"pixels": large, "cutoffs": cutoffs["large"]},
         },
-        "insight": {
-            **insight_keys,
+        "scaling": {
             "count": pick(1, 3),
-            "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
-            "scaling": {
-                "small": {"cutoffs": cutoffs["small"]},
-                "large": insight_keys["large"],
-                "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
-                "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
-                "preloads": [
-                    load,
-                    f"{pick(2, 8) * contact_pixel_count * hardness * pixel**2:.6g} nN",
-                ],
-            },
+            "small": {"pixels": small, "cutoffs": cutoffs["small"]},
+            "large": {"pixels": large, "tiles": tiles},
+            "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
+            "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
+            "preloads": [load, f"{pick(2, 8) * contact_pixel_count * hardness * pixel**2:.6g} nN"],
         },
     }
 
@@ -138,8 +127,9 @@ def stitched_scan(config, rng, density, radius=None):
 
 
 def assert_forces(arrays):
-    forces = arrays["pull_off_force"].values
-    assert np.isfinite(forces).all() and (forces > 0).all()
+    for name in {"pull_off_force", "unfiltered_pull_off_force"} & set(arrays.data_vars):
+        forces = arrays[name].values
+        assert np.isfinite(forces).all() and (forces > 0).all()
 
 
 def check_pair(config, rng, substrate, sphere):
@@ -166,19 +156,19 @@ def check_masters(config, rng, stitched, sphere, section, side):
     keys = master_keys(config, section, side)
     expected_values = {name: get_key(config, key) for name, key in keys.items()}
     master = synthesize_master(side, rng, stitched, expected_values, ROUGH)
-    filters = Filters(side, expected_values["pixels"], expected_values["cutoffs"])
-    scaling, count_sections = config["insight"]["scaling"], {"sets": "sets", "scales": "contact"}
+    filters = Filters(side, expected_values["pixels"], expected_values.get("cutoffs", []))
+    count_section = "contact" if section == "scales" else section
     contact = Contact(
         radius=config["sphere"]["radius"],
         range=config["scales"]["range"],
-        **config["contact"] | {"count": config[count_sections.get(section, "insight")]["count"]},
+        **config["contact"] | {"count": config[count_section]["count"]},
     )
-    if section != "insight.scaling":
+    if section != "scaling":
         for probe in [None, sphere] if section == "sets" else [None]:
             assert_forces(filtered_pull_off(master, filters, [contact], probe))
         return
-    contacts = [replace(contact, preload=preload) for preload in scaling["preloads"]]
-    lengths = {name: scaling[name] for name in ("radii", "ranges")}
+    contacts = [replace(contact, preload=preload) for preload in config[section]["preloads"]]
+    lengths = {name: config[section][name] for name in ("radii", "ranges")}
     assert_forces(filtered_pull_off(master, filters, contacts, None, **lengths))
 
 
@@ -202,7 +192,7 @@ def test_every_accepted_study_can_be_computed(project_folder, examples):
         stitched = stitched_scan(config, rng, ROUGH)
         sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
         check_pair(config, rng, stitched, sphere)
-        for section, side in product(("scales", "sets", "insight.scaling"), ("small", "large")):
+        for section, side in product(("scales", "sets", "scaling"), ("small", "large")):
             check_masters(config, rng, stitched, sphere, section, side)
 
     compute()

@@ -42,7 +42,7 @@ CONTRADICTIONS = [
     ("contact.preload", "1 N", "a quarter of", "at most 156 mN", "found 1 N"),
     ("indent.preloads", ["3 mN"], "4096", "found 5034"),
     # Ranges of adhesion
-    ("insight.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),
+    ("adhesion.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),
 ]
 
 
@@ -74,16 +74,16 @@ def test_a_key_that_contradicts_other_keys_or_the_table_is_refused(
         ),
         (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
         (
-            ("insight.scaling.preloads", ["10 uN", "50 mN"], "insight.count", 200),
-            ["insight.scaling.preloads", "insight.count = 200", "at most 250 µN", "found 50 mN"],
+            ("scaling.preloads", ["10 uN", "50 mN"], "scaling.count", 200),
+            ["scaling.preloads", "scaling.count = 200", "at most 250 µN", "found 50 mN"],
         ),
         (
-            ("insight.scaling.ranges", ["0.9 nm", "5.6 nm"]),
-            ["insight.scaling.ranges", "at least 1 nm on", "500 nm apart", "found 0.9 nm"],
+            ("scaling.ranges", ["0.9 nm", "5.6 nm"]),
+            ["scaling.ranges", "at least 1 nm on", "500 nm apart", "found 0.9 nm"],
         ),
         (
-            ("insight.scaling.radii", ["30 nm", "250 um"]),
-            ["insight.scaling.ranges", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
+            ("scaling.radii", ["30 nm", "250 um"]),
+            ["scaling.ranges", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
         ),
     ],
 )
@@ -95,19 +95,18 @@ def test_a_limit_that_two_keys_decide_names_the_key(
 
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
     config = numbers(
-        *("elastic.contacts", 400, "asperities.contacts", 400, "insight.ranges", ["0.05 nm"]),
-        *("insight.scaling.preloads", ["50 mN"], "insight.scaling.ranges", ["1 nm"]),
-        *("insight.scaling.radii", ["50 nm"]),
+        *("elastic.contacts", 400, "asperities.contacts", 400),
+        *("scaling.preloads", ["50 mN"], "scaling.ranges", ["1 nm"]),
+        *("scaling.radii", ["50 nm"]),
     )
     check(config, tmp_path)
 
 
-def test_a_study_without_the_insight_chapter_ignores_its_keys(project_folder):
+def test_a_study_without_scaling_ignores_its_keys(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
-    for key, value in (("insight.ranges", "0.04 nm"), ("insight.scaling.preloads", "1 N")):
-        config = numbers(key, [value])
-        assert_says(refusal(check_grids, config, grids), f"config key {key}: expected")
-        check_grids(config | {"published": "none"}, grids)
+    config = numbers("scaling.preloads", ["1 N"])
+    assert_says(refusal(check_grids, config, grids), "config key scaling.preloads: expected")
+    check_grids(config | {"published": "none"}, grids)
 
 
 # Measured scans

@@ -120,9 +120,9 @@ SWEPT = {
     "contact__preload": "12 uN",
     "contact__hardness": "30 GPa",
     "scales__range": "3 nm",
-    "insight__scaling__radii": ["5 um", "7 um"],
-    "insight__scaling__preloads": ["1.25 uN", "7 uN"],
-    "insight__scaling__ranges": ["7 nm"],
+    "scaling__radii": ["5 um", "7 um"],
+    "scaling__preloads": ["1.25 uN", "7 uN"],
+    "scaling__ranges": ["7 nm"],
 }
 
 
@@ -142,7 +142,6 @@ def lists_of_files(study):
     for pattern, rows in (
         (PATTERNS.pull_off, study.substrate_scans),
         (PATTERNS.pool, study.chunks),
-        (PATTERNS.law_scan, study.realized_scans),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
     computed_at[study.path(PATTERNS.smooth_sphere, "uncd")] = study_values

@@ -166,7 +166,6 @@ def test_a_table_that_lists_a_missing_scan_is_refused(tmp_path, monkeypatch, pro
             ["answer.html", "answer.json"],
             ["Band 1 to 2 nm.", "Take care.", "The answer is made: open answer.html"],
         ),
-        (["insight.html"], ["The answer is made: open insight.html"]),
         (["other.nc"], []),
     ],
 )
@@ -180,7 +179,7 @@ def test_a_run_ends_with_its_headline_and_the_page_to_open(
     )
     caplog.set_level(logging.INFO, start.logger.name)
     workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
-    start.log_answer(workflow, "answer.html", "insight.html")
+    start.log_answer(workflow, "answer.html")
     assert caplog.messages == messages
 
 

@@ -4,11 +4,11 @@ from itertools import product
 
 import numpy as np
 import pytest
+from known_contacts import contact_of_area
 from measurements import line_of, map_of, measurement
 from scipy import stats
 
 from hardcontact.base.random import generator
-from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.extrapolated_spectrum import MAX_GRADIENT, MAX_HALF_LAPLACIAN
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 import scan_files
+from known_contacts import contact_of_area
 from known_spectra import rough
 from measurements import line_of, map_of, measurement
 from random_scans import PIXEL
@@ -15,7 +16,6 @@ from refusals import assert_says, refusal
 import hardcontact as hc
 from hardcontact.base.random import generator
 from hardcontact.base.units import parse_quantity
-from hardcontact.contact.contact import contact_of_area
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own import request
 from hardcontact.own.own_spectrum import own_spectrum, table_spectrum

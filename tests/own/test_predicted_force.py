@@ -4,10 +4,13 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_total
+from known_contacts import contact_of_area
 from known_forces import FORCE_DIMS
 from known_masters import LARGE, SMALL, scales
+from known_spectra import rough
 from refusals import assert_says, refusal
 
+from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
 from hardcontact.inference.mean_forces import (
     Masters,
@@ -18,8 +21,10 @@ from hardcontact.own.predicted_force import (
     add_extrapolated_force,
     bound_by_smooth_sphere,
     extrapolated_force,
+    force_scatter,
     predicted_force,
 )
+from hardcontact.theory.pull_off_statistics import predict_statistics
 
 RHOS = [1.0, 5.0, 20.0]
 PREDICTION = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
@@ -198,3 +203,16 @@ def test_the_interval_covers_the_scatter_between_realizations(count):
         mean = float(masters.forces.unfiltered_pull_off_force.mean())
         contained.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
     assert np.mean(contained) >= 0.9
+
+
+def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
+    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
+    scatter = force_scatter(rough(10.0), contact, tolerance=0.1, confidence=0.9)
+    law = predict_statistics(rough(10.0), contact)
+    needed = round(scatter["contacts_needed"].item())
+    rng = generator(1, "contacts")
+    level = rng.choice(len(law.means), (2000, needed), p=law.weights)
+    deviation, spread = rng.standard_normal(level.shape), law.spreads[level]
+    samples = law.means[level] * np.exp(spread * deviation - spread**2 / 2)
+    is_within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
+    assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)

@@ -6,17 +6,14 @@ import pytest
 import xarray as xr
 from paper_claims import (
     CONSTANTS,
-    INSIGHT_STATEMENTS,
-    PAPER_STATEMENTS,
     PARAMETERS,
     STATEMENTS,
     TABLES,
 )
 
 from hardcontact.base import dataset
-from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, INSIGHT_DATASETS, estimate
+from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, estimate
 from hardcontact.paper.verdicts import accepted_range
-from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
 
 ROWS = STATEMENTS.set_index("id")
 TABLE1 = pd.read_csv(TABLES / "table1.csv")
@@ -31,8 +28,7 @@ def test_claims_have_known_rules_and_words():
         accepted_range(claim.rule, claim.published_low, claim.published_high)
     assert set(STATEMENTS["basis"]) <= {"published", "inferred", "assumed"}
     assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction", "experiment"}
-    for rows, names in ((PAPER_STATEMENTS, DATASETS), (INSIGHT_STATEMENTS, INSIGHT_DATASETS)):
-        assert set(rows["dataset"].str.split("+").explode()) <= {*names, "paper"}
+    assert set(STATEMENTS["dataset"].str.split("+").explode()) <= {*DATASETS, "paper"}
 
 
 def test_a_claim_follows_only_from_an_independent_claim():
@@ -55,7 +51,7 @@ def test_every_derived_quantity_is_judged():
 def test_every_claim_names_a_quantity_and_labels_that_the_study_has(results):
     datasets = {
         name: dataset.read(results / f"{name}.nc").assign_attrs(confidence=0.95)
-        for name in {*DATASETS, *INSIGHT_DATASETS}
+        for name in DATASETS
     }
     datasets["paper"] = xr.Dataset(PARAMETERS.to_dict())
     for claim in STATEMENTS.itertuples():
@@ -152,13 +148,3 @@ def test_a_force_too_weak_for_a_claim_does_not_reproduce_it():
     lowest = accepted_range(*plastic[["rule", "published_low", "published_high"]]).low
     for name in ("rigid_too_weak", "short_range_too_weak"):
         assert ROWS.loc[name, "published_high"] == pytest.approx(lowest)
-
-
-def test_the_three_laws_that_the_paper_names_are_judged():
-    similar = ROWS[ROWS.index.str.startswith("similar_with_")]
-    law_names = similar.index.str.removeprefix("similar_with_")
-    assert len(law_names) == 3 and set(law_names) <= {
-        law.name for law in LAWS if law != EXPONENTIAL
-    }
-    assert list(similar["select"]) == [f"law={name}" for name in law_names]
-    assert (similar["published_high"] == 1.25).all() and (similar["basis"] == "assumed").all()

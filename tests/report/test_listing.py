@@ -10,12 +10,13 @@ from jinja2 import UndefinedError
 from repository import PAPER, ROOT
 
 from hardcontact.report.figures import listing
-from hardcontact.report.figures.listing import FIGURES, PAPER_FIGURES, caption, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 from hardcontact.report.figures.own_figures import OWN_DRAWINGS
 
 
 def test_each_figure_has_its_drawing():
-    assert {path.stem for path in Path(listing.__file__).parent.glob("fig*.py")} == set(FIGURES)
+    modules = {path.stem for path in Path(listing.__file__).parent.glob("fig*.py")}
+    assert modules == set(PAPER_FIGURES)
     assert set(OWN_DRAWINGS) == set(listing.OWN_FIGURES)
 
 
@@ -39,8 +40,8 @@ def test_a_picture_is_described_by_its_title_unless_told_otherwise():
 
 def test_figures_are_described_without_heavy_packages():
     code = (
-        "import sys; from hardcontact.report.figures.listing import FIGURES, describe_figure;"
-        "[describe_figure(name) for name in FIGURES];"
+        "import sys; from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure;"
+        "[describe_figure(name) for name in PAPER_FIGURES];"
         "print({'matplotlib', 'PIL', 'scipy', 'jinja2'} & set(sys.modules))"
     )
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "workflow", capture_output=True)

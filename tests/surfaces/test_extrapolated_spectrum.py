@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
+from known_contacts import contact_of_area
 from known_spectra import BINS
 from measurements import map_of, measurement
 from random_scans import uncd
 from scipy import stats
 
 from hardcontact.base.random import generator
-from hardcontact.contact.contact import contact_of_area
 from hardcontact.surfaces.extrapolated_spectrum import (
     ATOMIC_WAVELENGTH,
     MAX_GRADIENT,

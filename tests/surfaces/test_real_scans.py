@@ -68,11 +68,7 @@ OWN = {
         "small": {"pixels": 4096},
         "large": {"pixels": 4096},
     },
-    "insight": {
-        "small": {"pixels": 1024},
-        "large": {"pixels": 2048},
-        "scaling": {"large": {"pixels": 2048}},
-    },
+    "scaling": {"small": {"pixels": 1024}, "large": {"pixels": 2048}},
     "indent": {"surface": "uncd"},
 }
 

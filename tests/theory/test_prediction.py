@@ -5,26 +5,40 @@ import sys
 import numpy as np
 import pandas as pd
 import pytest
+from known_contacts import contact_of_area
+from known_spectra import rough
 from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
 import validate_prediction
 
-from hardcontact.contact.contact import contact_of_area
+from hardcontact.base.random import generator
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, varying_hurst
+from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory import prediction, prediction_errors
 from hardcontact.theory.closed_form import closed_form
-from hardcontact.theory.closed_form_errors import spectrum_of_grid
+from hardcontact.theory.summits import moment
 
 TABLE = pd.read_csv(prediction_errors.VALIDATION)
+
+
+def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
+    spectrum = rough(4, 500, 0.8, 10)
+    heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
+    waves = validate_prediction.spectrum_of_grid(spectrum, 2560.0, 256)
+    rms_height = np.sqrt(np.mean(np.square(heights)))
+    assert np.sqrt(moment(waves, 0)) == pytest.approx(rms_height, rel=0.03)
+    with pytest.raises(ValueError, match="expected waves between"):
+        validate_prediction.spectrum_of_grid(spectrum, 1e-3, 4)
 
 
 def test_the_table_repeats_the_design_and_the_closed_form():
     designed = pd.DataFrame(validate_prediction.design(validate_prediction.SURFACES))
     pd.testing.assert_frame_equal(TABLE[designed.columns], designed, rtol=1e-4, check_dtype=False)
     for row in TABLE.to_dict("records"):
-        waves = spectrum_of_grid(validate_prediction.spectrum_of(row), row["size"], row["pixels"])
+        spectrum = validate_prediction.spectrum_of(row)
+        waves = validate_prediction.spectrum_of_grid(spectrum, row["size"], row["pixels"])
         contact = contact_of_area(row["radius"], row["rho"], 1.0, row["area"])
         form = closed_form(waves, contact)
         assert form.force == pytest.approx(row["predicted_force"], rel=1e-3)

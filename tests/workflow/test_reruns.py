@@ -183,7 +183,7 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
 # A key: the rules that it concerns, and all that is made from theirs
 
 #: Every value is in the configuration kept with the results and on pages.
-KEPT = {"keep_configuration", "write_pages", "answer_paper", "answer_insight"}
+KEPT = {"keep_configuration", "write_pages", "answer_paper"}
 
 
 def overlay(key, value):
@@ -197,13 +197,11 @@ def overlay(key, value):
     ("key", "value", "concerned"),
     [
         ("scales.tolerance", 0.2, {"find_edges", "judge_sets",
-                                   "compare_closed_form", "compare_laws", "scale_edges",
-                                   "compare_enhancement"}),
+                                   "fit_exponents", "compare_enhancement"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),
-        ("insight.window", "18 um", {"compute_law_forces"}),
         ("scales.small.transition", "90 nm", {
-            "synthesize_masters", "filter_masters", "compute_law_forces", "aggregate_scales"}),
+            "synthesize_masters", "filter_masters", "aggregate_scales"}),
     ],
 )  # fmt: skip
 def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, concerned):

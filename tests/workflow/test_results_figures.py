@@ -16,7 +16,7 @@ from repository import PAPER, ROOT
 from hardcontact.base import dataset
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.report.figures import drawing, style
-from hardcontact.report.figures.listing import FIGURES, caption, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
 #: Figures with values of the paper, and words of their captions about these.
 PUBLISHED_IN = {
@@ -27,7 +27,7 @@ PUBLISHED_IN = {
 }  # fmt: skip
 
 
-@pytest.fixture(scope="module", params=FIGURES)
+@pytest.fixture(scope="module", params=PAPER_FIGURES)
 def name(request):
     return request.param
 
@@ -216,4 +216,4 @@ def test_histograms_hold_all_forces_and_name_the_fitted_shape(draw_checked, read
 
 
 def test_every_figure_has_a_number_compared():
-    assert {name for name, *_ in NUMBERS} | {"fig1", "fig3"} == set(FIGURES)
+    assert {name for name, *_ in NUMBERS} | {"fig1", "fig3"} == set(PAPER_FIGURES)

@@ -1,7 +1,6 @@
 """The quick study's claims, figures, answers and report."""
 
 import json
-import re
 
 import pandas as pd
 from browser import measure_page, needs_browser
@@ -11,13 +10,11 @@ from paper_numbers import SUBSTRATES
 from repository import ROOT, run_snakemake
 
 from hardcontact.base import dataset
-from hardcontact.base.number import Number
 from hardcontact.config.configuration import PAGES
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
-from hardcontact.report.figures.listing import FIGURES, INSIGHT_FIGURES, PAPER_FIGURES
-from hardcontact.report.paper_answer import ANSWER_CLAIMS, EDGE_SIDES
-from hardcontact.report.quantities import printed
+from hardcontact.report.figures.listing import PAPER_FIGURES
+from hardcontact.report.paper_answer import ANSWER_CLAIMS
 
 
 def test_every_claim_has_a_verdict_and_a_basis(results):
@@ -72,26 +69,6 @@ def test_the_answer_shows_every_figure_and_is_self_contained(results):
     assert len(" ".join(page.texts["main"]).split()) <= 3000
 
 
-def test_the_page_on_the_band_is_complete_and_self_contained(results):
-    page = Page((results / "insight.html").read_text())
-    sources = page.values("src")
-    assert len(sources) == len(page.texts["h2"]) == len(INSIGHT_FIGURES)
-    assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
-    assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
-    claims = pd.read_csv(results / "insight_claims.csv")
-    assert not_told([*claims.statement, *claims.verdict], page) == []
-
-
-def test_the_page_on_the_band_has_the_edges_of_the_answer(results):
-    answer = json.loads((results / "answer.json").read_text())
-    edges = [
-        printed(Number(row["name"], row["value"], row["unit"]), 2)
-        for row in answer["quantities"]
-        if row["surface"] and row["name"] in EDGE_SIDES and row["status"] == "known"
-    ]
-    assert edges and not_told(edges, Page((results / "insight.html").read_text())) == []
-
-
 @needs_browser
 def test_a_browser_shows_the_answer_on_phone_and_desk(results, tmp_path):
     page = (results / "answer.html").read_text()
@@ -106,7 +83,7 @@ def test_the_report_contains_the_answer_every_figure_and_every_page(finished, tm
     run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
     assert run.returncode == 0, run.stdout[-3000:]
     text = (tmp_path / "report.html").read_text()
-    sections = ["answer.html", "insight.html", *(f"{name}.png" for name in FIGURES)]
+    sections = ["answer.html", *(f"{name}.png" for name in PAPER_FIGURES)]
     sections += [f"{name}.html" for name in PAGES]
     assert [name for name in sections if name not in text] == []
     assert '"0. Answer": {' in text

@@ -29,8 +29,8 @@ FIXED = {
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
     "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protrusion_draws",
-    "sets.realizations", "insight.realizations", "insight.scaling.radii",
-    "insight.scaling.ranges", "insight.scaling.preloads",
+    "sets.realizations", "scaling.realizations", "scaling.radii", "scaling.ranges",
+    "scaling.preloads",
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
@@ -44,10 +44,7 @@ FILTERED = {
     "scales": (*_OF_SCANS, "scales.small", "scales.large", "contact.count"),
     "sets": (*_OF_SCANS, "scales.small", "scales.large", "sets.small", "sets.large", "sets.count"),
     "enhancement": (*_OF_SCANS, "scales.small", "sets.small", "sets.count"),
-    "scaling": (
-        *_OF_SCANS, "scales.small", "scales.large", "insight.small", "insight.large",
-        "insight.scaling", "insight.count",
-    ),
+    "scaling": (*_OF_SCANS, "scales.small", "scales.large", "scaling"),
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {"substitutes", "stitched", "measurements", "measured_spectra", "sampled_spectra"}
@@ -127,7 +124,7 @@ def test_keys_outside_paths_change_no_file(plans, folder):
     "keys",
     [
         ["scales.sphere_roughness"],
-        ["scales.realizations", "insight.realizations"],
+        ["scales.realizations", "scaling.realizations"],
         ["sets.pool", "sets.protrusion_draws", "sets.realizations"],
     ],
 )

@@ -15,9 +15,9 @@ rule answer_paper:
                 "sets",
                 "protruded",
                 "protruded_sphere",
-                "scan_size",
             )
         },
+        scan_size="resources/validation/scan_size.nc",
         claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],

@@ -1,8 +1,8 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.report.figures.listing import FIGURES, caption, describe_figure
+from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
-for name in FIGURES:
+for name in PAPER_FIGURES:
     figure = describe_figure(name)
 
     rule:

@@ -1,4 +1,4 @@
-# Inference: edges of the band, range and work of adhesion from published forces.
+# Inference: edges of the band and exponents, range and work of adhesion from published forces.
 
 
 rule find_edges:
@@ -21,6 +21,33 @@ rule find_edges:
         ),
     script:
         "../scripts/find_edges.py"
+
+
+rule fit_exponents:
+    """Fit how the force and the short edge scale with radius, range and load: scaling.nc."""
+    input:
+        masters=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
+        code=code_inputs("fit_exponents.py"),
+    output:
+        PATTERNS.dataset("scaling"),
+    log:
+        PATTERNS.log("fit_exponents"),
+    benchmark:
+        PATTERNS.benchmark("fit_exponents")
+    params:
+        canonical=canonical(
+            {
+                "masters": [row.surface for row in FILES.masters("scaling")],
+                "realizations": STUDY["scaling"]["realizations"],
+                **NAMED_SURFACES,
+                "tolerance": STUDY["scales"]["tolerance"],
+                "confidence": STUDY["inference"]["confidence"],
+                "rho": STUDY["scales"]["range"],
+                "area": FILES.contact.area,
+            }
+        ),
+    script:
+        "../scripts/fit_exponents.py"
 
 
 rule fit_published:

@@ -46,7 +46,7 @@ rule compare_enhancement:
         canonical=canonical(
             {
                 "masters": [row.surface for row in FILES.masters("enhancement")],
-                "realizations": STUDY["insight"]["realizations"],
+                "realizations": STUDY["scaling"]["realizations"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 **SAMPLING,
                 **NAMED_SURFACES,

@@ -1,7 +1,7 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
 from hardcontact.config.configuration import PAGES, available_targets, omitted_targets
-from hardcontact.report.figures.listing import FIGURES, FILE_KINDS, INSIGHT_FIGURES, PAPER_FIGURES
+from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
 #: The datasets of each target that makes some.
 DATASETS_OF_TARGETS = {
@@ -10,7 +10,7 @@ DATASETS_OF_TARGETS = {
     "elastic": ["elastic"],
     "plasticity": ["indent", "enhancement"],
     "asperities": ["asperities"],
-    "scales": ["scales", "edges"],
+    "scales": ["scales", "edges", "scaling"] if COMPARED else ["scales", "edges"],
     "classical": ["classical"],
     "sets": ["sets", "protruded", "protruded_sphere"],
     "force": ["force"],
@@ -18,7 +18,7 @@ DATASETS_OF_TARGETS = {
 }
 PAGES_OF_STUDY = [PATTERNS.page(page) for page in PAGES] if COMPARED else []
 FIGURE_FILES = {
-    figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS] for figure in FIGURES
+    figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS] for figure in PAPER_FIGURES
 }
 FILES_OF_TARGETS = {
     **{
@@ -26,13 +26,12 @@ FILES_OF_TARGETS = {
         for target, names in DATASETS_OF_TARGETS.items()
     },
     "claims": [PATTERNS.result("claims.csv")],
-    "figures": [FIGURE_FILES[figure] for figure in PAPER_FIGURES],
+    "figures": list(FIGURE_FILES.values()),
     "pages": PAGES_OF_STUDY,
     "answer": [
         *(rules.answer_paper.output if COMPARED else rules.answer_surfaces.output),
         *PAGES_OF_STUDY,
     ],
-    "insight": [PATTERNS.result("insight.html"), *(FIGURE_FILES[name] for name in INSIGHT_FIGURES)],
 }
 
 
@@ -46,7 +45,7 @@ for target in available_targets(STUDY):
             FILES_OF_TARGETS[target],
 
 
-for figure in FIGURES if COMPARED else []:
+for figure in PAPER_FIGURES if COMPARED else []:
 
     rule:
         """Make one figure, from nothing if need be."""

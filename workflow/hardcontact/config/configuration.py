@@ -17,7 +17,7 @@ from hardcontact.contact.contact import Contact
 #: Targets of a study that is compared with the paper.
 PAPER_TARGETS = (
     "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
-    "claims", "figures", "pages", "answer", "insight",
+    "claims", "figures", "pages", "answer",
 )  # fmt: skip
 #: Targets of a study of own surfaces; `fit` needs own forces.
 OWN_SURFACE_TARGETS = ("topography", "adhesion", "scales", "force", "fit", "answer")
@@ -31,7 +31,6 @@ REASONS = {
     "sets": "sets are sampled from substitutes for the paper's surfaces",
     "claims": "claims are statements of the paper about its own surfaces",
     "figures": "the figures are the paper's; those of own surfaces are in the answer",
-    "insight": "its parts are made of substitutes for the paper's surfaces",
     "pages": "the pages report on the paper's statements; own surfaces are in the answer",
 }
 
@@ -125,15 +124,17 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
     """Return the key of each setting of the masters of one side that a section filters.
 
-    A section inherits missing settings from the section around it, and at last from `scales`.
+    A section inherits missing settings from `scales`. Large-scale masters for scaling have no
+    cutoffs.
     """
-    names = section.split(".")
-    sections = ["scales", *(".".join(names[: end + 1]) for end in range(len(names)))]
-    return {
+    keys = {
         name: f"{section_name}.{side}.{name}"
-        for section_name in sections
-        for name in get_key(config, section_name)[side]
+        for section_name in ("scales", section)
+        for name in config[section_name][side]
     }
+    if (section, side) == ("scaling", "large"):
+        del keys["cutoffs"]
+    return keys
 
 
 def available_targets(configuration: Mapping[str, Any]) -> list[str]:

@@ -115,7 +115,7 @@ class Files:
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """The numbers of scans that are made together, and the substitutes that have such scans."""
-        realizations = max(self._configuration[key]["realizations"] for key in ("sets", "insight"))
+        realizations = max(self._configuration[key]["realizations"] for key in ("sets", "scaling"))
         selection = self._selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditionings:
@@ -158,12 +158,6 @@ class Files:
     def substrate_scans(self) -> list[Scan]:
         """Every scan of a substrate."""
         return self._first_scans(self._selection.substrates)
-
-    @property
-    def realized_scans(self) -> list[Scan]:
-        """The first scans of every substrate, one a realization of the chapter of insight."""
-        count = self._configuration["insight"]["realizations"]
-        return self._first_scans(self._selection.substrates, count)
 
     def _first_scans(self, surfaces: Iterable[str], count: int | None = None) -> list[Scan]:
         """Return the first scans of surfaces, or all without a count."""
@@ -223,7 +217,7 @@ class Files:
 
     def contact_grid(self, purpose: str) -> dict[str, list[Any]]:
         """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
-        scaling = self._configuration["insight"]["scaling"]
+        scaling = self._configuration["scaling"]
         contact = self.contact
         contacts = [contact]
         lengths = {"radii": [contact.radius], "ranges": [contact.range]}
@@ -243,7 +237,7 @@ class Files:
         section, count_key = {
             "sets": ("sets", "sets.count"),
             "enhancement": ("sets", "sets.count"),
-            "scaling": ("insight.scaling", "insight.count"),
+            "scaling": ("scaling", "scaling.count"),
         }.get(purpose, ("scales", "contact.count"))
         return {
             "contacts_per_side": get_key(configuration, count_key),
@@ -284,7 +278,7 @@ class Files:
         surfaces = self._selection.substrates
         if purpose == "sampled":
             surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
-        sections = {"sets": "sets", "scaling": "insight", "enhancement": "insight"}
+        sections = {"sets": "sets", "scaling": "scaling", "enhancement": "scaling"}
         section = sections.get(purpose, "scales")
         count = self._configuration[section]["realizations"]
         return [row for surface in surfaces for row in self._masters_of(purpose, surface, count)]

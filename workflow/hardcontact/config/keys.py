@@ -263,84 +263,43 @@ class SetsKeys(Keys):
     large: SetLargeScaleKeys = SetLargeScaleKeys()
 
 
-class LawSmallScaleKeys(Keys):
-    """Small-scale masters for other laws."""
+class ScalingSmallScaleKeys(Keys):
+    """Small-scale masters for scaling."""
 
     pixels: Pixels = 2048
     """Pixels along a side of the small-scale masters."""
-    cutoffs: Lengths = key(["25 nm", "43 nm", "75 nm", "200 nm"])
-    """Short-wavelength cutoffs, ascending."""
-
-
-class LawLargeScaleKeys(Keys):
-    """Large-scale masters for other laws."""
-
-    pixels: Pixels = 2048
-    """Pixels along a side of the grid on which forces on large-scale masters are computed."""
-    tiles: TileCount = 2
-    """Stitched scans along a side of the large-scale master."""
-    cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"])
-    """Long-wavelength cutoffs, ascending."""
-
-
-class ScalingSmallScaleKeys(Keys):
-    """Small-scale masters whose edges are scaled."""
-
     cutoffs: Lengths = key(nm(10, 20, 30, 43, 62, 90, 150, 300))
     """Short-wavelength cutoffs, ascending."""
 
 
 class ScalingLargeScaleKeys(Keys):
-    """Large-scale masters whose edges are scaled."""
+    """Large-scale masters for scaling, which are not filtered."""
 
     pixels: Pixels = 4096
     """Pixels along a side of the grid on which forces on large-scale masters are computed."""
     tiles: TileCount = 4
     """Stitched scans along a side of the large-scale master."""
-    cutoffs: Lengths = key(nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000))
-    """Long-wavelength cutoffs, ascending."""
 
 
 class ScalingKeys(Keys):
-    """Edges of the band over sphere, range and contact area."""
+    """Scaling.
 
-    radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
-    """Radii of the spheres for which edges of the band are found, ascending."""
-    ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
-    """Ranges of adhesion for which edges are found, ascending."""
-    preloads: Forces = key(["1.25 uN", "10 uN", "80 uN"])
-    """Preloads for which edges are found, ascending; divided by the hardness they are the contact
-    areas."""
-    small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
-    large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
-
-
-class InsightKeys(Keys):
-    """Insight.
-
-    The chapter of `snakemake insight` goes beyond the paper: the causes of the critical band, and
-    the limits of the method. `closed_form.nc` uses `count`, `realizations`, `ranges`, `pixels` and
-    `sizes`. `statistics.nc` uses `ranges`. `laws.nc` uses `count`, `realizations`, `window`,
-    `small` and `large`. `scaling.nc` uses `count`, `realizations`, `small.pixels` and `scaling`.
+    `scaling.nc` has exponents of the force and of the short edge. They are fitted to all spheres,
+    ranges and preloads below.
     """
 
     realizations: Realizations = 3
-    """Number of realizations per substrate: random surfaces of each size (closed form), and masters
-    (other laws, scaling, enhancement)."""
+    """Masters of each substrate on each side; those of `enhancement.nc` are as many."""
     count: Count = 8
     """Contacts along a side of the array."""
-    ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
-    """Ranges of adhesion, ascending; `scales.range` is always one of them."""
-    pixels: Pixels = 1024
-    """Pixels along a side of the random surfaces that are compared with the closed form."""
-    sizes: Lengths = key(["5000 nm", "20000 nm"])
-    """Sides of these surfaces, ascending."""
-    window: Length = key("80 um")
-    """Side of the window within which other laws of attraction than Eq. 1 act, at least
-    `contact.window`."""
-    small: LawSmallScaleKeys = LawSmallScaleKeys()
-    large: LawLargeScaleKeys = LawLargeScaleKeys()
-    scaling: ScalingKeys = ScalingKeys()
+    radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
+    """Radii of the spheres, ascending."""
+    ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
+    """Ranges of adhesion, ascending."""
+    preloads: Forces = key(["1.25 uN", "10 uN", "80 uN"])
+    """Preloads, ascending; divided by the hardness they are the contact areas."""
+    small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
+    large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
 
 
 class StudyKeys(Keys):
@@ -382,4 +341,4 @@ class StudyKeys(Keys):
     indent: IndentKeys = IndentKeys()
     asperities: AsperitiesKeys = AsperitiesKeys()
     sets: SetsKeys = SetsKeys()
-    insight: InsightKeys = InsightKeys()
+    scaling: ScalingKeys = ScalingKeys()

@@ -59,18 +59,17 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
     if config["published"] != PAPER:
         return [section, section._replace(name="scales")]
     indent_contact = replace(contact, preload=config["indent"]["preloads"][-1])
-    scaling = config["insight"]["scaling"]
+    scaling = config["scaling"]
     scaling_contact = replace(contact, preload=scaling["preloads"][-1])
     return [
         section._replace(contacts=own_load | {"indent.preloads": indent_contact}),
         section._replace(name="scales"),
         section._replace(name="sets", count_key="sets.count", contacts=own_load),
-        section._replace(name="insight", count_key="insight.count"),
         ContactSection(
-            "insight.scaling",
-            "insight.count",
-            {"insight.scaling.preloads": scaling_contact},
-            "insight.scaling.ranges",
+            "scaling",
+            "scaling.count",
+            {"scaling.preloads": scaling_contact},
+            "scaling.ranges",
             scaling["ranges"][0],
             scaling["radii"][0],
         ),
@@ -119,11 +118,8 @@ def scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
     faults += _range_faults(
         "scales.range", config["scales"]["range"], radius, window, surface, grid
     )
-    listed_ranges = ["adhesion", "insight"] if config["published"] == PAPER else ["adhesion"]
-    for name in listed_ranges:
-        shortest = config[name]["ranges"][0]
-        faults += _range_faults(f"{name}.ranges", shortest, radius, window, surface, grid)
-    return faults
+    shortest = config["adhesion"]["ranges"][0]
+    return faults + _range_faults("adhesion.ranges", shortest, radius, window, surface, grid)
 
 
 def _pair_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid) -> list[str]:
@@ -180,10 +176,11 @@ def _master_faults(
         faults += _penetration_faults(section, grid.relief)
     master = f"a master of {section.name}.{side} on {surface}"
     filtered_pixel_size = pixel_size if side == "small" else grid.pixel_size
-    for name, shortest in (("transition", grid.pixel_size), ("cutoffs", filtered_pixel_size)):
-        faults += _wavelength_faults(
-            keys[name], get_key(config, keys[name]), shortest, size, master
-        )
+    shortest_wavelengths = {"transition": grid.pixel_size, "cutoffs": filtered_pixel_size}
+    for name, shortest in shortest_wavelengths.items():
+        if name in keys:  # Masters of `scaling.large` have no cutoffs.
+            wavelengths = get_key(config, keys[name])
+            faults += _wavelength_faults(keys[name], wavelengths, shortest, size, master)
     if section.name == "sets" or config["scales"]["sphere_roughness"]:
         pixel_size = min(pixel_size, sphere_grid.pixel_size)
         bodies = f"the {side}-scale masters of {surface} and the sphere"

@@ -60,10 +60,6 @@ class Patterns:
         )
         self.smooth_sphere = f"{folder['smooth_sphere']}/{settings}.nc"
         self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
-        law_folder = f"{folder['laws']}/{sphere}/{settings}/scan-{{scan}}"
-        self.law_scan = f"{law_folder}/scan.nc"
-        self.law_small = f"{law_folder}/small.nc"
-        self.law_large = f"{law_folder}/large.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")
         self.large_master = self.master.replace("{side}", "large")

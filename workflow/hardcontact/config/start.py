@@ -160,18 +160,15 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     return Selection(rows, configuration["sphere"]["surface"])
 
 
-def log_answer(workflow: Any, *pages: str) -> None:
-    """Log the answer at the end of a run, and the page to open among the requested pages."""
-    asked_for = {str(path) for job in workflow.dag.jobs for path in job.output}
-    for page in filter(asked_for.__contains__, pages):
+def log_answer(workflow: Any, page: str) -> None:
+    """Log the answer at the end of a run that makes its page, and the page to open."""
+    if page in {str(path) for job in workflow.dag.jobs for path in job.output}:
         answer = Path(page).with_name("answer.json")
-        if str(answer) in asked_for:
-            content = json.loads(answer.read_text("utf-8"))
-            grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
-            for line in [*content["headline"], *grave_notes]:
-                logger.info(line)
+        content = json.loads(answer.read_text("utf-8"))
+        grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
+        for line in [*content["headline"], *grave_notes]:
+            logger.info(line)
         logger.info(f"The answer is made: open {page}")
-        break
     _stop_looking()
 
 

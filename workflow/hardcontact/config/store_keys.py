@@ -38,11 +38,7 @@ STORE_KEYS = {
     "pool": _POOL,
     "protruded": (*_POOL, "sets.protruded_surface"),
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
-    "laws": (
-        *SCAN_KEYS, *_TRANSITIONS, "contact.window", "insight.count", "insight.window",
-        "insight.small", "insight.large",
-    ),
-}  # fmt: skip
+}
 
 
 def short_digest(values: object) -> str:

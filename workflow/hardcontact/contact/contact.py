@@ -51,14 +51,3 @@ class Contact:
             return 1
         pixel_area = (pixel_size * 1e-9) ** 2
         return int(np.ceil(self.preload / (self.hardness * pixel_area) * (1 - 1e-12)))
-
-
-def contact_of_area(radius: float, rho: float, work: float, area: float) -> Contact:
-    """Return a contact whose preload an area carries, at a hardness of 1 N/nm².
-
-    radius, rho: radius of the sphere and range of adhesion in nm.
-    work: work of adhesion in J/m².
-    area: area of contact in nm².
-    Returns a single contact.
-    """
-    return Contact(radius=radius, range=rho, work=work, preload=area, hardness=1e18)

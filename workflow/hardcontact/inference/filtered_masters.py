@@ -58,10 +58,11 @@ def forces_at_cutoffs(
     end = 2 * master.size / pixels if side == "small" else master.size
     nanometres = {"units": "nm", "long_name": "last wavelength of the unfiltered spectrum"}
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
+    filtered_forces = np.reshape(filtered, (len(cutoffs), *np.shape(unfiltered)))
     return xr.Dataset(
         {
             "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE),
-            "pull_off_force": (("cutoff_wavelength", *axes), np.array(filtered), FORCE),
+            "pull_off_force": (("cutoff_wavelength", *axes), filtered_forces, FORCE),
             "unfiltered_wavelength": ((), end, nanometres),
         },
         {"cutoff_wavelength": cutoff_axis, **axes},

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
+from scipy import special
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
@@ -27,10 +28,9 @@ from hardcontact.inference.scan_parts import (
     jackknife_variance,
     logarithmic_interval,
 )
-from hardcontact.surfaces.spectrum import spectrum_of_dataset
-from hardcontact.theory.edge_scaling import regime_coordinates
-from hardcontact.theory.force_scatter import force_scatter
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.hard_contact import tabor
+from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
 
 #: Quantiles of the forces of single contacts.
@@ -55,9 +55,9 @@ def own_force(
     tolerance: relative change of the force up to which the force counts as unchanged.
     Returns over surface: the forces on the scans (`predicted_force`) and with extrapolated
         roughness (`extrapolated_force`), never above the force on a smooth sphere; whether scans,
-        windows and pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`);
-        and the coordinates in the map of regimes (`regime_coordinates`). The attributes have the
-        Tabor parameter and its verdict on the bodies, hard or not (`tabor`).
+        windows and pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`).
+        The attributes have the Tabor parameter and its verdict on the bodies, hard or not
+        (`tabor`).
     """
     force = predicted_force(
         adhesion,
@@ -78,19 +78,31 @@ def own_force(
         for name, spectrum in spectra_by_surface.items()
     }
     force = with_sizes(force, topography, contact, search_sizes)
-    scatter = force_scatter(
-        spectra_by_surface,
-        contact,
-        [contact.range],
-        dict.fromkeys(spectra_by_surface, 0.0),  # the scatter over the places of one scan
-        tolerance=tolerance,
-        confidence=confidence,
-    ).squeeze("rho", drop=True)
-    force = force.merge(scatter[["weibull_modulus", "log_force_std", "contacts_needed"]])
+    scatter = [
+        force_scatter(spectrum, contact, tolerance, confidence)
+        for spectrum in spectra_by_surface.values()
+    ]
+    force = force.merge(xr.concat(scatter, force["surface"]))
     stiffness = tabor(contact, assumed_modulus(contact.hardness))
-    return force.merge(regime_coordinates(spectra_by_surface, contact)).assign_attrs(
-        tabor_parameter=stiffness.value, bodies=stiffness.status
-    )
+    return force.assign_attrs(tabor_parameter=stiffness.value, bodies=stiffness.status)
+
+
+def force_scatter(
+    spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return how the force scatters over the places of a surface.
+
+    Returns ``weibull_modulus``, the standard deviation of ln F, ``log_force_std``, and
+    ``contacts_needed`` for a mean that is within the relative tolerance with the confidence.
+    """
+    statistics = predict_statistics(spectrum, contact)
+    quantile = special.ndtri((1 + confidence) / 2)
+    numbers = {
+        "weibull_modulus": statistics.modulus,
+        "log_force_std": statistics.spread,
+        "contacts_needed": (quantile * statistics.variation / tolerance) ** 2,
+    }
+    return xr.Dataset({name: ((), number, DIMENSIONLESS) for name, number in numbers.items()})
 
 
 def predicted_force(

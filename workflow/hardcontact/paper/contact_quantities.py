@@ -21,8 +21,8 @@ from hardcontact.paper.numbers import (
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 M2_PER_NM2 = 1e-18
-#: Radius in nm of a sphere that is much larger than the decisive wavelengths, some 2 µm.
-LARGE_RADIUS = 50e3
+#: E* h' of a smooth sphere relative to its mean pressure, by Hertz.
+SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
@@ -126,20 +126,21 @@ def median_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
     return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
 
 
-def median_long_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return d ln(long edge)/d ln(root of the radius) (no dimensions).
+def median_short_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return d ln(short edge)/d ln(root of a quantity), the median over surfaces (exponent_of)."""
+    return variable_as_number(scaling, "short_edge_exponent").median("surface", skipna=False)
 
-    It is the median over the surfaces, for spheres of at least LARGE_RADIUS. The interval follows
-    from the ends of the intervals at the smallest and the largest of these spheres.
+
+def elastic_pressure_over_hardness(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
+    """Return the mean pressure of elastic contact relative to the hardness (surface).
+
+    The pressure is E* h'/k with the rms slope h' of all scales and the k of a smooth sphere. For a
+    rough flat k is 1.6 (Persson, J. Chem. Phys. 115 (2001) 3840) to 2.5 (Bush, Gibson and Thomas,
+    Wear 35 (1975) 87).
     """
-    case = {name: scaling.attrs[name] for name in ("rho", "area")}
-    large = scaling.sel(side="large").sel(case, method="nearest")
-    large = large.sel(radius=large["radius"] >= LARGE_RADIUS)
-    smallest = large.isel(radius=0)
-    largest = large.isel(radius=-1)
-    ratio = quotient(variable_as_number(largest, "edge"), variable_as_number(smallest, "edge"))
-    root_of_radius_ratio = (largest["radius"] / smallest["radius"]) ** 0.5
-    return (ratio.map(np.log) / np.log(root_of_radius_ratio)).median("surface", skipna=False)
+    slope = topography[TABLE1_VARIABLES["all_rms_slope"]].sel(surface=elastic["surface"])
+    pressure = elastic.attrs["effective_modulus"] * slope / SLOPE_OVER_PRESSURE
+    return number_with_interval(pressure / elastic.attrs["hardness"])
 
 
 def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -171,5 +172,6 @@ QUANTITIES = (
     effective_work_decades, printed_effective_work, tabor_by_convention,
     classical_over_numerical, apex_level, plastic_contact_area, finer_pixel_ratio,
     elastic_change, median_share_above_hardness, median_plastic_over_elastic_area,
-    deformation_over_adhesion, median_force_exponent, median_long_edge_exponent, nonstickiness,
+    deformation_over_adhesion, median_force_exponent, median_short_edge_exponent,
+    elastic_pressure_over_hardness, nonstickiness,
 )  # fmt: skip

@@ -61,11 +61,9 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 
 #: Datasets that claims may name, besides `paper`.
 DATASETS = (
-    "topography", "adhesion", "scales", "edges", "fit", "elastic", "indent",
-    "asperities", "classical", "enhancement", "protruded",
+    "topography", "adhesion", "scales", "edges", "fit", "scaling", "elastic",
+    "indent", "asperities", "classical", "enhancement", "protruded",
 )  # fmt: skip
-#: Datasets that claims of the chapter on the critical band may name.
-INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
     "accepted_low", "accepted_high", "frequency", "verdict", "stability", "follows_from", "basis",

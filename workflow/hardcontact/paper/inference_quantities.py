@@ -7,7 +7,7 @@ resources/paper/parameters.csv by name.
 
 import numpy as np
 import xarray as xr
-from scipy import special
+from scipy import constants, special
 
 from hardcontact.base.statistics import bounds
 from hardcontact.inference.edges import POOLED, edges_or_bounds
@@ -17,7 +17,6 @@ from hardcontact.paper.numbers import (
     number_with_interval,
     variable_as_number,
 )
-from hardcontact.theory.interaction_laws import EXPONENTIAL, LAWS
 
 
 def short_range_force(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -48,34 +47,18 @@ def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return number_with_interval(second_error.where(fit["best_error"] < paper["error_threshold"]))
 
 
-def error_overlap(laws: xr.Dataset) -> xr.Dataset:
-    """Return the lowest upper end relative to the highest lower end of the errors of laws (case).
+def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest pressure of Eq. 1 relative to that between ideal metals (no dimensions).
 
-    Above one the intervals of all errors overlap.
+    The pressure of Eq. 1 is that at the published pair. Ideal metals at the gap d attract with
+    pi² hbar c/(240 d⁴), Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793. The ratio is proportional
+    to d⁴ exp(-d/rho), so it is largest at d = 4 rho.
     """
-    low, high = bounds(laws, "fit_error")
-    return number_with_interval(high.min("law") / low.max("law"))
-
-
-def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
-    """Return the pressure of Eq. 1 at the published pair relative to known mechanisms (law).
-
-    An energy C/g^m gives the pressure m C/g^(m + 1); C is the largest known strength of the
-    mechanism. The number is the ratio at the gap rho. The ratio at the gap g goes as
-    g^(m + 1) exp(-g/rho); the interval ends at its maximum, at (m + 1) rho.
-    """
-    laws = [law for law in LAWS if law != EXPONENTIAL]
-    power = xr.DataArray([law.exponent + 1 for law in laws], dims="law")
-    strength = xr.DataArray([law.max_strength for law in laws], {"law": [law.name for law in laws]})
     rho = 1e-9 * paper["range_of_adhesion"]
-    pressure = paper["work_of_adhesion"] / rho
-
-    def pressure_ratio(gap: xr.DataArray) -> xr.DataArray:
-        """Return the ratio at a gap in units of rho."""
-        return pressure * np.exp(-gap) * (gap * rho) ** power / ((power - 1) * strength)
-
-    ratio_at_rho = pressure_ratio(xr.ones_like(strength))
-    return number_with_interval(ratio_at_rho, ratio_at_rho, pressure_ratio(power))
+    gap = 4 * rho
+    pressure = paper["work_of_adhesion"] / rho * np.exp(-gap / rho)
+    pressure_of_metals = np.pi**2 * constants.hbar * constants.c / (240 * gap**4)
+    return number_with_interval(pressure / pressure_of_metals)
 
 
 def least_ratio_error(fit: xr.Dataset) -> xr.Dataset:
@@ -226,8 +209,8 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
 
 #: The functions that claims name.
 QUANTITIES = (
-    short_range_force, short_range_error, error_of_second_minimum, error_overlap,
-    strength_over_known, least_ratio_error, half_width_of_range, half_width_of_work,
+    short_range_force, short_range_error, error_of_second_minimum,
+    strength_over_casimir, least_ratio_error, half_width_of_range, half_width_of_work,
     interaction_radius, interaction_radius_at_fit, interaction_share, sinusoid_share, band_edge,
     first_edge, critical_over_interaction_radius, change_outside_band, change_inside_band,
     small_scale_change, smoothest_ratio, stylus_change, flat_limit_fraction,

@@ -54,7 +54,7 @@ def paper_answer(
 
     claims: the table that `verdicts.add_open_ends` returns.
     datasets: final datasets: `topography`, `scales`, `edges`, `sets`, `protruded`,
-        `protruded_sphere` and `scan_size`.
+        `protruded_sphere`; `scan_size`, the table resources/validation/scan_size.nc.
     constants: the table that `published.constants` returns.
     """
     topography = datasets["topography"]
@@ -185,17 +185,18 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         status = f"interval_open_{end}" if end else ""
         source = _edge_source(datasets["scales"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
-    forces = _on_scans(datasets["scan_size"])
+    forces = _forces_on_scans(datasets)
     if surface in forces["surface"].values:
         force = forces.sel(surface=surface)
         numbers["force_on_scans"] = number_of(force, "force_over_largest", name="force_on_scans")
     return numbers
 
 
-def _on_scans(scan_size: xr.Dataset) -> xr.Dataset:
-    """Return forces on mirrored windows of the size of the study's scans."""
-    windows = scan_size.sel(map_size=scan_size["mirrored"] == 1)
-    return windows.sel(map_size=scan_size.attrs["scan_size"], method="nearest")
+def _forces_on_scans(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return the validated forces on mirrored windows of the size of the study's scans."""
+    table = datasets["scan_size"]
+    windows = table.sel(map_size=table["mirrored"] == 1)
+    return windows.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
 
 
 def _group_numbers(sets: xr.Dataset, limit: float) -> Iterator[Number]:
@@ -264,6 +265,6 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
     map_size = datasets["scan_size"]["map_size"]
-    mirrored = _on_scans(datasets["scan_size"])["map_size"]
+    mirrored = _forces_on_scans(datasets)["map_size"]
     yield Number("mirrored_scan_size", float(mirrored), "nm", source="given")
     yield Number("large_surface_size", float(map_size[-1]), "nm", source="given")

@@ -1,1 +1,1 @@
-"""Theory of the critical band: closed form, statistics, laws, scan sizes."""
+"""Theory of the critical band: closed form, statistics of forces, predictions."""

@@ -34,7 +34,6 @@ from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.summits import (
     ApexLevels,
     apex_levels,
-    clump_radius,
     moment,
     rough_waves,
     spectrum_between,
@@ -42,10 +41,6 @@ from hardcontact.theory.summits import (
 
 #: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.
 SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
-#: Largest |m/sigma - sigma/rho| of the transition from many points to single peaks. The attraction
-#: comes from heights near sigma²/rho with the standard deviation sigma; at the transition the
-#: highest point, at m, is within one standard deviation of them.
-TRANSITION = 1.0
 #: A surface counts as smooth if its force exceeds this share of the force on a smooth surface. The
 #: area in contact does not count in either force.
 SMOOTH_SHARE = 0.9
@@ -65,7 +60,6 @@ class ClosedForm:
 
     force: float  #: In N.
     relative: float  #: Force relative to 2 pi R W.
-    first_term: float  #: The first term alone relative to 2 pi R W, if all summits are smooth.
     rms_height: float  #: sigma in nm.
     apex_height: float  #: The mean of m in nm, positive above the mean plane.
     #: (sigma/rho)/(m/sigma): above one single peaks decide; infinite if m is not above zero.
@@ -96,19 +90,11 @@ def gaussian_share(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike
     return np.asarray(np.exp(sigma**2 / (2 * rho**2) - m / rho + log_phi))
 
 
-def closed_form(
-    spectrum: Spectrum,
-    contact: Contact,
-    apex_heights: ArrayLike | None = None,
-    *,
-    rough_below: bool = True,
-) -> ClosedForm:
+def closed_form(spectrum: Spectrum, contact: Contact, *, rough_below: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
     spectrum: c_iso in nm⁴; roughness of other wavelengths does not exist.
     contact: the sphere, the attraction and the area in contact.
-    apex_heights: heights m (nm) of the apex at computed contacts. By default they follow from the
-        spectrum (`apex_levels`).
     rough_below: whether summits below the sphere attract as rough summits (`rough_terms`). If not,
         they attract as smooth summits, and only the summits that touch are rough.
     Returns the mean force, its terms and its regime.
@@ -117,23 +103,17 @@ def closed_form(
     waves = rough_waves(spectrum, contact.radius)
     if waves is None:  # The limit of an rms height of zero.
         force = smooth_force(contact)
-        return ClosedForm(force, force / smooth, 1.0, 0.0, 0.0, 0.0, SMOOTH)
+        return ClosedForm(force, force / smooth, 0.0, 0.0, 0.0, SMOOTH)
     sigma = float(np.sqrt(moment(waves, 0)))
-    if apex_heights is None:
-        levels = apex_levels(waves, contact.radius, contact.area)
-    else:
-        t = np.ravel(apex_heights) / sigma
-        (delta,) = clump_radius(waves, [t.mean()])
-        levels = ApexLevels(t, np.full(t.shape, 1 / t.size), float(delta))
-    first_term = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.range))
-    rough_first_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
-    relative = rough_first_term + summit_term + contact_share(contact)
+    levels = apex_levels(waves, contact.radius, contact.area)
+    first_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
+    relative = first_term + summit_term + contact_share(contact)
     m = float(sigma * levels.mean())
     freezing = float(sigma**2 / (contact.range * m)) if m > 0 else np.inf
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
-    if rough_first_term + summit_term > SMOOTH_SHARE:
+    if first_term + summit_term > SMOOTH_SHARE:
         regime = SMOOTH
-    return ClosedForm(smooth * relative, relative, first_term, sigma, m, freezing, regime)
+    return ClosedForm(smooth * relative, relative, sigma, m, freezing, regime)
 
 
 def _terms(

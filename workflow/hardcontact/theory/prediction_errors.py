@@ -6,7 +6,6 @@ Only the half of these surfaces counts that was held out while the closed form w
 import math
 from collections.abc import Iterator, Mapping
 from functools import cache
-from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -51,14 +50,13 @@ EDGE_FOUND, NO_EDGE = "found", "none"
 
 
 @cache
-def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
-    """Return the surfaces of the table that were held out, with their errors.
+def validation() -> pd.DataFrame:
+    """Return the surfaces of the table VALIDATION that were held out, with their errors.
 
-    path: the table, prediction.csv beside this module by default.
     Returns rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
         computed value relative to the predicted value, NaN if an edge is open or not predicted.
     """
-    table = pd.read_csv(path)
+    table = pd.read_csv(VALIDATION)
     held_out = table[table["held_out"] == 1].copy()
     for name in VALIDATED_QUANTITIES:
         error = held_out[name] / held_out[f"predicted_{name}"]
@@ -66,22 +64,6 @@ def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
             error = error.where(held_out[f"{name}_status"] == EDGE_FOUND)
         held_out[f"{name}_error"] = error
     return held_out
-
-
-def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, int]]:
-    """Return the errors of the closed form by quantity and regime.
-
-    path: the table, as for `validation`.
-    Returns by name (VALIDATED_QUANTITIES) and regime: the computed value relative to the predicted
-        value, and the number of surfaces. The value is the median over these surfaces; nine tenths
-        of them lie within its interval.
-    """
-    errors_by_regime = {}
-    for name, (regime, table) in product(VALIDATED_QUANTITIES, validation(path).groupby("regime")):
-        ratios = table[f"{name}_error"].dropna()
-        low, median, high = ratios.quantile([0.05, 0.5, 0.95])
-        errors_by_regime[name, str(regime)] = Number(name, median, "1", low, high), len(ratios)
-    return errors_by_regime
 
 
 def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:

@@ -13,12 +13,10 @@ variance of a sum of Poisson clumps; over places it is their mixture over the le
 resources/validation tells what was chosen how, and errors.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial.hermite_e import hermegauss
-from numpy.typing import ArrayLike
 from scipy import special
 
 from hardcontact.contact.contact import Contact
@@ -47,12 +45,6 @@ DEVIATIONS = np.linspace(-8, 8, 801)
 CHANCES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
 #: Factor of the radius with which the exponent of the force over it is found.
 WIDER = 1.2
-#: Normal deviations of the rms height of a scan and their weights: with a deviation of half the
-#: height, the variance of F is within 1 % of that by 61 of them.
-NODES, WEIGHTS = hermegauss(15)
-WEIGHTS /= WEIGHTS.sum()
-#: Halvings of the range of forces, of some hundred e-folds, to the last digit of a quantile.
-BISECTIONS = 60
 
 
 @dataclass(frozen=True)
@@ -82,31 +74,6 @@ class ForceStatistics:
         centres = np.log(self.means) - self.spreads**2 / 2
         between = (centres - self.weights @ centres) ** 2
         return float(np.sqrt(self.weights @ (between + self.spreads**2)))
-
-    @property
-    def median_over_mean(self) -> float:
-        """The median over the mean."""
-        return float(self.quantile(0.5)) / self.force
-
-    def probability(self, force: ArrayLike) -> Floats:
-        """Return the probability (...) that a place has less than a force (...) in N."""
-        deviation = np.log(np.asarray(force, float)[..., None] / self.means) + self.spreads**2 / 2
-        with np.errstate(divide="ignore", invalid="ignore"):
-            below = special.ndtr(deviation / self.spreads)
-        # Without spread a level has a single force.
-        return np.asarray(np.where(self.spreads > 0, below, deviation >= 0) @ self.weights)
-
-    def quantile(self, probability: ArrayLike) -> Floats:
-        """Return the force (...) in N that a share (...) of places does not reach."""
-        wanted = np.asarray(probability, float)
-        reach = 8 * self.spreads.max() + 1e-6
-        low = np.full(wanted.shape, np.log(self.means.min()) - reach)
-        high = np.full(wanted.shape, np.log(self.means.max()) + reach)
-        for _ in range(BISECTIONS):
-            middle = (low + high) / 2
-            below = self.probability(np.exp(middle)) < wanted
-            low, high = np.where(below, middle, low), np.where(below, high, middle)
-        return np.asarray(np.exp(high))
 
 
 def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
@@ -242,22 +209,3 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.range**2, 500)
     beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
     return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))
-
-
-def over_scans(spectrum: Spectrum, contact: Contact, deviation: float) -> ForceStatistics:
-    """Return the distribution of the force over places of scans whose rms heights differ.
-
-    The rms height of scans is normal; the deviation is its standard deviation over its mean.
-    """
-    factors = [max(1 + deviation * node, 0.0) for node in NODES]
-    scans = [
-        predict_statistics(Spectrum(spectrum.wavevector, spectrum.density * factor**2), contact)
-        for factor in factors
-    ]
-    weights = [weight * scan.weights for weight, scan in zip(WEIGHTS, scans, strict=True)]
-    return replace(
-        scans[len(NODES) // 2],
-        means=np.concatenate([scan.means for scan in scans]),
-        weights=np.concatenate(weights),
-        spreads=np.concatenate([scan.spreads for scan in scans]),
-    )

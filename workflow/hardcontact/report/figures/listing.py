@@ -41,9 +41,6 @@ class Caption(NamedTuple):
 _LISTED = yaml.safe_load(FILE.read_text("utf-8"))
 #: Figures about the statements of the paper.
 PAPER_FIGURES = tuple(_LISTED["paper"])
-#: Figures of the chapter on the causes of the band.
-INSIGHT_FIGURES: tuple[str, ...] = ()
-FIGURES = PAPER_FIGURES + INSIGHT_FIGURES
 #: Figures of own surfaces; "works" needs own forces.
 OWN_FIGURES = tuple(_LISTED["own"])
 

@@ -1,24 +1,18 @@
-"""Scaled contacts against closed forms and single contacts; edges against power laws."""
+"""Scaled contacts against closed forms and single contacts; exponents against power laws."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 import xarray as xr
-from known_spectra import rough
 from scipy import stats
 from scipy.special import erf
 
-from hardcontact.base.statistics import Sampling, bounds
-from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.base.statistics import bounds
+from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
+from hardcontact.inference.scaling import force_exponent, short_edge_exponents
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.theory.closed_form import closed_form
-from hardcontact.theory.edge_scaling import (
-    edge_scaling,
-    force_exponent,
-    regime_coordinates,
-)
 
 CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
@@ -62,6 +56,15 @@ def test_every_combination_equals_its_single_contact():
     assert forces["contact_area"].values == pytest.approx([100.0, 800.0])
 
 
+def test_without_cutoffs_only_the_unfiltered_force_is_computed():
+    contacts = [replace(CONTACTS[0], range=5.0)]
+    forces = filtered_pull_off(master(3.0), Filters("large", 64, []), contacts)
+    assert forces["pull_off_force"].sizes["cutoff_wavelength"] == 0
+    filtered = filtered_pull_off(master(3.0), Filters("large", 64, [80.0]), contacts)
+    name = "unfiltered_pull_off_force"
+    np.testing.assert_array_equal(forces[name], filtered[name])
+
+
 RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 11.2]
 CUTOFFS = np.geomspace(10, 2e4, 60)
 
@@ -79,7 +82,7 @@ def power_law(radius_exponent, rho_exponent, contact_exponent):
 
 
 def curves(*exponents, scatter=0.0):
-    """Return ratios of three realizations whose long edge is a known power law, and that edge.
+    """Return ratios of three realizations whose short edge is a known power law.
 
     The exponents of the realizations scatter about the given exponents, and each edge scatters
     about the power law of its exponents.
@@ -87,72 +90,46 @@ def curves(*exponents, scatter=0.0):
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
     noise = np.random.default_rng(5).standard_normal(3)
     noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
-    edge = power_law(*exponents)
     scattered_edge = power_law(*(exponent + noise for exponent in exponents))
     # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge.
-    log_ratio = np.log(1.1) * (1 + 2 * np.log(scattered_edge * np.exp(noise) / cutoff))
-    ratio = np.exp(np.maximum(log_ratio, 0)).expand_dims(surface=["a"])
-    ratio = xr.concat([1 / ratio, ratio], "side").assign_coords(side=["small", "large"])
+    log_ratio = np.log(1.1) * (1 + 2 * np.log(cutoff / (scattered_edge * np.exp(noise))))
+    ratio = np.exp(np.maximum(log_ratio, 0)).expand_dims(surface=["a"], side=["small"])
     return xr.Dataset(
         {
-            "filtered_force_ratio": ratio.where(ratio["side"] == "large", 1.0),
-            "unfiltered_wavelength": (("surface", "side"), [[5.0, 3e4]]),
-            "contact_area": (("side", "area"), [AREAS, AREAS]),
-            "label": ("surface", ["A"]),
-            "basis": ("surface", ["substitute"]),
+            "filtered_force_ratio": ratio,
+            "unfiltered_wavelength": (("surface", "side"), [[5.0]]),
+            "contact_area": (("surface", "realization", "side", "area"), [[[AREAS]] * 3]),
         }
-    ), edge
-
-
-def edges(data, samples):
-    """Return the edges and exponents of ratios; the spectrum of the surface does not matter."""
-    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
-    return edge_scaling(data, {"a": rough(30.0)}, contact, 0.1, Sampling(1, samples, 0.95))
+    )
 
 
 @pytest.mark.parametrize("exponents", [(1.0, 1.0, 0.0), (0.0, 0.2, 0.9), (0.0, 0.0, -0.8)])
 def test_exponents_of_a_known_power_law_are_recovered(exponents):
-    data, edge = curves(*exponents, scatter=0.02)
-    scaling = edges(data, 50).sel(side="large", surface="a")
-    np.testing.assert_allclose(scaling["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
-    np.testing.assert_allclose(scaling["exponent"], exponents, atol=0.02)
-    low, high = bounds(scaling, "exponent")
-    assert (low <= scaling["exponent"]).all() and (scaling["exponent"] <= high).all()
+    scaling = short_edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
+    exponent = scaling["short_edge_exponent"]
+    np.testing.assert_allclose(exponent, exponents, atol=0.02)
+    low, high = bounds(scaling, "short_edge_exponent")
+    assert (low <= exponent).all() and (exponent <= high).all()
 
 
 def test_open_edges_give_no_exponent():
-    data, _ = curves(1.0, 1.0, 0.0)
-    scaling = edges(data, 0).sel(side="small", surface="a")
-    assert scaling["edge"].isnull().all() and scaling["exponent"].isnull().all()
+    forces = curves(1.0, 1.0, 0.0)
+    forces["filtered_force_ratio"][:] = 1.0
+    assert short_edge_exponents(forces, 0.1, 0.95)["short_edge_exponent"].isnull().all()
 
 
 def test_the_exponent_of_a_force_in_the_radius_is_recovered():
     radius = xr.DataArray(RADII, {"radius": RADII}, "radius")
     power = xr.DataArray([0.3, 0.4, 0.5], {"realization": [1, 2, 3]}, "realization")
-    factor = xr.DataArray([1.0, 3.0], dims="contact_x")
+    factor = xr.DataArray([[1.0, 3.0]], dims=("contact_y", "contact_x"))
     axes = {"side": ["small", "large"], "surface": ["a"], "rho": RANGES, "area": AREAS}
     forces = (1e-6 * factor * (radius / 1e5) ** power).expand_dims(axes)
     # Forces at another side, range or contact area differ.
     is_other = (forces["side"] == "small") | (forces["rho"] != 5.6) | (forces["area"] != 400)
     data = xr.Dataset({"unfiltered_pull_off_force": forces.where(~is_other, 1.0)})
-    exponent = force_exponent(data, contact_of_area(250e3, 5.6, 1.0, 400.0), 0.95)
+    exponent = force_exponent(data, 5.6, 400.0, 0.95)
     assert exponent["force_exponent"].item() == pytest.approx(0.4)
     half_width = stats.t.ppf(0.975, 2) * 0.1 / np.sqrt(3)
     np.testing.assert_allclose(
         bounds(exponent, "force_exponent"), [[0.4 - half_width], [0.4 + half_width]]
     )
-
-
-SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
-
-
-def test_regime_coordinates_follow_from_the_closed_form():
-    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
-    coordinates = regime_coordinates(SPECTRA, contact).sel(surface="b")
-    form = closed_form(SPECTRA["b"], contact)
-    assert coordinates["rms_height_over_range"].item() == pytest.approx(form.rms_height / 5.6)
-    level = form.apex_height / form.rms_height
-    assert coordinates["apex_level"].item() == pytest.approx(level)
-    # The table has forty points a decade.
-    roll_off = 20.0 / coordinates["contact_over_rolloff"].item()
-    assert roll_off == pytest.approx(2500, rel=0.5)

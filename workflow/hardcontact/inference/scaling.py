@@ -1,0 +1,121 @@
+"""How the pull-off force and the short edge of the band scale with sphere, range and load.
+
+Three lengths are varied: sqrt(R), sqrt(rho) and sqrt(A), with the radius R of the sphere, the range
+rho of adhesion and the area A in contact. An edge with the exponent 0 does not depend on a length;
+an edge with the exponent 1 is proportional to it.
+"""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.statistics import jackknife_interval, student_interval, with_interval
+from hardcontact.base.units import DIMENSIONLESS
+from hardcontact.contact.contact import CONTACT_AXES
+from hardcontact.inference.curve_edges import RatioCurve, find_edge, logarithmic_limits
+from hardcontact.surfaces.spectrum import Floats
+
+#: Quantities whose square roots are the lengths, in the order of their exponents.
+SCALED_QUANTITIES = ["radius", "rho", "contact"]
+FORCE_EXPONENT = DIMENSIONLESS | {
+    "long_name": "exponent of the pull-off force against the radius of the sphere"
+}
+EDGE_EXPONENT = DIMENSIONLESS | {
+    "long_name": "exponent of the short edge against the square root of a quantity"
+}
+
+
+def force_exponent(forces: xr.Dataset, rho: float, area: float, confidence: float) -> xr.Dataset:
+    """Return the exponent of the mean force on masters with long waves against the radius.
+
+    forces: from `stacked_forces`, by radius, rho and area.
+    rho, area: range of adhesion in nm and area in contact in nm²; the nearest of each are taken.
+    Returns ``force_exponent`` (surface) by least squares of ln F against ln R, with its interval
+        over realizations.
+    """
+    large = forces["unfiltered_pull_off_force"].sel(side="large")
+    means = large.sel(rho=rho, area=area, method="nearest").mean(CONTACT_AXES)
+    logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
+    slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
+    interval = student_interval(slopes, confidence, "realization").transpose("surface", "bound")
+    exponent = slopes.mean("realization")
+    variables = with_interval(
+        "force_exponent", "surface", exponent.values, interval.values, FORCE_EXPONENT, confidence
+    )
+    return xr.Dataset(variables, {"surface": forces["surface"]})
+
+
+def short_edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
+    """Return the exponents of the short edge against the square roots of SCALED_QUANTITIES.
+
+    forces: from `stacked_forces`, by radius, rho and area.
+    tolerance: relative change of the force that defines the edge.
+    Returns ``short_edge_exponent`` (surface, exponent_of) by least squares over all edges that are
+        found, with its interval by the jackknife over realizations.
+    """
+    small = forces.sel(side="small", drop=True)
+    exponents = _fit_all_exponents(small, tolerance)
+    count = small.sizes["realization"]
+    jackknife_exponents = [
+        _fit_all_exponents(small.drop_isel(realization=index), tolerance)
+        for index in range(count if count > 2 else 0)
+    ]
+    # The jackknife uses Student's t for the logarithm of a positive number, here the exponent.
+    interval = np.log(
+        jackknife_interval(np.exp(exponents), np.exp(jackknife_exponents), confidence)
+    )
+    dimensions = ("surface", "exponent_of")
+    variables = with_interval(
+        "short_edge_exponent", dimensions, exponents, interval, EDGE_EXPONENT, confidence
+    )
+    return xr.Dataset(variables, {"surface": small["surface"], "exponent_of": SCALED_QUANTITIES})
+
+
+def _fit_all_exponents(small: xr.Dataset, tolerance: float) -> Floats:
+    """Return the exponents (surface, exponent_of) of the short edges of all surfaces."""
+    contact_area = small["contact_area"].isel(surface=0, realization=0)
+    lengths = [np.log(values) / 2 for values in (small["radius"], small["rho"], contact_area)]
+    exponents: xr.DataArray = xr.apply_ufunc(
+        _fit_exponents,
+        np.log(_short_edges(small, tolerance)),
+        *lengths,
+        input_core_dims=[["radius", "area", "rho"], ["radius"], ["rho"], ["area"]],
+        output_core_dims=[["exponent_of"]],
+        vectorize=True,
+    )
+    return np.asarray(exponents.transpose("surface", "exponent_of"))
+
+
+def _short_edges(small: xr.Dataset, tolerance: float) -> xr.DataArray:
+    """Return the short edges (surface, radius, area, rho) in nm, NaN if they are open."""
+    cutoffs = small["cutoff_wavelength"].values
+
+    def short_edge(ratios: Floats, unfiltered: float) -> float:
+        """Return the edge of mean ratios (cutoff,) behind the unfiltered wavelength (nm)."""
+        values = np.append(0.0, np.log(ratios))
+        limits = logarithmic_limits(tolerance)
+        return find_edge(RatioCurve("small", np.append(unfiltered, cutoffs), values, limits)).value
+
+    edges: xr.DataArray = xr.apply_ufunc(
+        short_edge,
+        small["filtered_force_ratio"].mean("realization"),
+        small["unfiltered_wavelength"],
+        input_core_dims=[["cutoff_wavelength"], []],
+        vectorize=True,
+    )
+    return edges
+
+
+def _fit_exponents(edge: Floats, radius: Floats, rho: Floats, contact_area: Floats) -> Floats:
+    """Return the exponents (3,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
+
+    All arguments are logarithms: the edge (radius, area, rho), NaN if open, and the square roots
+    of radius, range and contact area.
+    """
+    lengths = np.broadcast_arrays(radius[:, None, None], rho, contact_area[:, None])
+    is_found = np.isfinite(edge)
+    columns = [np.ones(is_found.sum()), *(length[is_found] for length in lengths)]
+    design = np.stack(columns, axis=-1)
+    count = len(SCALED_QUANTITIES)
+    if len(design) <= count + 1 or np.linalg.matrix_rank(design) <= count:
+        return np.full(count, np.nan)
+    return np.asarray(np.linalg.lstsq(design, edge[is_found])[0][1:])
