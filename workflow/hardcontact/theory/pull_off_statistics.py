@@ -1,4 +1,4 @@
-"""The distribution of the pull-off force over places and scans, from the spectrum of a surface.
+"""The distribution of the pull-off force over places, from the spectrum of a surface.
 
 Clumps of points (`summits`) are a Poisson process: Lambda(t) of them rise above the level t =
 z/sigma under the sphere, n touch. With G_i, the Poisson process of unit rate in ascending order,
@@ -9,8 +9,7 @@ the attraction of alike clumps is
 for k > 1 and n = 1 Weibull's law of modulus k; for k < 1 n/(1 - k) clumps carry the force. At a
 given level the force is taken as log-normal, with a mean of the terms of `closed_form` and the
 variance of a sum of Poisson clumps; over places it is their mixture over the levels of
-`apex_levels`. workflow/report/theory.md has the derivation. No number is fitted to a force;
-resources/validation tells what was chosen how, and errors.
+`apex_levels`. workflow/report/theory.md has the derivation. No number is fitted to a force.
 """
 
 from dataclasses import dataclass
