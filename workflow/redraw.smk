@@ -35,9 +35,7 @@ include: "rules/targets.smk"
 
 
 #: What is drawn from the final datasets alone.
-DRAWN = [
-    target for target in available_targets(STUDY) if target in ("figures", "pages", "answer")
-]
+DRAWN = [target for target in available_targets(STUDY) if target in ("figures", "pages", "answer")]
 
 
 onstart:

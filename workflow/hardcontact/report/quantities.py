@@ -116,11 +116,6 @@ def _unbounded(number: Number, digits: int) -> str:
     return ""
 
 
-def printed_label(label: str, basis: str) -> str:
-    """Return the printed name of a surface; a substitute is called so."""
-    return f"{label} (substitute)" if basis == "substitute" else label
-
-
 def quantity_mapping(number: Number, surface: str = "") -> QuantityMapping:
     """Return a number as a mapping for answer.json; without a surface it is of the whole study."""
     return {"surface": surface, **plain(number)}
