@@ -355,4 +355,4 @@ def setting(left_out=(), effort="full"):
         "preload": "10 µN",
     }  # fmt: skip
     paper_values = ["hardness", "work of adhesion"]
-    return Setting("my-coating", effort, contact, paper_values, list(left_out), "4.0.0", PAIRS)
+    return Setting("my-coating", effort, contact, paper_values, list(left_out), "1.0.0", PAIRS)

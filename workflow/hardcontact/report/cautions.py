@@ -1,7 +1,6 @@
 """Cautions about the answer of a surface, as codes with numbers: scans, pixels, intervals.
 
-The template notes.html has the sentence for each code. The sources of edges and forces, and the
-limits of measurements, are in tables of their own.
+The template own_caution.txt has the sentence for each code.
 """
 
 from collections.abc import Collection, Mapping
