@@ -32,4 +32,4 @@ def test_files_named_in_the_documentation_exist(path):
 
 
 def test_the_readme_is_short():
-    assert len(README.read_text().splitlines()) <= 130
+    assert len(README.read_text().splitlines()) <= 110
