@@ -11,7 +11,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.own.request import Source
-from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
+from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
 from hardcontact.surfaces.scan_heights import split_notes

@@ -15,15 +15,14 @@ import numpy as np
 
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
-from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.height_map import metrics
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, reliable_spectrum
+from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
-from hardcontact.surfaces.scan_spectrum import reliable_spectrum
 from hardcontact.surfaces.scans import (
     examine,
     height_map,

@@ -24,7 +24,7 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
-from hardcontact.surfaces.scan_spectrum import ScanSpectrum
+from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 from hardcontact.theory.prediction import prediction
 

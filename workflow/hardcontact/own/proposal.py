@@ -14,9 +14,8 @@ from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.own.contact_scans import contact_scans, search_sizes
+from hardcontact.own.contact_scans import choose_window, contact_scans, count_tiles, search_sizes
 from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_contradiction_lines
-from hardcontact.own.window_choice import choose_window, count_tiles
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes

@@ -1,6 +1,7 @@
 """One spectrum of a surface from all its measurements: maps of several sizes, line scans."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +39,7 @@ from hardcontact.surfaces.spectrum import (
     Floats,
     Spectrum,
     spectrum_dataset,
+    spectrum_of_dataset,
 )
 from hardcontact.surfaces.spectrum_datasets import add_measurements, measurement_descriptions
 
@@ -199,3 +201,43 @@ def _extrapolate_curve(
     longest = float(2 * np.pi / curve.wavevector[0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ScanSpectrum(Spectrum):
+    """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm.
+
+    joined: from `joined_spectrum`: the spectrum over all scales, and where each scan is reliable.
+    skewness: the largest skewness of the heights of a map; 0 without a map.
+    is_extrapolated: whether C_iso goes on beyond the reliable wavelengths of the scans.
+    """
+
+    joined: xr.Dataset
+    skewness: float
+    is_extrapolated: bool
+
+    def measured(self) -> "ScanSpectrum":
+        """Return C_iso at the reliable wavelengths alone."""
+        return reliable_spectrum(self.joined, self.skewness)
+
+    def extrapolated(self) -> "ScanSpectrum":
+        """Return C_iso extrapolated beyond the reliable wavelengths, as in spectra of masters."""
+        spectrum = spectrum_of_dataset(self.joined)
+        return ScanSpectrum(
+            spectrum.wavevector, spectrum.density, self.joined, self.skewness, is_extrapolated=True
+        )
+
+
+def reliable_spectrum(joined: xr.Dataset, skewness: float) -> ScanSpectrum:
+    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans.
+
+    The skewness is the largest of the heights of a map, 0 without a map.
+    """
+    is_measured = np.isfinite(joined.joined_psd.values)
+    return ScanSpectrum(
+        joined.bin_wavevector.values[is_measured],
+        joined.joined_psd.values[is_measured],
+        joined,
+        skewness,
+        is_extrapolated=False,
+    )
