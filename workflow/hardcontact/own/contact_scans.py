@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -164,19 +165,26 @@ def _group_in_words(group: Group) -> str:
     return f"{scans} of {format_length(group[0].size)} and {group[0].pixels} pixels"
 
 
+class WindowChoice(NamedTuple):
+    """The window and the range of adhesion of a study, with their reasons in words."""
+
+    contact: Contact  #: The probe with this window and range.
+    shortest_range: float  #: The shortest range (nm) that the scans permit.
+    window_reason: str
+    range_reason: str
+
+
 def choose_window(
     scans: Sequence[Entry],
     substrates: Sequence[Entry],
     probe: Contact,
     range_given: bool,
     max_pixels: int,
-) -> tuple[Contact, float, dict[str, str]]:
-    """Return the probe with a window, and with a longer range of adhesion if the scans need it.
+) -> WindowChoice:
+    """Return a window, and a longer range of adhesion than the probe's if the scans need it.
 
-    `scans` includes the scans of the sphere, `substrates` does not; masters have at most
-    `max_pixels` along a side. Also returns the shortest range (nm) that the scans permit, and the
-    reasons for window and range by key. The limits of the study refuse a range that stays too
-    short.
+    `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
+    `max_pixels` along a side. The study's limits refuse a range that stays too short.
     """
     window, _ = _window(scans, probe.radius, probe.range)
     shortest, reason = _shortest_range(scans, substrates, probe, window, max_pixels)
@@ -187,8 +195,8 @@ def choose_window(
         range_reason = f"the least on these scans, where {reason}"
     # A wider window, as a longer range needs, does not raise the shortest range.
     window, window_reason = _window(scans, probe.radius, rho)
-    reasons = {"contact.window": window_reason, "scales.range": range_reason}
-    return replace(probe, range=rho, window=window), shortest, reasons
+    contact = replace(probe, range=rho, window=window)
+    return WindowChoice(contact, shortest, window_reason, range_reason)
 
 
 def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:

@@ -35,7 +35,7 @@ LINE_PROBABILITY = 1e-4
 MAX_LOG_CHANGE = 20.0
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many waves.
-MIN_STANDARD_ERRORS = 4
+MIN_CONTRADICTION_ERRORS = 4
 
 
 class MeanBins(NamedTuple):
@@ -201,7 +201,7 @@ def contradictions(
             for bins in (shared, *half_decades)
         ]
         mean, error, bins = max(ranges, key=lambda item: abs(item[0]) / item[1])
-        if abs(mean) > MIN_STANDARD_ERRORS * error:
+        if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
             higher, lower = (left, right) if mean > 0 else (right, left)
             shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
             factor = float(np.exp(abs(mean)))
