@@ -61,16 +61,9 @@ def contact_scans(
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, those of a surface on one grid, and reasons.
 
-    Grids that resolve the interaction radius come first. Among these, the smallest grid that is
-    large enough for the largest search size of all surfaces is taken, or else the largest grid.
-    Surfaces are therefore compared on scans of one size where possible.
-
-    entries: the topographies of all surfaces.
-    sphere: id of the sphere's surface; None for a smooth sphere.
-    probe: the sphere, with its radius and range of adhesion in nm.
-    search_sizes: the search size (nm) of each surface, from `search_sizes`.
-    Returns the scans, and one reason in words for each surface.
-    Raises ValueError if a surface has no height map, with a line for each.
+    Of the grids that resolve the interaction radius, the smallest that is large enough for the
+    largest search size of all surfaces is taken, or else the largest. Surfaces are thus compared
+    on one size if possible. Raises ValueError, with a line for each surface without a height map.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []

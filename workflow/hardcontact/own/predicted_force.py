@@ -50,14 +50,9 @@ def own_force(
 ) -> xr.Dataset:
     """Return the predicted forces of all surfaces, their limits and their scatter.
 
-    adhesion, scales, topography, spectra: the datasets of these names, as in their files.
-    contact: radius of the sphere, range and work of adhesion, load and window.
-    tolerance: relative change of the force up to which the force counts as unchanged.
-    Returns over surface: the forces on the scans (`predicted_force`) and with extrapolated
-        roughness (`extrapolated_force`), never above the force on a smooth sphere; whether scans,
-        windows and pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`).
-        The attributes have the Tabor parameter and its verdict on the bodies, hard or not
-        (`tabor`).
+    The datasets are as in their files; `tolerance` is a relative change of the force. Forces on
+    scans and with extrapolated roughness never exceed that on a smooth sphere. Attributes have the
+    Tabor parameter and whether the bodies are hard.
     """
     force = predicted_force(
         adhesion,
@@ -108,19 +103,11 @@ def force_scatter(
 def predicted_force(
     adhesion: xr.Dataset, *, work: float, rho: float, sizes: Mapping[str, float], confidence: float
 ) -> xr.Dataset:
-    """Return the pull-off force of every surface at one work of adhesion and all ranges.
+    """Return the pull-off force of every surface at one work and all ranges of adhesion.
 
-    adhesion: forces at 1 J/m², as in adhesion.nc.
-    work, rho: work of adhesion in J/m² and range of adhesion in nm.
-    sizes: side of the scans of each surface in nm.
-    Returns ``force`` (surface, contact_model, rho) in N, the mean over contacts and scans. Its
-        interval follows from Student's t on logarithms, over scans or over quarters of one or two
-        scans, and runs from zero to infinity if it is not bounded. ``force_quantile`` (surface,
-        contact_model, rho, quantile) in N has quantiles of single contacts. Over surface:
-        ``interval_is_conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
-        ``contacts`` on a scan, ``touched_places`` from `fewest_places`, label, basis, and
-        ``correlation_of_parts`` at the range ``rho``, which is the attribute ``range_of_adhesion``.
-    Raises ValueError if forces at the range were not computed.
+    ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans, with its
+    interval; ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; lengths are in nm,
+    `work` is in J/m². Raises ValueError if forces at the range `rho` were not computed.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -197,11 +184,9 @@ def extrapolated_force(
 ) -> xr.Dataset:
     """Return the mean force on masters with all their roughness, in plastic contact.
 
-    `scales` has the forces of the masters at 1 J/m², as in scales.nc; the work of adhesion is in
-    J/m². Returns ``extrapolated_force`` (surface, side) in N with its interval, from the same parts
-    and realizations as the edges of the band; ``extrapolated_force_interval_source``, the source of
-    this interval; ``extrapolation_end`` in nm, the shortest or the longest wavelength; and
-    ``transition`` (side) in nm, the wavelength beyond which the roughness follows the spectrum.
+    `scales` has their forces at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
+    interval from the parts and realizations of the edges. ``extrapolation_end`` and ``transition``
+    are in nm.
     """
     attributes = NEWTON | {"long_name": "mean pull-off force with extrapolated roughness"}
 
@@ -233,12 +218,11 @@ def extrapolated_force(
 def add_extrapolated_force(
     force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
-    """Return predicted forces with the forces of extrapolated roughness and their difference.
+    """Return predicted forces with the forces of extrapolated roughness, and whether they differ.
 
-    Both have the same work and range of adhesion. ``extrapolation_matters`` (surface, side) is 1 if
-    the force with extrapolated roughness differs by more than the relative tolerance and lies
-    outside the interval of the force on the scans, or if this has no interval. Otherwise it is 0:
-    one number can stand for both.
+    ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
+    tolerance, and the extrapolated force lies outside the interval of the force on the scans, if
+    there is one.
     """
     rho = force.attrs["range_of_adhesion"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)

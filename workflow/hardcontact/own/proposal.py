@@ -96,13 +96,9 @@ def propose(
 ) -> Proposal:
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
-    entries: the topographies of all surfaces.
-    sphere: id of the sphere's surface; None for a smooth sphere.
-    probe: the sphere, with its radius, load and range of adhesion.
-    range_given: whether the user gave the range of adhesion; otherwise it is the usual range.
-    Returns choices, reasons and cautions.
-    Raises ValueError if surfaces have no height map, with a line for each, or scans too different
-        for one study.
+    `sphere` is the id of the sphere's surface, None for a smooth sphere. If the user did not give
+    the range of adhesion, a longer one may be chosen. Raises ValueError, with a line for each
+    surface without a height map, or if scans are too different for one study.
     """
     sizes = search_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, sizes)
@@ -140,8 +136,8 @@ def propose(
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
     """Refuse surfaces with too few reliable wavelengths for a spectrum.
 
-    Raises ValueError with a line for each surface, and for each defect of its scans, which may be
-    the cause.
+    Raises ValueError with a line for each surface, and for each defect of its scans, a possible
+    cause.
     """
     faults = []
     for surface, scans in entries_by_surface(entries).items():

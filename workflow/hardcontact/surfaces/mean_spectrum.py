@@ -87,16 +87,11 @@ def find_line_bins(bins: MeanBins) -> NDArray[np.bool_]:
 def smooth_curve(
     density: Floats, variance: Floats, rng: np.random.Generator | None = None
 ) -> Curve:
-    """Return a smooth curve through bins and across gaps between them.
+    """Return a smooth curve through bins and across gaps between them; with a `rng`, a sample.
 
-    The prior is an integrated Wiener process: the slope d ln C/d ln q changes at random, by
-    SLOPE_CHANGE over a decade. The posterior mean is then a smoothing spline (Wahba, J. R. Stat.
-    Soc. B 40 (1978) 364).
-
-    density, variance: (bins,) C_iso in nm⁴, NaN in gaps, and the variance of ln C from the number
-        of waves.
-    rng: samples one curve of the posterior; None for its mean.
-    Returns its variance covers the posterior and the calibration.
+    C_iso (bins,) in nm⁴ is NaN in gaps; `variance` is that of ln C from the number of waves. The
+    slope d ln C/d ln q is a Wiener process that changes by SLOPE_CHANGE over a decade, so that the
+    posterior mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)
@@ -174,12 +169,9 @@ def contradictions(
 ) -> list[Contradiction]:
     """Return the pairs of measurements that contradict each other, the largest factor first.
 
-    Two measurements are compared over all bins that they share, and over each half decade of them.
-    A contradiction states the range with the largest difference in standard errors.
-
-    density, reliable: (measurement, bins) C_iso in nm⁴, and whether it is reliable.
-    kinds, sizes: arguments of `waves_in_bins` for each measurement; sizes in nm.
-    Returns empty if no measurements contradict each other.
+    Density (nm⁴) and `reliable` are (measurement, bins); sizes are in nm. Two measurements are
+    compared over all bins that they share, and over each half decade. A contradiction states the
+    range with the largest difference in standard errors.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     waves = np.array([waves_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
