@@ -94,10 +94,9 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 def component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
-    The shares add up to one. Towards shorter wavelengths each component gives way to the next as
-    sin² from 0 to pi/2, linear in the logarithm of wavelength. The second component replaces the
-    first between the size L of a scan and sqrt(2 p L), the third replaces the second between sqrt(2
-    p L) and 2 p; p is the side of a pixel.
+    They add up to one. Towards shorter wavelengths each component gives way to the next as sin²,
+    linear in the logarithm of wavelength: the first to the second between the size L of a scan and
+    sqrt(2 p L), then to the third at 2 p; p is the side of a pixel.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)

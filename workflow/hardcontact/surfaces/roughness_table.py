@@ -70,15 +70,8 @@ def roughness_table(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
-    scans: results of `measured_roughness` by surface and number of the scan.
-    spectra: c_iso over all scales, by surface.
-    conditionings: results of `condition_group` for the substitutes, by surface.
-    examples: a levelled scan by surface; for a rough sphere it has the variable `as_scanned`.
-    labels: names in print, by surface.
-    basis: ``"measured"`` or ``"substitute"``, by surface.
-    reference_surface: surface to which others are compared.
-    confidence: probability of the intervals.
-    Returns dimensions surface, scan and wavevector; maps (surface, row, column).
+    `scans` come from `measured_roughness`, `conditionings` from `condition_group`, both by surface.
+    `examples` are levelled scans; that of a rough sphere has the variable `as_scanned`.
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])
