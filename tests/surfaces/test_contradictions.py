@@ -9,8 +9,8 @@ from random_scans import uncd
 from refusals import assert_says
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 NAMES = ["large.spm", "small.spm", "line.txt"]

@@ -37,10 +37,9 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.height_map import metrics as metrics
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
-from hardcontact.surfaces.scan_spectrum import ScanSpectrum, reliable_spectrum
 from hardcontact.surfaces.scans import (
     Measurement,
     examine,

@@ -11,7 +11,7 @@ from hardcontact.base.formatting import format_length
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.own.request import Source
-from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
+from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
 from hardcontact.surfaces.scan_heights import split_notes
@@ -91,14 +91,10 @@ def inventory(
     map_size: float | str = "none",
     levelling: str = "plane",
 ) -> tuple[list[Entry], list[str], list[str]]:
-    """Read all topographies of files, and all members of containers.
+    """Return all topographies of files, lines on unusable members of containers, and problems.
 
-    tip_radius: radius of the tip in nm for files that do not state it.
-    channel: the channel of files that are not containers; empty for the file's own choice.
-    unit: the unit of length for files that do not state it, or ``"none"``.
-    map_size: the longer side in nm for files that do not state it, or ``"none"``.
-    Returns the entries; a line for each unusable member of a container that has usable members; a
-        line for each problem.
+    Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
+    none. `channel` is that of files that are not containers, empty for the file's own choice.
     """
     entries: list[Entry] = []
     unreadable: list[str] = []

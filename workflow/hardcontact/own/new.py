@@ -235,10 +235,7 @@ def values_by_key(choices: Sequence[Choice]) -> dict[str, Any]:
 
 
 def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
-    """Return an overlay as YAML: the command that runs it, and each choice below its reason.
-
-    The key `quick` has the choices of quick effort.
-    """
+    """Return an overlay as YAML: the command that runs it, and each choice below its reason."""
     reasons = {choice.key: choice.reason for choice in choices}
     reasons["quick"] = "With --config effort=quick these keys replace those above."
     tree = set_keys({}, values_by_key(choices)) | {"quick": set_keys({}, values_by_key(quick))}

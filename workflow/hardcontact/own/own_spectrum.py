@@ -15,15 +15,14 @@ import numpy as np
 
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
-from hardcontact.surfaces.contradictions import contradiction_lines, contradictions
 from hardcontact.surfaces.height_map import metrics
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, reliable_spectrum
+from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
-from hardcontact.surfaces.scan_spectrum import reliable_spectrum
 from hardcontact.surfaces.scans import (
     examine,
     height_map,
@@ -79,19 +78,11 @@ def own_spectrum(
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> OwnSpectrum:
-    """Read a table of a spectrum, or measure the spectrum of scans of one surface.
+    """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
 
-    Scans are read by `read_measurement`, checked by `examine` and joined by `joined_spectrum`.
-
-    files: one table for `table_spectrum`, or scans. A CSV of a scan begins with numbers.
-    dataset: the only member of a container to read; empty: all members.
-    tip_radius: radius of the tip in nm for files that do not state it.
-    undefined_pixels: ``"refuse"``, or the interpolation that fills undefined pixels.
-    unit: the unit of length for files that do not state it, or ``"none"``.
-    map_size: the longer side in nm for files that do not state it, or ``"none"``.
-    sphere_radius: radius in nm of the sphere on the scans; None for a flat surface.
-    Returns the spectrum of a table, or of scans at their reliable wavelengths.
-    Raises ValueError if a file is invalid, with a line for each fault.
+    `dataset` is the only member to read. Tip radius and `map_size`, the longer side, are in nm;
+    with `unit` they serve files that state none. `sphere_radius` is in nm. Raises ValueError, with
+    a line for each fault, if a file is invalid.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -157,13 +148,11 @@ def _is_table(path: str | Path) -> bool:
 
 
 def table_spectrum(path: str | Path) -> Spectrum:
-    """Read the user's own power spectral density from a CSV with a header.
+    """Read C_iso (nm⁴) from a CSV: the columns `wavevector` or `wavelength`, and `c_iso` or `c_1d`.
 
-    The columns are `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² = 1/(2 pi) ∫ q
-    C_iso dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); and the unit of each column, in a column whose
-    name ends with `_unit`. A density of 0 means no roughness. Returns C_iso in nm⁴ at the table's
-    own wavevectors; C_1D is converted by the inverse Abel transform. Raises ValueError with a line
-    for each faulty row.
+    The unit of each is in a column whose name ends with `_unit`. C_1D is converted by the inverse
+    Abel transform. A density of 0 means no roughness. Raises ValueError with a line for each
+    faulty row.
     """
     table = user_table(path, "a table of a power spectral density")
     wave = _column(table, WAVE_COLUMNS)

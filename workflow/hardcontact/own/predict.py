@@ -24,7 +24,7 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
-from hardcontact.surfaces.scan_spectrum import ScanSpectrum
+from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 from hardcontact.theory.prediction import prediction
 
@@ -69,8 +69,8 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
 def predict(arguments: Namespace) -> str:
     """Return the prediction in words, and write the requested files of numbers.
 
-    If a file is named -, its content is returned in place of the words. Raises ValueError with a
-    line for each problem.
+    The content of a file named - replaces the words. Raises ValueError with a line for each
+    problem.
     """
     quantities, faults = parse_quantities(arguments)
     contact = Contact(

@@ -50,14 +50,9 @@ def own_force(
 ) -> xr.Dataset:
     """Return the predicted forces of all surfaces, their limits and their scatter.
 
-    adhesion, scales, topography, spectra: the datasets of these names, as in their files.
-    contact: radius of the sphere, range and work of adhesion, load and window.
-    tolerance: relative change of the force up to which the force counts as unchanged.
-    Returns over surface: the forces on the scans (`predicted_force`) and with extrapolated
-        roughness (`extrapolated_force`), never above the force on a smooth sphere; whether scans,
-        windows and pixels suffice (`finite_scan`); the scatter of single forces (`force_scatter`).
-        The attributes have the Tabor parameter and its verdict on the bodies, hard or not
-        (`tabor`).
+    The datasets are as in their files; `tolerance` is a relative change of the force. Forces on
+    scans and with extrapolated roughness never exceed that on a smooth sphere. Attributes have the
+    Tabor parameter and whether the bodies are hard.
     """
     force = predicted_force(
         adhesion,
@@ -108,19 +103,11 @@ def force_scatter(
 def predicted_force(
     adhesion: xr.Dataset, *, work: float, rho: float, sizes: Mapping[str, float], confidence: float
 ) -> xr.Dataset:
-    """Return the pull-off force of every surface at one work of adhesion and all ranges.
+    """Return the pull-off force of every surface at one work and all ranges of adhesion.
 
-    adhesion: forces at 1 J/m², as in adhesion.nc.
-    work, rho: work of adhesion in J/m² and range of adhesion in nm.
-    sizes: side of the scans of each surface in nm.
-    Returns ``force`` (surface, contact_model, rho) in N, the mean over contacts and scans. Its
-        interval follows from Student's t on logarithms, over scans or over quarters of one or two
-        scans, and runs from zero to infinity if it is not bounded. ``force_quantile`` (surface,
-        contact_model, rho, quantile) in N has quantiles of single contacts. Over surface:
-        ``interval_is_conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
-        ``contacts`` on a scan, ``touched_places`` from `fewest_places`, label, basis, and
-        ``correlation_of_parts`` at the range ``rho``, which is the attribute ``range_of_adhesion``.
-    Raises ValueError if forces at the range were not computed.
+    ``force`` (surface, contact_model, rho) in N is the mean over contacts and scans, with its
+    interval; ``force_quantile`` is of single contacts. `adhesion` is at 1 J/m²; lengths are in nm,
+    `work` is in J/m². Raises ValueError if forces at the range `rho` were not computed.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -197,11 +184,9 @@ def extrapolated_force(
 ) -> xr.Dataset:
     """Return the mean force on masters with all their roughness, in plastic contact.
 
-    `scales` has the forces of the masters at 1 J/m², as in scales.nc; the work of adhesion is in
-    J/m². Returns ``extrapolated_force`` (surface, side) in N with its interval, from the same parts
-    and realizations as the edges of the band; ``extrapolated_force_interval_source``, the source of
-    this interval; ``extrapolation_end`` in nm, the shortest or the longest wavelength; and
-    ``transition`` (side) in nm, the wavelength beyond which the roughness follows the spectrum.
+    `scales` has their forces at 1 J/m². ``extrapolated_force`` (surface, side) in N has an
+    interval from the parts and realizations of the edges. ``extrapolation_end`` and ``transition``
+    are in nm.
     """
     attributes = NEWTON | {"long_name": "mean pull-off force with extrapolated roughness"}
 
@@ -233,12 +218,11 @@ def extrapolated_force(
 def add_extrapolated_force(
     force: xr.Dataset, extrapolated_forces: xr.Dataset, tolerance: float
 ) -> xr.Dataset:
-    """Return predicted forces with the forces of extrapolated roughness and their difference.
+    """Return predicted forces with the forces of extrapolated roughness, and whether they differ.
 
-    Both have the same work and range of adhesion. ``extrapolation_matters`` (surface, side) is 1 if
-    the force with extrapolated roughness differs by more than the relative tolerance and lies
-    outside the interval of the force on the scans, or if this has no interval. Otherwise it is 0:
-    one number can stand for both.
+    ``extrapolation_matters`` (surface, side) is 1 if both differ by more than the relative
+    tolerance, and the extrapolated force lies outside the interval of the force on the scans, if
+    there is one.
     """
     rho = force.attrs["range_of_adhesion"]
     scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
@@ -255,22 +239,19 @@ def add_extrapolated_force(
 
 
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
-    """Return predicted forces whose means and intervals never exceed the force on a smooth sphere.
-
-    A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
-    long waves bend the surface, the integral is 2 pi R W/sqrt(D) with D = det(1 - R Hess h) at the
-    point of contact: more than 2 pi R W in a valley. When the point of contact covers an area, the
-    apex covers D times this area. The mean force over positions of the apex is therefore the mean
-    of 2 pi R W sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one.
-    Short waves
-    lower the force, since their peaks keep the bodies apart. Pixels raise it by the factor 1 +
-    A_pix/(12 R rho), since the highest pixel is not the highest point. The mean force is therefore
-    at most 2 pi R W. In plastic contact, the area F/H touches at zero gap and adds W/rho times this
-    area. Single contacts (`force_quantile`) have no such bound.
+    """Return predicted forces whose means and intervals never exceed that on a smooth sphere.
 
     The forces come from `add_extrapolated_force`; the area F/H is in nm². ``smooth_bound``
-    (contact_model, rho) in N is added to them and replaces larger forces.
+    (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no such bound.
     """
+    # A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
+    # long waves bend the surface, this is 2 pi R W/sqrt(D), D = det(1 - R Hess h) at the point of
+    # contact: more than 2 pi R W in a valley. When the point of contact covers an area, the apex
+    # covers D times this area. The mean force over positions of the apex is therefore the mean of
+    # 2 pi R W sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one.
+    # Short waves lower the force, since their peaks keep the bodies apart. Pixels raise it by the
+    # factor 1 + A_pix/(12 R rho), since the highest pixel is not the highest point. In plastic
+    # contact, the area F/H touches at zero gap and adds W/rho times this area.
     radius = force.attrs["sphere_radius"]
     work = force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])

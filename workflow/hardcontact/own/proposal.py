@@ -1,6 +1,7 @@
 """The keys of a study of own surfaces that depend on its scans, with reasons in words."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -14,9 +15,14 @@ from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.own.contact_scans import contact_scans, search_sizes
+from hardcontact.own.contact_scans import (
+    WindowChoice,
+    choose_window,
+    contact_scans,
+    count_tiles,
+    search_sizes,
+)
 from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_contradiction_lines
-from hardcontact.own.window_choice import choose_window, count_tiles
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
@@ -63,6 +69,8 @@ FULL_EFFORT = Effort(
 QUICK_EFFORT = Effort(
     pixels=2048, cutoffs=5, realizations=2, slow_realizations=2, contacts_per_side=8, ranges=5
 )
+#: Most scans of a surface that make masters at quick effort.
+MAX_QUICK_SCANS = 3
 
 
 class Choice(NamedTuple):
@@ -88,13 +96,9 @@ def propose(
 ) -> Proposal:
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
-    entries: the topographies of all surfaces.
-    sphere: id of the sphere's surface; None for a smooth sphere.
-    probe: the sphere, with its radius, load and range of adhesion.
-    range_given: whether the user gave the range of adhesion; otherwise it is the usual range.
-    Returns choices, reasons and cautions.
-    Raises ValueError if surfaces have no height map, with a line for each, or scans too different
-        for one study.
+    `sphere` is the id of the sphere's surface, None for a smooth sphere. If the user did not give
+    the range of adhesion, a longer one may be chosen. Raises ValueError, with a line for each
+    surface without a height map, or if scans are too different for one study.
     """
     sizes = search_sizes(entries, sphere, probe)
     scans, reasons = contact_scans(entries, sphere, probe, sizes)
@@ -108,43 +112,32 @@ def propose(
             f"{format_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
             "make a study of each"
         )
-    contact, shortest_range, contact_reasons = choose_window(
-        scans, substrates, probe, range_given, FULL_EFFORT.pixels
-    )
-    full = list(_choices(substrates, contact, shortest_range, contact_reasons, FULL_EFFORT))
-    quick = list(_choices(substrates, contact, shortest_range, contact_reasons, QUICK_EFFORT))
+    window = choose_window(scans, substrates, probe, range_given, FULL_EFFORT.pixels)
+    full = _choices(substrates, window, FULL_EFFORT)
     usual = {choice.key: choice.value for choice in full}
+    quick = [
+        choice._replace(reason="")
+        for choice in _choices(substrates, window, QUICK_EFFORT)
+        if choice.value != usual[choice.key]
+    ]
     if gaps := sum(entry.undefined > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
     cautions = [
-        f"{entry.name}: {defect_sentence(code, numbers)}"
-        for entry in entries
-        for code, numbers in entry.defects.items()
+        *_reading_cautions(entries),
+        *_contact_cautions(substrates, probe.range, window, sizes),
+        *(f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind),
+        *entry_contradiction_lines(entries),
+        *_filling_cautions(entries),
     ]
-    cautions += [
-        f"{entry.name}: {line}" for entry in entries for line in split_notes(entry.notes)[1]
-    ]
-    cautions += _contact_cautions(substrates, probe.range, contact, contact_reasons, sizes)
-    cautions += [f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind]
-    cautions += entry_contradiction_lines(entries)
-    cautions += [
-        f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and filled with "
-        "heights smoother than the surface"
-        for entry in entries
-        if entry.undefined_share > MANY_UNDEFINED
-    ]
-    differing = [
-        choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]
-    ]
-    return Proposal(scans, full, differing, reasons, cautions)
+    return Proposal(scans, full, quick, reasons, cautions)
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
     """Refuse surfaces with too few reliable wavelengths for a spectrum.
 
-    Raises ValueError with a line for each surface, and for each defect of its scans, which may be
-    the cause.
+    Raises ValueError with a line for each surface, and for each defect of its scans, a possible
+    cause.
     """
     faults = []
     for surface, scans in entries_by_surface(entries).items():
@@ -164,18 +157,38 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
     refuse_lines(faults)
 
 
+def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a sentence on each defect of a scan, then the cautions of its reader."""
+    for entry in entries:
+        for code, numbers in entry.defects.items():
+            yield f"{entry.name}: {defect_sentence(code, numbers)}"
+    for entry in entries:
+        _, cautions = split_notes(entry.notes)
+        yield from (f"{entry.name}: {line}" for line in cautions)
+
+
+def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a sentence on each scan with many undefined pixels."""
+    for entry in entries:
+        if entry.undefined_share > MANY_UNDEFINED:
+            yield (
+                f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and "
+                "filled with heights smoother than the surface"
+            )
+
+
 def _contact_cautions(
     substrates: Sequence[Entry],
     usual_range: float,
-    contact: Contact,
-    reasons: Mapping[str, str],
-    search_size_of: Mapping[str, float],
+    window: WindowChoice,
+    search_sizes: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield cautions about contacts on these scans, as sentences for the user."""
+    """Yield sentences on contacts on these scans; the usual range and the sizes are in nm."""
+    contact = window.contact
     if contact.range > usual_range:
         yield (
             f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
-            f"it is {reasons['scales.range']}"
+            f"it is {window.range_reason}"
         )
     share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
     if share < MIN_WINDOW_SHARE:
@@ -190,7 +203,7 @@ def _contact_cautions(
             f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
             "on the scans"
         )
-    for surface, search_size in search_size_of.items():
+    for surface, search_size in search_sizes.items():
         size = min(scan.size for scan in substrates if scan.source.surface == surface)
         low, high = finite_scan_ratio(size, search_size)
         if high > 1:
@@ -202,34 +215,35 @@ def _contact_cautions(
             )
 
 
-def _choices(
-    substrates: Sequence[Entry],
-    contact: Contact,
-    shortest_range: float,
-    reasons: Mapping[str, str],
-    effort: Effort,
-) -> Iterator[Choice]:
-    """Yield the choices of one effort, within the limits of the checks."""
+def _choices(substrates: Sequence[Entry], window: WindowChoice, effort: Effort) -> list[Choice]:
+    """Return the choices of one effort, within the limits of the checks."""
+    contact = window.contact
     small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
-    contacts_per_side, slow = _contacts_per_side(
+    contacts_per_side, is_slow = _contacts_per_side(
         substrates, contact, small_pixels, effort.contacts_per_side
     )
-    masters = effort.slow_realizations if slow else effort.realizations
-    surfaces = [scan.source.surface for scan in substrates]
-    most_scans = max(map(surfaces.count, surfaces))
+    ranges = [_nm(rho) for rho in _ranges(contact.range, window.shortest_range, effort.ranges)]
+    permitted = f"these scans permit {window.shortest_range:.3g} nm or more"
+    realizations = _realizations(substrates, effort, is_slow)
+    return [
+        Choice("contact.window", _nm(contact.window), window.window_reason),
+        Choice("contact.count", contacts_per_side, "contacts along a side of their array"),
+        Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
+        Choice("scales.range", _nm(contact.range), window.range_reason),
+        Choice("scales.realizations", realizations, "masters on each side"),
+        *_master_choices(substrates, contact, effort, small_pixels),
+    ]
+
+
+def _realizations(substrates: Sequence[Entry], effort: Effort, is_slow: bool) -> int:
+    """Return the number of masters on each side; at full effort every scan makes equally many."""
+    masters = effort.slow_realizations if is_slow else effort.realizations
+    scan_counts = Counter(scan.source.surface for scan in substrates)
+    most_scans = max(scan_counts.values())
     if effort is QUICK_EFFORT:
-        realizations = max(masters, min(most_scans, 3))
-    else:
-        masters_a_scan = max(1, round(masters / most_scans))
-        realizations = min(most_scans * masters_a_scan, 2 * effort.realizations)
-    ranges = [_nm(rho) for rho in _ranges(contact.range, shortest_range, effort.ranges)]
-    permitted = f"these scans permit {shortest_range:.3g} nm or more"
-    yield Choice("contact.window", _nm(contact.window), reasons["contact.window"])
-    yield Choice("contact.count", contacts_per_side, "contacts along a side of their array")
-    yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
-    yield Choice("scales.range", _nm(contact.range), reasons["scales.range"])
-    yield Choice("scales.realizations", realizations, "masters on each side")
-    yield from _master_choices(substrates, contact, effort, small_pixels)
+        return max(masters, min(most_scans, MAX_QUICK_SCANS))
+    masters_a_scan = max(1, round(masters / most_scans))
+    return min(most_scans * masters_a_scan, 2 * effort.realizations)
 
 
 def _master_choices(

@@ -132,7 +132,7 @@ def add_shared_options(parser: ArgumentParser) -> None:
 def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], list[str]]:
     """Return the quantities of the command line by name, and a line for each faulty quantity.
 
-    Tip, size and modulus are included only if the user gave them. A faulty quantity has the paper's
+    Tip, size and modulus are there only if the user gave them. A faulty quantity has the paper's
     value.
     """
     quantity_types = {name: quantity_type(key) for name, (key, _) in QUANTITY_OPTIONS.items()}
@@ -204,10 +204,7 @@ def _label_faults(option: str, label: str) -> Iterator[str]:
 
 
 def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
-    """Return the files of all surfaces, the sphere's last, and a line for each fault.
-
-    The radius of the sphere is in nm.
-    """
+    """Return the files of all surfaces, the sphere's last, and a line for each fault."""
     surfaces = [(arguments.name, arguments.files)] if arguments.files else []
     surfaces += [(label, files) for label, *files in arguments.surface]
     faults = [] if surfaces else ["FILE: expected files of scans, found none"]

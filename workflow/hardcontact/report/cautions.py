@@ -16,7 +16,7 @@ from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.report.artificial import measurement_name, measurements, split_measurements
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
-from hardcontact.surfaces.contradictions import contradictions
+from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
 from hardcontact.theory.hard_contact import HARD
 

@@ -48,18 +48,11 @@ def scan_targets(
     constants: pd.DataFrame,
     grid: ScanGrid,
 ) -> Targets | None:
-    """Return the targets of substitute scans on this study's pixels.
+    """Return the targets of substitute scans on the study's pixels.
 
-    On the paper's pixels and size the targets are the attribute ``expected_scan_rms`` of the
-    spectrum. On other pixels slope and curvature are computed from the spectrum for these pixels.
-    With another size, all three are computed from the spectrum. The standard deviation relative to
-    the rms height is the published one.
-
-    spectrum_data: the dataset that `substitute_spectrum` returns.
-    table1, constants: table 1 from `rows_of_surface`, and the constants with the paper's pixels and
-        size, which `published.constants` returns.
-    grid: pixels and size of the scans.
-    Returns none for a surface without a published rms height.
+    None if no rms height is published. On the paper's pixels and size they are the spectrum's
+    `expected_scan_rms`. On others, slope and curvature follow from the spectrum; on another size,
+    the height too. `table1` comes from `rows_of_surface`.
     """
     if "afm_rms_height" not in table1.index:
         return None
@@ -89,8 +82,8 @@ def scan_targets(
 def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
     """Return rms heights (scan,) in nm, scaled and shifted to a mean and a standard deviation.
 
-    The standard deviation has ddof 1. The heights keep their order and relative distances. A single
-    scan gets the mean.
+    The heights keep their order and relative distances. A single scan gets the mean. The deviation
+    has ddof 1.
     """
     differences = rms_heights - rms_heights.mean()
     if len(rms_heights) > 1:
@@ -101,10 +94,9 @@ def scale_rms_heights(rms_heights: Floats, mean: float, std: float) -> Floats:
 def component_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth components: (3, points of WAVEVECTORS).
 
-    The shares add up to one. Towards shorter wavelengths each component gives way to the next as
-    sin² from 0 to pi/2, linear in the logarithm of wavelength. The second component replaces the
-    first between the size L of a scan and sqrt(2 p L), the third replaces the second between sqrt(2
-    p L) and 2 p; p is the side of a pixel.
+    They add up to one. Towards shorter wavelengths each component gives way to the next as sin²,
+    linear in the logarithm of wavelength: the first to the second between the size L of a scan and
+    sqrt(2 p L), then to the third at 2 p; p is the side of a pixel.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     log_position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
@@ -116,9 +108,7 @@ def component_shares(grid: ScanGrid) -> Floats:
 def multiply_amplitudes(density: SpectrumFunction, amplitude_gain: Floats) -> SpectrumFunction:
     """Return a spectrum whose amplitudes are multiplied by a gain, and C_iso by its square.
 
-    density: c_iso in nm⁴ of wavevectors in rad/nm.
-    amplitude_gain: factors of amplitudes on WAVEVECTORS; between them they are interpolated.
-    Returns c_iso in nm⁴ of wavevectors in rad/nm.
+    The gain (points of WAVEVECTORS) is interpolated between them.
     """
 
     def amplified_density(wavevector: Floats) -> Floats:
@@ -152,7 +142,7 @@ def metric_matrices(components: Sequence[HeightMap], names: Sequence[str]) -> Fl
 
 
 def _fit_group(matrices: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return amplitudes (component,), factors of heights (scan,), errors of the means (3,).
+    """Return amplitudes (component,), factors of heights (scan,), and errors of the means (3,).
 
     The `metric_matrices` are (scan, metric, component, component); errors are relative.
     """
@@ -199,14 +189,9 @@ def condition_group(
 ) -> xr.Dataset:
     """Return the gain of amplitudes of a group of scans, and the factor of heights of each scan.
 
-    spectrum_data: the dataset that `substitute_spectrum` returns.
-    targets: the targets that `scan_targets` returns; with None, gain and factors equal 1.
-    generator_functions: by number of the scan: a function that returns a new generator for this
-        scan.
-    grid: pixels and size of the scans.
-    Returns ``amplitude_gain`` (wavevector) and ``factor`` (scan). The attribute ``table1_rows_met``
-        lists the rows of Table 1 that the surface meets by construction.
-    Raises ValueError if an rms height would be negative.
+    Each function of `generator_functions` returns a new generator for its scan. ``amplitude_gain``
+    (wavevector) and ``factor`` (scan) are 1 without targets. The attribute ``table1_rows_met``
+    lists the rows met by construction. Raises ValueError if an rms height would be negative.
     """
     amplitude_gain = np.ones_like(WAVEVECTORS)
     factors = np.ones(len(generator_functions))

@@ -68,17 +68,11 @@ def has_exponent(tail: Tail) -> bool:
 def extrapolate_short_waves(
     wavevector: Floats, density: Floats, hurst: HurstFit, change: float = 0.0
 ) -> tuple[Floats, Tail]:
-    """Return C_iso on WAVEVECTORS from measured points, extrapolated to short wavelengths.
+    """Return C_iso (nm⁴) on WAVEVECTORS from at least three measured points, and its tail.
 
-    C_iso is constant above the longest wavelength, and self-affine below the shortest one. The tail
-    ends at the distance of atoms, or where the rms gradient or half-Laplacian over all scales would
-    exceed MAX_GRADIENT or MAX_HALF_LAPLACIAN.
-
-    wavevector, density: (points,) At least three measured points without gaps: rad/nm, C_iso in
-        nm⁴.
-    hurst: hurst exponent of the tail.
-    change: change of this exponent; the changed exponent is clipped to 0 and 1.
-    Returns c_iso in nm⁴, and the properties of the tail.
+    C_iso is constant above the longest wavelength, self-affine below the shortest. The tail ends
+    at the distance of atoms, or before all scales exceed MAX_GRADIENT or MAX_HALF_LAPLACIAN.
+    `change` adds to the Hurst exponent, which is then clipped to 0 and 1.
     """
     # The last point of the table may lie beyond the last wavevector by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
@@ -136,9 +130,8 @@ def extrapolate_long_waves(density: Floats, longest: float, slope: float, rollof
 def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
     """Return the share (q,) of the variance of random waves that remains in a levelled scan.
 
-    Waves have wavevectors (q,) in rad/nm, all directions and phases; a scan has a size L in nm.
-    Levelling removes, in closed form, the squared projections on 1, sqrt(12) x/L and, for a map,
-    sqrt(12) y/L.
+    Levelling a scan of size L (nm) removes, in closed form, the squared projections on 1, sqrt(12)
+    x/L and, for a map, sqrt(12) y/L.
     """
     angle = (np.arange(DIRECTION_COUNT) + 0.5) * np.pi / 2 / DIRECTION_COUNT
     half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
@@ -182,12 +175,8 @@ class LongWaves:
         """Return the quantile, for a probability, of the roll-off wavelength in nm.
 
         The prior is uniform in the logarithm of the roll-off, from the longest wavelength measured
-        to MAX_ROLLOFF times the size of the scan.
-
-        density: c_iso in nm⁴ on WAVEVECTORS, constant above the longest wavelength measured.
-        longest, slope: the longest wavelength measured in nm, and d ln C/d ln q there.
-        probability: probability that the roll-off is shorter than the result.
-        Returns the longest wavelength measured, if the slope is not negative.
+        (nm) to MAX_ROLLOFF times the size of the scan. `slope` is d ln C/d ln q at this
+        wavelength. The result is this wavelength if the slope is not negative.
         """
         if slope >= 0:
             return longest

@@ -18,10 +18,9 @@ BLOCK_ROWS = 64  # rows a block: no step holds a second full-size array, and a b
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return the wavelengths >= cutoff (nm) of a surface, on the coarsest grid that holds them.
+    """Return the wavelengths >= cutoff (nm) of a periodic, square surface, on the coarsest grid.
 
-    The surface is periodic and square; the heights are in float64. Raises ValueError if the cutoff
-    is two pixels or less.
+    Heights are in float64. Raises ValueError if the cutoff is two pixels or less.
     """
     from scipy import fft
 
@@ -123,19 +122,11 @@ def _inverse_blocks(padded: Transform) -> Iterator[tuple[slice, NDArray[np.float
 def filtered_series(
     master: HeightMap, side: str, cutoffs: Sequence[float | None], pixels: int
 ) -> Iterator[HeightMap]:
-    """Yield a periodic master without the wavelengths beyond each cutoff.
+    """Yield a periodic, square master without the wavelengths beyond each cutoff in nm.
 
-    The master is transformed once. All surfaces except the unfiltered one share one array of
-    heights, which the next surface overwrites.
-
-    master: periodic and square.
-    side: ``"small"`` removes the wavelengths below a cutoff, ``"large"`` those above it.
-    cutoffs: in nm; None removes nothing.
-    pixels: pixels along a side of the yielded surfaces.
-    Yields heights (pixels, pixels) in float32; the unfiltered master keeps its own type, unless it
-        is interpolated.
-    Raises ValueError if the remaining wavelengths need more pixels, or a cutoff is two pixels or
-        less.
+    The side ``"small"`` removes shorter, ``"large"`` longer wavelengths, a cutoff of None none.
+    The next surface overwrites the heights, but for the unfiltered one. Raises ValueError if
+    wavelengths need more pixels, or a cutoff is two pixels or less.
     """
     size = master.size
     limits = [None if cutoff is None else _highest_order(master, cutoff) for cutoff in cutoffs]

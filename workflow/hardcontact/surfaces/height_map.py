@@ -92,11 +92,7 @@ class HeightMap:
 
 
 def read_height_map(path: str) -> HeightMap:
-    """Read a height map from a netCDF file of the study.
-
-    Returns heights (y, x) and pixel size in nm.
-    Raises ValueError if the file is unreadable.
-    """
+    """Read a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
     map_dataset = dataset.read(path)
     heights = map_dataset["heights"]
     return HeightMap(

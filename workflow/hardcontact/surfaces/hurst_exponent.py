@@ -31,16 +31,11 @@ class HurstFit(NamedTuple):
 
 
 def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
-    """Return the Hurst exponent below the roll-off wavelength, fitted together with the roll-off.
+    """Return the Hurst exponent of at least three bins, fitted together with the roll-off.
 
-    The bins of the last decade follow ln C = ln C0 - (1 + H) ln(1 + (q/q_r)^2s)/s, with the
-    roll-off q_r. For each q_r and s this is a weighted regression. The prior is uniform in ln q_r,
-    in SHARPNESS, and in H within 0 to 1. The exponent is the posterior mean. Its error is the
-    posterior standard deviation, with HURST_SCATTER.
-
-    wavevector, density, variance: (bins,) At least three bins: rad/nm, C_iso in nm⁴, variance of ln
-        C_iso.
-    Returns the exponent with its error.
+    Bins of the last decade follow ln C = ln C0 - (1 + H) ln(1 + (q/q_r)^2s)/s, a weighted
+    regression for each roll-off q_r and s. The prior is uniform in ln q_r, in SHARPNESS, and in H
+    within 0 to 1. The exponent is the posterior mean; its error has HURST_SCATTER.
     """
     is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
     is_fitted[-MIN_BINS:] = True

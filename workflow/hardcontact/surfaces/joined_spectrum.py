@@ -1,6 +1,7 @@
 """One spectrum of a surface from all its measurements: maps of several sizes, line scans."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +39,7 @@ from hardcontact.surfaces.spectrum import (
     Floats,
     Spectrum,
     spectrum_dataset,
+    spectrum_of_dataset,
 )
 from hardcontact.surfaces.spectrum_datasets import add_measurements, measurement_descriptions
 
@@ -93,16 +95,11 @@ def _measured_spectra(
 def joined_spectrum(
     measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
 ) -> xr.Dataset:
-    """Return the spectrum of a surface, joined from its measurements within their reliable bands.
+    """Return the spectrum of a surface, joined from its levelled measurements within their bands.
 
-    measurements: levelled maps and line scans.
-    tip_radii: radii in nm, by measurement; None to use the radius that its file states, if any.
-    Returns `spectrum` (wavevector) is C_iso in nm⁴ over all scales. `joined_psd` (bin_wavevector)
-        is C_iso in nm⁴, NaN in unreliable bins: the mean logarithm of the reliable densities,
-        weighted by independent waves, freed of the bias of the logarithm and smoothed where waves
-        are few. `psd` and `reliable` (measurement, bin_wavevector), and the properties of each
-        measurement.
-    Raises ValueError if fewer than three bins of wavelengths are reliable, in one line.
+    Radii are in nm; None for the radius that a file states. `spectrum` (wavevector) in nm⁴ has all
+    scales; `joined_psd` (bin_wavevector), NaN in unreliable bins, is the mean of the logarithms.
+    Raises ValueError, in one line, if fewer than MIN_BINS bins are reliable.
     """
     spectra = _measured_spectra(measurements, tip_radii)
     reliable = spectra.reliable(spectra.bands)
@@ -137,16 +134,11 @@ def sample_spectra(
     measurements: Sequence[Measurement],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Sample spectra of a surface within the uncertainty of its measurements.
+    """Yield, by generator, a spectrum of a surface within the uncertainty of its measurements.
 
-    Each draw varies the power in each bin, for its finite number of waves, and the bends between
-    bins. It varies the calibrations, the Hurst exponent of the tail and the roll-off. Unknown tip
-    radii are uniform in their logarithm within UNKNOWN_TIP_RADII.
-
-    rngs: one generator a draw.
-    measurements, tip_radii: the arguments of `joined_spectrum`.
-    Yields the spectrum, and the factors (measurement,) of measured heights relative to true
-        heights.
+    A draw varies the power in each bin, the bends between bins, the calibrations, the Hurst
+    exponent of the tail and the roll-off. Unknown tip radii are uniform in their logarithm. Also
+    yields the factors (measurement,) of measured relative to true heights.
     """
     spectra = _measured_spectra(measurements, tip_radii)
     for rng in rngs:
@@ -199,3 +191,43 @@ def _extrapolate_curve(
     longest = float(2 * np.pi / curve.wavevector[0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
     return extrapolate_long_waves(density, longest, slope, rolloff), tail, rolloff
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ScanSpectrum(Spectrum):
+    """C_iso in nm⁴ of the scans of a surface, over growing wavevectors in rad/nm.
+
+    joined: the result of `joined_spectrum`, over all scales, with the reliable bins of each scan.
+    skewness: the largest skewness of the heights of a map; 0 without a map.
+    is_extrapolated: whether C_iso continues beyond the reliable wavelengths of the scans.
+    """
+
+    joined: xr.Dataset
+    skewness: float
+    is_extrapolated: bool
+
+    def measured(self) -> "ScanSpectrum":
+        """Return C_iso at the reliable wavelengths alone."""
+        return reliable_spectrum(self.joined, self.skewness)
+
+    def extrapolated(self) -> "ScanSpectrum":
+        """Return C_iso extrapolated beyond the reliable wavelengths, as in spectra of masters."""
+        spectrum = spectrum_of_dataset(self.joined)
+        return ScanSpectrum(
+            spectrum.wavevector, spectrum.density, self.joined, self.skewness, is_extrapolated=True
+        )
+
+
+def reliable_spectrum(joined: xr.Dataset, skewness: float) -> ScanSpectrum:
+    """Return the spectrum of `joined_spectrum` at the reliable wavelengths of the scans.
+
+    The skewness is the largest of the heights of a map, 0 without a map.
+    """
+    is_measured = np.isfinite(joined.joined_psd.values)
+    return ScanSpectrum(
+        joined.bin_wavevector.values[is_measured],
+        joined.joined_psd.values[is_measured],
+        joined,
+        skewness,
+        is_extrapolated=False,
+    )

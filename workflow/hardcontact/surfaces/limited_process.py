@@ -45,11 +45,8 @@ def read_in_child(
 ) -> dict[str, Any]:
     """Return the dictionary that a reader makes from the bytes of a file, in a child process.
 
-    reader: takes the bytes and the arguments. Returns a dictionary that JSON can hold, except for
-        an array `heights`.
-    *arguments: further arguments of the reader.
-    Returns the dictionary, without control characters in its texts.
-    Raises ValueError if anything fails, with the file or in the child: one line with the path.
+    JSON can hold the dictionary, except for an array `heights`. Its texts lose control characters.
+    Raises ValueError, one line with the path, if anything fails with the file or in the child.
     """
     if path.is_dir():
         raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")

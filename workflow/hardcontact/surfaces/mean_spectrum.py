@@ -1,12 +1,30 @@
-"""The mean spectrum of several measurements of a surface in bins, and a smooth curve through it."""
+"""The mean spectrum of several measurements of a surface in bins, and a smooth curve through it.
 
+If two measurements contradict each other, because of a wrong unit or another specimen, their mean
+describes neither.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, bias_of_log, variance_of_log
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, Floats, Spectrum
+from hardcontact.base.formatting import format_length
+from hardcontact.surfaces.measured_spectrum import (
+    CALIBRATION_SCATTER,
+    bias_of_log,
+    variance_of_log,
+    waves_in_bins,
+)
+from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    BIN_WIDTH,
+    HALF_DECADE_BINS,
+    Floats,
+    Spectrum,
+)
 
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
@@ -15,6 +33,9 @@ SLOPE_CHANGE = 2.0
 LINE_PROBABILITY = 1e-4
 #: The largest change of ln C with which a curve may match the variance of the bins.
 MAX_LOG_CHANGE = 20.0
+#: Standard errors by which the mean logarithms of two measurements differ before they contradict
+#: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many waves.
+MIN_CONTRADICTION_ERRORS = 4
 
 
 class MeanBins(NamedTuple):
@@ -66,16 +87,11 @@ def find_line_bins(bins: MeanBins) -> NDArray[np.bool_]:
 def smooth_curve(
     density: Floats, variance: Floats, rng: np.random.Generator | None = None
 ) -> Curve:
-    """Return a smooth curve through bins and across gaps between them.
+    """Return a smooth curve through bins and across gaps between them; with a `rng`, a sample.
 
-    The prior is an integrated Wiener process: the slope d ln C/d ln q changes at random, by
-    SLOPE_CHANGE over a decade. The posterior mean is then a smoothing spline (Wahba, J. R. Stat.
-    Soc. B 40 (1978) 364).
-
-    density, variance: (bins,) C_iso in nm⁴, NaN in gaps, and the variance of ln C from the number
-        of waves.
-    rng: samples one curve of the posterior; None for its mean.
-    Returns its variance covers the posterior and the calibration.
+    C_iso (bins,) in nm⁴ is NaN in gaps; `variance` is that of ln C from the number of waves. The
+    slope d ln C/d ln q is a Wiener process that changes by SLOPE_CHANGE over a decade, so that the
+    posterior mean is a smoothing spline (Wahba, J. R. Stat. Soc. B 40 (1978) 364).
     """
     finite = np.flatnonzero(np.isfinite(density))
     bins = slice(finite[0], finite[-1] + 1)
@@ -125,3 +141,73 @@ def match_height_variance(curve: Curve, power: Floats) -> Curve:
     bound = MAX_LOG_CHANGE / doubt.max()
     strength = brentq(excess, -bound, bound)
     return curve._replace(density=density * np.exp(strength * doubt))
+
+
+class Contradiction(NamedTuple):
+    """Two measurements with different spectra, as indices into the measurements."""
+
+    higher: int
+    lower: int
+    factor: float  #: Ratio of C_iso, higher to lower, by the mean of its logarithm.
+    shortest: float  #: Wavelengths (nm) at which both are reliable.
+    longest: float
+
+
+def contradiction_lines(pairs: Sequence[Contradiction], names: Sequence[str]) -> Iterator[str]:
+    """Yield a line on the first of some contradictions, with the names of the measurements."""
+    for pair in pairs[:1]:
+        remainder = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
+        yield (
+            f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
+            f"from {format_length(pair.shortest)} to {format_length(pair.longest)} the power "
+            f"spectral density of the first is {pair.factor:.2g} times that of the other{remainder}"
+        )
+
+
+def contradictions(
+    density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
+) -> list[Contradiction]:
+    """Return the pairs of measurements that contradict each other, the largest factor first.
+
+    Density (nm⁴) and `reliable` are (measurement, bins); sizes are in nm. Two measurements are
+    compared over all bins that they share, and over each half decade. A contradiction states the
+    range with the largest difference in standard errors.
+    """
+    usable = np.asarray(reliable, bool) & np.isfinite(density)
+    waves = np.array([waves_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
+    logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
+    variances = variance_of_log(waves)
+    pairs = []
+    for left, right in combinations(range(len(logs)), 2):
+        (shared,) = np.nonzero(usable[left] & usable[right])
+        if not shared.size:
+            continue
+        difference = logs[left] - logs[right]
+        variance = variances[left] + variances[right]
+        half_decades = [
+            shared[start : start + HALF_DECADE_BINS]
+            for start in range(len(shared) - HALF_DECADE_BINS + 1)
+        ]
+        ranges = [
+            (*_mean_difference(difference[bins], variance[bins]), bins)
+            for bins in (shared, *half_decades)
+        ]
+        mean, error, bins = max(ranges, key=lambda item: abs(item[0]) / item[1])
+        if abs(mean) > MIN_CONTRADICTION_ERRORS * error:
+            higher, lower = (left, right) if mean > 0 else (right, left)
+            shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
+            factor = float(np.exp(abs(mean)))
+            pairs.append(Contradiction(higher, lower, factor, float(shortest), float(longest)))
+    return sorted(pairs, key=lambda pair: -pair.factor)
+
+
+def _mean_difference(difference: Floats, variance: Floats) -> tuple[float, float]:
+    """Return the mean difference of ln C over bins with these variances, and its standard error.
+
+    Bins have the weights of the joined spectrum. The calibration of a microscope is wrong by the
+    same factor at all wavelengths: no number of bins averages it out.
+    """
+    weight = 1 / (variance + 2 * CALIBRATION_SCATTER**2)
+    weight /= weight.sum()
+    error = np.sqrt(weight**2 @ variance + 2 * CALIBRATION_SCATTER**2)
+    return float(weight @ difference), float(error)

@@ -138,8 +138,8 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D comes from the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Both
-    densities are NaN in empty bins. C_iso is NaN in all bins if C_1D has fewer than two values.
+    neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Empty
+    bins are NaN; all are if C_1D has fewer than two values.
     """
     finite = np.isfinite(profile)
     if finite.sum() < 2:

@@ -69,9 +69,9 @@ def sample_protrusions(
 def is_permitted(protrusions: Protrusions, roughness: PublishedRoughness, on_sphere: bool) -> bool:
     """Return whether the published roughness permits protrusions.
 
-    The rms height of protrusions on the sphere may not exceed the published limit of the sphere. A
-    coating with protrusions is scaled back to its published rms height; its rms slope may then not
-    exceed the published slope plus its uncertainty.
+    On the sphere, its largest published rms height limits that of protrusions. A coating with
+    protrusions is scaled back to its rms height; its slope may then not exceed the published one
+    plus its uncertainty.
     """
     if on_sphere:
         return protrusions.rms_height * roughness.rms_height <= roughness.max_sphere_rms_height

@@ -82,10 +82,8 @@ def reliable_band(
 ) -> ReliableBand:
     """Return the reliable wavelengths of a measurement, with their limits.
 
-    measurement: map or line scan.
-    tip_radius: in nm; None if unknown.
-    density: (bins,) C_iso in nm⁴ from `measured_psd`; None to compute it.
-    Returns the band in nm.
+    The radius of the tip is in nm, None if unknown. `density` (bins,) in nm⁴ comes from
+    `measured_psd`; None to compute it.
     """
     if density is None:
         _, density = measured_psd(measurement)

@@ -18,11 +18,7 @@ TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.item
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
-    """Return the METRICS and the PSDs of a scan.
-
-    Returns the METRICS; ``psd_profile`` (wavevector) in nm³ and ``psd_isotropic`` (wavevector) in
-        nm⁴.
-    """
+    """Return the METRICS of a scan, and its PSDs over wavevector in nm³ and nm⁴."""
     values = metrics(scan)
     wavevector, profile, isotropic = measured_psds(scan)
     return xr.Dataset(
@@ -43,11 +39,9 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 
 
 def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
-    """Return mean over scans, its interval and the standard deviation of every metric.
+    """Return mean over scans, its interval and the standard deviation of every metric, by surface.
 
-    scans: METRICS (surface, scan), NaN if a surface has fewer scans.
-    confidence: probability of the intervals, which follow from Student's t distribution.
-    Returns variables (surface) named after the metrics.
+    The METRICS (surface, scan) are NaN if a surface has fewer scans.
     """
     variables: dict[str, Any] = {}
     for name in METRICS:
@@ -76,15 +70,8 @@ def roughness_table(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra and example maps.
 
-    scans: results of `measured_roughness` by surface and number of the scan.
-    spectra: c_iso over all scales, by surface.
-    conditionings: results of `condition_group` for the substitutes, by surface.
-    examples: a levelled scan by surface; for a rough sphere it has the variable `as_scanned`.
-    labels: names in print, by surface.
-    basis: ``"measured"`` or ``"substitute"``, by surface.
-    reference_surface: surface to which others are compared.
-    confidence: probability of the intervals.
-    Returns dimensions surface, scan and wavevector; maps (surface, row, column).
+    `scans` come from `measured_roughness`, `conditionings` from `condition_group`, both by surface.
+    `examples` are levelled scans; that of a rough sphere has the variable `as_scanned`.
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
     scan_table = stack(scans, ["surface", "scan"])

@@ -103,12 +103,10 @@ LARGEST_RATIO = 1e6
 def scan_defects(
     raw_heights: Floats, levelled_heights: Floats, pixel_size: float
 ) -> dict[str, dict[str, float]]:
-    """Return the defects of a scan by code, each with its numbers as in DEFECTS.
+    """Return the defects of a scan by code, each with its numbers as in DEFECTS; empty for none.
 
-    raw_heights, levelled_heights: heights in nm, of a map (y, x) or a line scan (n,), before and
-        after levelling.
-    pixel_size: side of a pixel, or spacing of a line scan, in nm.
-    Returns empty for a scan without defects.
+    Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
+    nm is the spacing of a line scan.
     """
     numbers = {"spikes": _spike_numbers(levelled_heights)}
     measured_heights = raw_heights

@@ -44,11 +44,7 @@ class Measurement:
 
 
 def read_stored(path: str) -> Measurement:
-    """Read a measurement from a netCDF file of the study.
-
-    Returns as it was written.
-    Raises ValueError if the file cannot be read.
-    """
+    """Read a measurement from a file of the study; raises ValueError if it cannot be read."""
     dataset = labelled.read(path)
     words = ("path", "dataset", "channel", "file_unit", "kind")
     tip_radius = float(dataset.attrs["tip_radius"])
@@ -70,21 +66,11 @@ def read_measurement(
     unit: str = "none",
     map_size: float | str = "none",
 ) -> Measurement:
-    """Read a topography: a map cropped to its central square, or a line scan on uniform spacing.
+    """Read a topography in nm, not levelled: the central square of a map, or a line scan.
 
-    path: a file in any format SurfaceTopography reads, or a contact.engineering container (.zip).
-    dataset: the member of a container, by its name or data file; of any other file the channel, or
-        empty for its own choice.
-    undefined_pixels: ``"refuse"``, or the interpolation of SurfaceTopography (``"harmonic"``) that
-        fills them.
-    unit: the unit of length of a file that states none, or ``"none"``; two, as ``"mm,nm"``, are of
-        positions and of heights.
-    map_size: the longer side in nm of a map, or the length of a line scan, whose file states none,
-        or ``"none"``.
-    Returns not levelled, in nm.
-    Raises ValueError if the scan is missing, unreadable, too large, without physical size or unit,
-        reentrant, of absurd size, height or slope, or has undefined pixels that may not be filled;
-        one line.
+    `dataset` names a member of a container, or a channel. `unit` (two: of positions, heights) and
+    `map_size`, the longer side in nm, serve files that state none. Raises ValueError, in one line,
+    if the scan cannot be used, or has undefined pixels and their interpolation is ``"refuse"``.
     """
     from hardcontact.surfaces.scan_formats import read_measurement_fields
 
@@ -103,17 +89,13 @@ def read_scan(
     unit: str = "none",
     map_size: float | str = "none",
 ) -> HeightMap:
-    """Read a height map with `read_measurement`.
-
-    Raises ValueError if the file has a line scan.
-    """
+    """Read a height map with `read_measurement`; raises ValueError for a line scan."""
     return height_map(read_measurement(path, dataset, undefined_pixels, unit, map_size), basis)
 
 
 def list_measurements(path: str | Path) -> list[str]:
-    """Return the names of the topographies in a file, for `read_measurement`.
+    """Return the names of a container's data files, or one empty name for any other file.
 
-    A container has one name for each data file, in its order; any other file has one empty name.
     Raises ValueError, with one line, if the file is missing or the container cannot be used.
     """
     from hardcontact.surfaces.scan_formats import list_datasets
@@ -122,10 +104,7 @@ def list_measurements(path: str | Path) -> list[str]:
 
 
 def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
-    """Return the height map of a measurement, in float64.
-
-    Raises ValueError if the measurement is a line scan.
-    """
+    """Return the height map of a measurement; raises ValueError for a line scan."""
     if measurement.kind != "map":
         raise ValueError(f"{measurement.path}: expected a height map, found a line scan")
     return HeightMap(measurement.heights, measurement.pixel_size, False, basis)
@@ -134,12 +113,9 @@ def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
 def flatten(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measurement whose map is levelled and has its sphere subtracted.
+    """Return a measurement whose map is levelled, without its sphere (radius in nm), if any.
 
-    measurement: a height map, or a line scan, which keeps its heights.
-    sphere_radius: radius of the sphere in nm; None for a flat surface.
-    Returns with the new heights.
-    Raises ValueError if the levelling is unknown.
+    A line scan keeps its heights. Raises ValueError if the levelling is unknown.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
@@ -152,12 +128,7 @@ def flatten(
 def examine(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measurement from `flatten`, with its defects.
-
-    measurement: the measurement as read.
-    sphere_radius: radius of the sphere in nm; None for a flat surface.
-    Returns the levelled measurement with `defects`.
-    """
+    """Return a measurement from `flatten`, with its defects."""
     from scipy.signal import detrend  # A slow import.
 
     flat = flatten(measurement, sphere_radius, levelling)
@@ -177,14 +148,9 @@ def level_and_stitch(
     sphere_radius: float | None = None,
     levelling: str = "plane",
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a levelled map and its mirror-stitched map, both as datasets.
+    """Return a levelled map and its mirror-stitched map (y, x) in nm, with the file's attributes.
 
-    measurement: a map as read.
-    basis: ``"measured"`` or ``"substitute"``.
-    sphere_radius: radius of the sphere in nm; None for a flat surface.
-    Returns the levelled and the stitched heights (y, x) in nm. The levelled scan of a sphere also
-        has ``as_scanned``, the heights as read. The attributes have channel, unit and notes of the
-        file.
+    The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
     """
     scan = height_map(measurement, basis)
     flat = flat_map(scan, sphere_radius, levelling)

@@ -116,11 +116,7 @@ def spectrum_of_dataset(spectrum_data: xr.Dataset) -> Spectrum:
 
 
 def spectrum_dataset(density: Floats) -> xr.Dataset:
-    """Return C_iso on WAVEVECTORS as a dataset.
-
-    density: c_iso (wavevector,) in nm⁴.
-    Returns ``spectrum`` (wavevector) in nm⁴.
-    """
+    """Return C_iso (nm⁴) on WAVEVECTORS as a dataset: ``spectrum`` (wavevector)."""
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "C_iso"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},

@@ -69,11 +69,8 @@ def add_measurements(
 ) -> xr.Dataset:
     """Return a spectrum with the measurements from which it was joined.
 
-    spectrum: the dataset that `spectrum_dataset` returns.
-    joined_density: (bins,) C_iso in nm⁴, NaN where no measurement is reliable.
-    psds, reliable: (measurement, bins) C_iso in nm⁴, and where it is reliable.
-    descriptions: properties of each measurement, lengths in nm.
-    Returns the spectrum with variables of dimensions `measurement` and `bin_wavevector`.
+    `joined_density` (bins,) in nm⁴ is NaN where no measurement is reliable. PSDs and `reliable`
+    are (measurement, bins). Descriptions become columns over `measurement`.
     """
     axes = ("measurement", "bin_wavevector")
     axis = "bin_wavevector"
@@ -106,11 +103,8 @@ def add_measurements(
 def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
     """Return a substitute spectrum in the form of a joined spectrum.
 
-    Its segments with DATA_BASES replace measurements; adjacent segments from the same source
-    count as one. Variables that only measurements have are NaN or empty.
-
-    substitute: the dataset that `substitute_spectrum` returns.
-    Returns the variables and attributes of a joined spectrum.
+    Its segments with DATA_BASES replace measurements; adjacent segments from one source count as
+    one. Variables that only measurements have are NaN or empty.
     """
     segments = pd.read_csv(io.StringIO(substitute.attrs["segments"]))
     data_segments = segments[segments.basis.isin(DATA_BASES)]
@@ -151,12 +145,10 @@ def convert_described_spectrum(substitute: xr.Dataset, path: str) -> xr.Dataset:
 
 
 def stack_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Return one dataset of the joined spectra of all surfaces.
+    """Return one dataset of the joined spectra of all surfaces, which are its first dimension.
 
-    spectra: joined spectra by surface.
-    labels: names in print by surface.
-    Returns variables have a leading dimension `surface`, filled with NaN, 0 or "". `label` and the
-        variables of END_UNITS have only this dimension.
+    Missing measurements are NaN, 0 or "". `label`, the name in print, and the variables of
+    END_UNITS have only the dimension `surface`.
     """
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(

@@ -56,10 +56,8 @@ def synthesize_scan(
 ) -> xr.Dataset:
     """Return a substitute scan in the format that SurfaceTopography reads from a file.
 
-    density: c_iso in nm⁴ of wavevectors in rad/nm.
-    grid: pixels and size of the scan.
-    sphere_radius: radius in nm of the sphere that the scan shows; None for a flat surface.
-    Returns `heights` (x, y) in nm, in float64, for a file in netCDF's classic format.
+    `sphere_radius` in nm is that of a sphere that the scan shows; None for a flat surface.
+    `heights` (x, y) in nm are float64, for netCDF's classic format.
     """
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     scan = cut_scan(surface, grid.pixels, factor)
@@ -75,11 +73,7 @@ def synthesize_scan(
 
 
 def convert_to_measurement(synthesized: xr.Dataset, path: str) -> Measurement:
-    """Return a synthesized scan as a measurement, equal to reading its file but faster.
-
-    synthesized: from `synthesize_scan`.
-    Returns a height map.
-    """
+    """Return the scan of `synthesize_scan` as a measurement, as if read from its file."""
     heights = synthesized["heights"].values.T
     pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
     return Measurement(path, "", "Default", "nm", "map", heights, pixel_size, None, (), 0)

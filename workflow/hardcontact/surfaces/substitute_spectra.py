@@ -46,16 +46,11 @@ TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return wavevectors and the weights with which C_iso gives the expected squares of a scan.
+    """Return wavevectors (bins,) and weights (3, bins) for the expected squares of a scan.
 
-    These are the squares of rms height, rms gradient and rms half-Laplacian. The scan is cut out of
-    a larger periodic surface and levelled. Levelling removes the least-squares plane, that is
-    Legendre functions of degree 0 and 1, whose transforms are spherical Bessel functions.
-
-    pixels: pixels along a side of the periodic surface.
-    pixel_size: side of a pixel in nm.
-    window_pixels: pixels along a side of the scan.
-    Returns wavevectors (bins,) in rad/nm, and weights (3, bins): squares = weights @ C_iso.
+    Squares of rms height, gradient and half-Laplacian are weights @ C_iso. The scan is cut out of
+    a periodic surface of `pixels` and levelled: Legendre functions of degree 0 and 1, whose
+    transforms are spherical Bessel functions, are removed.
     """
     from scipy.special import spherical_jn
 
@@ -105,8 +100,7 @@ def rows_of_surface(table1: pd.DataFrame, surface: str) -> pd.DataFrame:
 def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
     """Return the parameters of a segment with which its scans meet AFM_ROWS of Table 1.
 
-    The model of the segment is a key of SEARCHED_PARAMETERS. Raises ValueError if no parameters
-    meet the rows.
+    Raises ValueError if no parameters meet the rows.
     """
     from scipy.optimize import least_squares
 
@@ -155,12 +149,8 @@ def calibrate_tail(
 ) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law below a spectrum.
 
-    longer_waves: c_iso in nm⁴ on WAVEVECTORS, zero below the wavelength at which the power law
-        begins.
-    gradient, half_laplacian: rms gradient, and half-Laplacian in 1/nm, of the spectrum with its
-        tail, over all scales.
-    Returns the tail adds the gradient and the half-Laplacian that the spectrum lacks.
-    Raises ValueError if no power law adds both.
+    The tail adds the rms gradient and the half-Laplacian (1/nm) that the spectrum `longer_waves`
+    (nm⁴ on WAVEVECTORS, zero below its end) lacks. Raises ValueError if no power law adds both.
     """
     from scipy.optimize import brentq
 
@@ -205,18 +195,11 @@ def calibrate_tail(
 def spectrum_from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return the spectrum that a description defines.
+    """Return C_iso (nm⁴) on WAVEVECTORS of a description, its segments, the rows of Table 1 met.
 
-    A segment is calibrated to Table 1 if it has no Hurst exponent and its model is in
-    CALIBRATION_ROWS.
-
-    path: CSV file of segments from long to short wavelengths, each with its model, parameters and
-        basis.
-    table1: rows of Table 1 for the surface, from `rows_of_surface`.
-    weights: the result of `transfer_weights` for the scans that meet these rows.
-    Returns c_iso in nm⁴ on WAVEVECTORS, the segments with all parameters, and the rows of Table 1
-        to which the segments were calibrated.
-    Raises ValueError if a segment cannot be made; names the file and the segment.
+    The CSV has segments from long to short wavelengths. One without a Hurst exponent is calibrated
+    if its model is in CALIBRATION_ROWS. Raises ValueError, with file and segment, if one cannot be
+    made.
     """
     segments = read_segments(path)
     density = np.zeros_like(WAVEVECTORS)
@@ -277,12 +260,8 @@ def substitute_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a substitute from a description.
 
-    description: CSV file of segments, as in `spectrum_from_description`.
-    table1: rows of Table 1 for the surface, from `rows_of_surface`, or empty.
-    constants: the paper's pixels and size of scans, from `published.constants`.
-    Returns `spectrum` in nm⁴ on WAVEVECTORS. Attributes are the segments, the rows of Table 1 to
-        which they were calibrated, and the expected rms values of a scan with the paper's pixels
-        and size.
+    Attributes of `spectrum` (nm⁴) are the segments, the rows of Table 1 to which they were
+    calibrated, and the expected rms values of a scan with the paper's pixels and size.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)

@@ -45,10 +45,9 @@ def small_scale_master(
 ) -> HeightMap:
     """Return a mirror-stitched scan whose wavelengths below the transition (nm) are artificial.
 
-    The scan loses its wavelengths below the transition and is interpolated to pixels x pixels. A
-    random surface is added. Below the transition its C_iso is `density`; above, C_iso is constant
-    at its value at the transition, so that some long waves are added, too. Source: the paper,
-    section Determining the Most Relevant Length-scales of Roughness.
+    Below the transition, the C_iso of the random surface that is added is `density`. Above, it is
+    constant, so that some long waves are added, too. Source: the paper, section Determining the
+    Most Relevant Length-scales of Roughness.
     """
     long_waves = lowpass(stitched, transition)
     transition_wavevector = 2 * np.pi / transition
@@ -99,12 +98,9 @@ def synthesize_master(
     scales: Mapping[str, Any],
     density: SpectrumFunction,
 ) -> HeightMap:
-    """Return the periodic master of a side.
+    """Return the periodic master of a side from a mirror-stitched scan and artificial roughness.
 
-    rng: source of the artificial roughness.
-    stitched: mirror-stitched scan.
-    scales: ``transition`` in nm, and ``pixels`` for the small side or ``tiles`` for the large side.
-    density: c_iso in nm⁴ of wavevectors in rad/nm.
+    `scales` has ``transition`` in nm, and ``pixels`` (small side) or ``tiles`` (large side).
     """
     make_master, size_key = MASTER_MAKERS[side]
     return make_master(rng, stitched, scales[size_key], scales["transition"], density)
