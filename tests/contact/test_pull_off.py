@@ -13,9 +13,9 @@ from hardcontact.contact.pull_off import (
     finer_pixel_ratio,
     mean_pull_off_of_pair,
     pull_off_of_pair,
+    traced_contact,
     wider_window_change,
 )
-from hardcontact.contact.traced_contact import traced_contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 

@@ -4,7 +4,7 @@ from hardcontact.base import published
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.contact.traced_contact import traced_contact
+from hardcontact.contact.pull_off import traced_contact
 
 ATTRIBUTES = "surface", "scan", "sphere_scan", "label", "basis"
 

@@ -15,9 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
 from hardcontact.contact.sphere_sums import Contacts, outside_sums
-from hardcontact.contact.touched_places import touched_places
 from hardcontact.surfaces.filters import interpolate
 
 #: Dimension, values and attributes of a coordinate.
@@ -154,6 +153,29 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
+def touched_places(bodies: Bodies, contacts: Contacts) -> int:
+    """Return the number of places of a mirrored scan that hold the deepest pixel of some contact.
+
+    A place is a patch of contact pixels that share edges or corners. If one particle on a flat
+    scan carried every contact, forces would scatter little, however wrong they were.
+    """
+    from scipy.ndimage import label  # A slow import.
+
+    pixels = bodies.substrate.pixels
+    contact_points = [
+        (bodies.geometry.positions[list(index)] + offsets) % pixels
+        for index, (_, offsets) in contacts.items()
+    ]
+    # Fold the mirror images back onto the scan.
+    scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_points]
+    is_touched = np.zeros((pixels, pixels), bool)
+    for points in scan_pixels:
+        is_touched[points] = True
+    patches, _ = label(is_touched, np.ones((3, 3)))
+    # The first pixel of a contact has its lowest gap.
+    return len({patches[rows[0], columns[0]] for rows, columns in scan_pixels})
+
+
 def mean_pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the forces of a pair of scans, averaged over its contacts.
 
@@ -224,4 +246,41 @@ def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset
     }
     return xr.Dataset(
         {"wider_window_change": ((), max(changes), attributes)}, {}, {"rho": contact.range}
+    )
+
+
+def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
+    """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
+
+    bodies: substrate and sphere on common pixels.
+    index: row and column of the contact in the array of contacts.
+    contact: load, hardness, range and work of adhesion.
+    Returns ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
+        (separation) in N.
+    """
+    geometry = bodies.geometry
+    rho = contact.range
+    work = contact.work
+    gap = gap_map(bodies, index)
+    gap -= largest_contact_gap(gap, contact.pixel_count(geometry.pixel_size))
+    attraction = np.exp(-np.maximum(gap, 0) / rho)
+    pressure = work / (rho * 1e-9) * attraction
+    pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))
+    # The bodies keep their deformed shape: all gaps grow by the same length.
+    separation = np.linspace(0, 10 * rho, 201)
+    position = geometry.offsets() * geometry.pixel_size
+    from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
+    gap_attributes = {"units": "nm", "long_name": "gap before flattening"}
+    return xr.Dataset(
+        {
+            "gap": (("y", "x"), gap.astype(np.float32), gap_attributes),
+            "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), {"units": "Pa"}),
+            "force": ("separation", -pull_off * np.exp(-separation / rho), {"units": "N"}),
+        },
+        {
+            "y": ("y", position, from_apex),
+            "x": ("x", position, from_apex),
+            "separation": ("separation", separation, {"units": "nm"}),
+        },
+        {"rho": rho, "work_of_adhesion": work, "pull_off_force": pull_off},
     )
