@@ -45,7 +45,7 @@ def jobs(folders):
         for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):
             row = pd.read_csv(path, sep="\t").iloc[-1]
             rule, *wildcards = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
-            if rule == "filter_masters":  # of the study, of sets, of the chapter
+            if rule == "filter_masters":  # by their purpose: scales, sets, enhancement, scaling
                 rule = f"{rule}/{wildcards[0]}"
             rows.append(
                 {"rule": rule, "seconds": processor(row), "memory": row.max_rss * 2**20 / 1e6}

@@ -13,7 +13,7 @@ from hardcontact.config.selection import Selection
 from hardcontact.config.store_keys import SCAN_KEYS, key_values, short_digest
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
+#: Scans of a pool, realizations of masters (not those of the scales), and surfaces with
 #: protrusions in one job. A trade: long beside the half second in which a job starts, and enough
 #: jobs to share out among cores. Jobs stay as they are if a study has more of them.
 CHUNK = 15
