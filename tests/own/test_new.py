@@ -228,12 +228,10 @@ REFUSED = [
     ([NAME, "--surface", "$x$", "one.nc", "two.nc"], ["--surface", "label", "without $"]),
     ([NAME, "a\n\033[31m.nc"], ["'a\\n\\x1b[31m.nc'", "printable"]),
     ([NAME, "a\udcff.nc"], ["'a\\udcff.nc'", "printable"]),
-    ([NAME, "."], [".: expected a scan", "found a folder"]),
     ([NAME, "bare.nc"], ["bare.nc", "--unit"]),
     ([NAME, "bare.nc", "--unit", "mm,s"], ["--unit: expected none, m, mm", "found 'mm,s'"]),
     ([NAME, "one.nc", "--forces", "none.csv"], ["--forces", "none.csv"]),
     ([NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"], ["sphere.radius", "2500 nm"]),
-    ([NAME, "one.nc", "--range", "0.01 nm"], ["scales.range: expected at least", "0.01 nm"]),
     # A quarter of the stitched scan of 5 um at 25 GPa.
     (
         [NAME, "one.nc", "--preload", "1 N"],

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from paper_numbers import SUBSTRATES
-from random_scans import PIXEL, UNCD, levelled_scan, uncd
+from random_scans import PIXEL, UNCD, uncd
 from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
@@ -139,16 +139,6 @@ def test_a_surface_without_published_roughness_is_not_conditioned(spectrum):
     group = conditioning.condition_group(spectrum, None, generators(1, 2), GRID)
     assert (group.amplitude_gain == 1).all() and (group.factor == 1).all()
     np.testing.assert_array_equal(group.scan, [1, 2])
-
-
-def test_metrics_of_a_sum_are_a_quadratic_form():
-    bands = [levelled_scan(generator(9, k), 32) for k in range(3)]
-    matrices = conditioning.metric_matrices(bands, NAMES)
-    amplitudes = np.array([0.3, 1.7, 0.9])
-    total = sum(a * band.heights for a, band in zip(amplitudes, bands, strict=True))
-    total_metrics = metrics(HeightMap(total, PIXEL, periodic=False, basis="substitute"))
-    forms = np.sqrt(np.einsum("mij,i,j->m", matrices, amplitudes, amplitudes))
-    np.testing.assert_allclose(forms, [total_metrics[name] for name in NAMES], rtol=1e-12)
 
 
 def test_negative_heights_are_refused_in_one_line(spectrum):

@@ -47,10 +47,6 @@ def scan_of(rng, rolloff, hurst=0.8, level=1e4):
     return measurement(surface.heights[:PIXELS, :PIXELS].astype(float), surface.pixel_size), density
 
 
-def rms_height(spectrum):
-    return all_scales_rms(spectrum)[0]
-
-
 @pytest.mark.parametrize("kind", ["map", "line scan"])
 @pytest.mark.parametrize("order", [0.2, 0.5, 1.0, 2.0])
 def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
@@ -66,21 +62,6 @@ def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
     share = levelled_share(np.array([2 * np.pi * order]), 1.0, kind).item()
     error = np.std(remaining) / np.sqrt(len(remaining))
     assert share == pytest.approx(np.mean(remaining), abs=4 * error + 0.01 * share)
-
-
-@pytest.mark.study
-@pytest.mark.parametrize("rolloff", [SIZE / 3, 3 * SIZE])
-def test_the_rms_height_of_all_scales_is_among_those_of_sampled_spectra(rolloff):
-    contained = 0
-    for number in range(20):
-        scan, density = scan_of(generator(2, number), rolloff)
-        rngs = (generator(3, number, draw) for draw in range(20))
-        rms_heights = [
-            rms_height(spectrum) for spectrum, _ in sample_spectra(rngs, [scan], KNOWN_TIP)
-        ]
-        true_height = rms_height(Spectrum(WAVEVECTORS, density(WAVEVECTORS)))
-        contained += min(rms_heights) < true_height < max(rms_heights)
-    assert contained >= 17
 
 
 def test_noise_does_not_lengthen_the_rolloff():

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from measurements import line_of, map_of, measurement, two_sizes_and_a_line
 from random_scans import gentle
-from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.hurst_exponent import HURST_SCATTER
@@ -95,12 +94,6 @@ def test_a_given_tip_radius_overrides_that_of_the_file():
     scan = map_of(generator(15), 128, 5.0, tip_radius=20.0)
     radii = [joined_spectrum([scan], [radius])["tip_radius"].item() for radius in (None, 8.0)]
     assert radii == [20.0, 8.0]
-
-
-def test_measurements_without_reliable_wavelengths_are_refused_in_one_line():
-    noise = measurement(generator(17).normal(size=(64, 64)), 10.0, path="noise.spm")
-    message = refusal(joined_spectrum, [noise], [None])
-    assert_says(message, "expected", "at least 3", "found 0", "noise.spm", "noise floor")
 
 
 def test_only_reliable_wavelengths_are_joined():

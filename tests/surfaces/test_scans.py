@@ -1,6 +1,5 @@
 """Reading of scans of every kind, in formats that can be written here: heights, spacing, notes."""
 
-import zipfile
 from dataclasses import replace
 
 import numpy as np
@@ -306,37 +305,3 @@ def test_a_stylus_file_states_its_radius(tmp_path):
     assert (measurement.kind, measurement.tip_radius) == ("line scan", pytest.approx(2500.0))
     assert measurement.pixel_size == pytest.approx(100.0)
     np.testing.assert_allclose(measurement.heights, 10 * heights(40), atol=1e-3)
-
-
-def write_in_folder(path):
-    """Write an X3P with files in a folder."""
-    map_of(heights(20, 20)).to_x3p(str(path.with_suffix(".whole")))
-    with (
-        zipfile.ZipFile(path.with_suffix(".whole")) as source,
-        zipfile.ZipFile(path, "w") as target,
-    ):
-        for name in source.namelist():
-            target.writestr(f"scan/{name}", source.read(name))
-
-
-@pytest.mark.parametrize(
-    ("write", "message_parts"),
-    [
-        (write_in_folder, ["an X3P with files in a folder", "X3PReader: ", "main.xml"]),
-        (lambda path: path.write_bytes(b"DSCOMPRESSED" + bytes(600)), ["without compression"]),
-        (lambda path: path.write_bytes(b"DIGITAL SURF" + bytes(600)), ["SURReader: "]),
-    ],
-)
-def test_an_unreadable_file_is_refused_with_its_own_reason(tmp_path, write, message_parts):
-    write(tmp_path / "a.dat")
-    message = refusal(read_measurement, tmp_path / "a.dat")
-    assert_says(message, "a.dat: expected a whole file in a format", *message_parts)
-    assert "none of its readers" not in message
-
-
-def test_a_scan_without_physical_size_is_refused(tmp_path):
-    np.save(tmp_path / "a.npy", heights())
-    np.savetxt(tmp_path / "a.txt", heights())
-    for name in ("a.npy", "a.txt"):
-        message = refusal(read_scan, tmp_path / name)
-        assert_says(message, name, "expected", "physical size", "found none")
