@@ -100,5 +100,3 @@ def test_the_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
         mean = mean_attraction(heights, rho, rough) * np.exp(heights.max() / rho)
         error = np.sqrt(np.expm1(sigma**2 / rho**2)) / pixels
         assert mean * np.exp(-(sigma**2) / (2 * rho**2)) == pytest.approx(1, abs=4 * error)
-
-

@@ -273,5 +273,3 @@ def test_tables_sort_and_figures_open_at_full_size(tmp_path):
     ascending, descending = result["sorted"]
     assert ascending == sorted(ascending) and descending == ascending[::-1]
     assert result["width"] >= 1100
-
-

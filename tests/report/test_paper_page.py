@@ -16,6 +16,7 @@ from hardcontact.paper.verdicts import UNTESTABLE, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.quantities import numbers_by_name
 
+
 @pytest.fixture(scope="module")
 def html():
     return make_page()

@@ -1,6 +1,5 @@
 """Pages of the report are complete, and texts are escaped."""
 
-import re
 from importlib.metadata import version
 
 import numpy as np
