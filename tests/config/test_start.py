@@ -199,10 +199,3 @@ def test_a_bad_file_is_refused_in_one_line(repository):
     (repository / "bad.yaml").write_text("study: !!python/object/apply:os.mkdir [made]")
     run = snakemake(repository, "-n", "--configfile", "bad.yaml")
     assert_refused_before_anything_is_made(run, repository, "bad.yaml: expected YAML")
-
-
-@pytest.mark.study
-def test_another_working_directory_is_refused(repository, tmp_path):
-    run = snakemake(repository, "-n", "--directory", str(tmp_path))
-    assert_refused_before_anything_is_made(run, tmp_path, "working directory", str(tmp_path))
-    assert set(os.listdir(tmp_path)) <= {".snakemake"}

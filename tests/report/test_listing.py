@@ -33,11 +33,6 @@ def test_a_caption_names_the_values_of_the_study():
         caption("fig6", PAPER | {"inference": {}})
 
 
-def test_a_picture_is_described_by_its_title_unless_told_otherwise():
-    assert caption("fig1", PAPER).alt == caption("fig1", PAPER).title
-    assert caption("maps", {"sizes": "1 µm wide"}).alt == "Height maps: 1 µm wide about the mean."
-
-
 def test_figures_are_described_without_heavy_packages():
     code = (
         "import sys; from hardcontact.report.figures.listing import PAPER_FIGURES, describe_figure;"

@@ -273,12 +273,3 @@ def test_tables_sort_and_figures_open_at_full_size(tmp_path):
     ascending, descending = result["sorted"]
     assert ascending == sorted(ascending) and descending == ascending[::-1]
     assert result["width"] >= 1100
-
-
-def test_the_page_names_defects_of_scans_with_their_numbers():
-    clipped = spectra()
-    clipped["highest_share"].loc[{"measurement": 1}] = 0.04
-    text = page_of(datasets(spectra=clipped))
-    sentence = "fine.spm: 4\N{NO-BREAK SPACE}% of its pixels have the highest value"
-    assert text.count(sentence) == 2  # at the top, and in detail
-    assert "of its pixels have" not in html("one")

@@ -1,6 +1,5 @@
 """Pages of the report are complete, and texts are escaped."""
 
-import re
 from importlib.metadata import version
 
 import numpy as np
@@ -147,15 +146,6 @@ def test_a_chapter_is_a_page_without_links_into_the_repository():
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(chapter, text), "expected", "'# '", "found")
-
-
-def test_every_departure_is_an_item_of_the_page():
-    text = (ROOT / "workflow/report/departures.md").read_text()
-    titles = re.findall(r"^\d+\. \*\*(.+?)\*\*", text, re.M)
-    html = chapter(text).html
-    departures = re.sub("<ul>.*?</ul>", "", html, flags=re.DOTALL)
-    assert len(titles) >= 17 and departures.count("<li>") == len(titles)
-    assert [title for title in titles if f"<strong>{title}</strong>" not in html] == []
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))

@@ -24,9 +24,7 @@ FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETCDF4") -> None:
     """Write a dataset whole or not at all.
 
-    dataset: what to write.
-    path: file in an existing folder; it is replaced.
-    Raises ValueError if the file cannot be written.
+    An existing file is replaced. Raises ValueError if the file cannot be written.
     """
     with whole_file(path) as temporary:
         try:
@@ -65,8 +63,6 @@ def read(path: str | Path) -> xr.Dataset:
     """Read a dataset into memory, without its encoding.
 
     The encoding fixes the length of texts: longer texts that are joined to them would be cut.
-
-    Returns all variables, in memory.
     Raises ValueError if the file is missing, damaged or truncated.
     """
     try:
@@ -84,10 +80,8 @@ def read_all(
 ) -> dict[tuple[Any, ...], xr.Dataset]:
     """Read one dataset for each key, for `stack`.
 
-    keys: labels of each dataset, one for each dimension along which they are stacked.
-    paths: files in the order of the keys.
-    Returns the dataset of each key, in the same order.
-    Raises ValueError if there are not as many keys as paths, or `read` fails.
+    A key has a label for each dimension. Raises ValueError if there are not as many keys as paths,
+    or if `read` fails.
     """
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
@@ -95,12 +89,9 @@ def read_all(
 def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
     """Join datasets along new dimensions, the outermost first.
 
-    Labels keep the order of the keys; the labels of an inner dimension are sorted if they differ
-    between outer labels.
-
-    datasets: by key: a tuple with a label for each dimension.
-    dimensions: names of the new dimensions.
-    Returns values are NaN where a combination of labels is missing.
+    A key has a label for each dimension. Labels keep the order of the keys; those of an inner
+    dimension are sorted if they differ between outer labels. Values are NaN where a combination of
+    labels is missing.
     """
     if not dimensions:
         return datasets[()]

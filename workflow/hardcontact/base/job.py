@@ -70,8 +70,6 @@ class Job(NamedTuple):
 def job(snakemake: Any) -> Iterator[Job]:
     """Keep the log of a script and yield its `Job`.
 
-    snakemake: the object that Snakemake gives to a script.
-    Yields inputs, outputs and parameters.
     Raises ValueError before anything is computed, if an input is not as the study wrote it.
     """
     with job_log(snakemake.log[0]):
@@ -118,11 +116,7 @@ def job_log(path: str | Path) -> Iterator[None]:
 
 
 def progress(steps: Iterable[Step], total: int, name: str) -> Iterator[Step]:
-    """Pass on steps, and log how many are done, about ten times in all.
-
-    name: what the steps are, in the plural.
-    Yields object: each step.
-    """
+    """Pass on steps, named in the plural, and log how many are done, about ten times in all."""
     for done, step in enumerate(steps, start=1):
         yield step
         if done == total or done * 10 // total > (done - 1) * 10 // total:

@@ -177,8 +177,7 @@ def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> 
 def pinned_versions(environment: str | Path) -> dict[str, str]:
     """Return the installed versions of the packages that requirements of pip pin.
 
-    environment: requirements of pip; only lines ``package==version`` count.
-    Returns version by package, in the order of the file.
+    Only lines ``package==version`` of the file count; packages keep its order.
     """
     names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
     return {name: version(name) for name in names}

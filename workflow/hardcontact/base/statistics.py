@@ -105,12 +105,9 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
 def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
     """Return random means (samples, ...) of positive values of n independent scans (n, ...).
 
-    They are in the unit of the values. Their logarithms follow a multivariate Student's t
-    distribution about the logarithm of the mean. A sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n -
-    1))/sqrt(c/(n - 1)). Here d_i is ln x_i minus the mean of ln x, z_i is normal, and c is
-    chi-squared with n - 1 degrees of freedom. Elements are distributed as in
-    `student_log_interval`. They share z and c, which keeps their correlation. NaN for fewer than
-    two values.
+    The logarithm of a sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with
+    d_i = ln x_i - mean of ln x, normal z_i, and chi-squared c of n - 1 degrees of freedom, as in
+    `student_log_interval`. Elements share z and c, which keeps their correlation. NaN for n < 2.
     """
     count = len(values)
     if count < 2:
@@ -130,8 +127,7 @@ def jackknife_interval(value: ArrayLike, leave_one_out: ArrayLike, confidence: f
 
     `value` (...) is the statistic of all scans, `leave_one_out` (n, ...) those of all scans but
     one. The interval is Student's t on the logarithm with the standard error of the delete-one
-    jackknife. With the confidence it contains the statistic of infinitely many scans. NaN for fewer
-    than two scans, or if a statistic is zero.
+    jackknife. NaN for fewer than two scans, or if a statistic is zero.
     """
     from scipy import special
 

@@ -32,12 +32,8 @@ RELIEF_OVER_RMS = 4.5
 def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
     """Refuse a study that would fail in a job; measured scans are read after all other checks.
 
-    config: the configuration, with quantities as numbers.
-    table: the table of surfaces, from `selection.selected_scans`.
-    compared: the surfaces with a published pull-off force.
-    Raises ValueError with a line for each fault, which names the key or the file: names of surfaces
-        or scans that are not in the table, contradictory values, unusable scans, and wavelengths,
-        windows and loads that the pixels do not permit.
+    Quantities in `config` are numbers; `compared` are the surfaces with a published pull-off force.
+    Raises ValueError with a line for each fault, which names the key or the file.
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")

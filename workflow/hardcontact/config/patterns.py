@@ -25,11 +25,6 @@ class Patterns:
 
     Paths of intermediates contain the values of the quantities that people sweep, and a digest of
     all other keys on which they depend. Files of two values therefore exist at the same time.
-
-    results: folder of the final files.
-    store: folder of the intermediates, which studies share.
-    sphere: id of the sphere's surface.
-    digests: the digest of `store_keys` for each kind of intermediate.
     """
 
     def __init__(self, results: str, store: str, sphere: str, digests: Mapping[str, str]) -> None:

@@ -144,12 +144,9 @@ def measured_forces(
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 
-    path: a CSV with a header: surface, value, unit, one row per test; or surface, mean, median,
-        count, unit, one row per surface.
-    given_as: the option or key that names the table, for messages.
-    Returns by line of the file: surface; mean and median in N, positive; and count, the number of
-        tests. A single test is its own mean and median.
-    Raises ValueError with a line for each faulty row.
+    The columns are TESTS, or SUMMARIES with one row per surface; messages name `given_as`. Returns
+    by line of the file: surface, mean and median in N (of a single test its force), and count of
+    tests. Raises ValueError with a line for each faulty row.
     """
     table = user_table(path, f"a table of forces ({given_as})")
     columns = SUMMARIES if "mean" in table.header else TESTS

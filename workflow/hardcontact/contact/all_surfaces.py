@@ -21,11 +21,7 @@ class Described(TypedDict):
 
 
 def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
-    """Return a dataset with the label and the basis of each of its surfaces.
-
-    described: label and basis by surface.
-    Returns the dataset with ``label`` (surface) and ``basis`` (surface).
-    """
+    """Return a dataset with the label and the basis of each of its surfaces."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
         label=("surface", [described["labels"][surface] for surface in surfaces]),
@@ -34,11 +30,7 @@ def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
 
 
 def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
-    """Return the forces of one scan on all scans of the sphere, with contacts by number.
-
-    pairs: by number of the sphere scan: the dataset of `pull_off_of_pair`.
-    Returns the same variables over (sphere_scan, ...).
-    """
+    """Return forces of `pull_off_of_pair` over (sphere_scan, ...), with contacts by number."""
     # Positions of contacts differ between pixel sizes.
     numbered = {
         (scan,): pair.assign_coords({axis: range(pair.sizes[axis]) for axis in CONTACT_AXES})
@@ -50,10 +42,9 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
 def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    scans: by (surface, scan): the dataset of `over_sphere_scans`, with `wider_window_change`.
-    described: label and basis by surface.
+    `scans` has the dataset of `over_sphere_scans`, with `wider_window_change`, by (surface, scan).
     Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
-        the largest of all pairs.
+    the largest of all pairs.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
@@ -64,13 +55,10 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
 def single_masters(
     files: Iterable[tuple[Sequence[str], xr.Dataset]], realizations: int, load: str | None = None
 ) -> Parts:
-    """Return the forces on each master.
+    """Return the forces on each master, by key of its file, realization and side.
 
-    files: key of a file, beginning with the surface, and its dataset from
-        `filtered_masters.filtered_pull_off`.
-    realizations: number of realizations; further ones are left out.
-    load: the only load, at the single radius and range of the file; None for all loads.
-    Returns by key of the file, realization and side: the dataset of one master.
+    The files are from `filtered_masters.filtered_pull_off`; realizations after the given number are
+    left out. `load` is the only load, at the single radius and range of the file; None for all.
     """
     masters: dict[tuple[Any, ...], xr.Dataset] = {}
     for key, file in files:
@@ -89,10 +77,9 @@ def single_masters(
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     """Return the elastic contacts of all surfaces and scans.
 
-    scans: by (surface, scan): the dataset of `elastic_contacts_of_pair`.
-    described: label and basis by surface.
-    Returns the same variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows
-        one contact on the first scan of each surface.
+    `scans` has the dataset of `elastic_contacts_of_pair` by (surface, scan). Returns the same
+    variables over (surface, scan, ...); ``pressure`` (surface, y, x) in Pa shows one contact on the
+    first scan of each surface.
     """
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
@@ -108,10 +95,9 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
 def stacked_forces(masters: Parts) -> xr.Dataset:
     """Return the forces on all filtered masters, and their ratios to the unfiltered forces.
 
-    masters: by (surface, realization, side): the dataset of `forces_at_cutoffs`.
-    Returns the same variables over (surface, realization, side, ...), NaN at cutoffs of the other
-        side. ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength, ...) compares
-        means over contacts; ``unfiltered_wavelength`` (surface, side) is in nm.
+    `masters` has the dataset of `forces_at_cutoffs` by (surface, realization, side). Returns the
+    same variables over these dimensions, NaN at cutoffs of the other side, and
+    ``filtered_force_ratio`` of means over contacts; ``unfiltered_wavelength`` is in nm.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -131,11 +117,9 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
 def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with the changes that another spectrum makes.
 
-    scales: from `stacked_forces`, for masters with the most likely spectra.
-    varied: from `stacked_forces`, for masters with sampled spectra and the same random numbers.
-    Returns `scales` with ``log_ratio_shift`` and ``log_unfiltered_force_shift``, the changes of the
-        logarithms of ``filtered_force_ratio`` and of the mean ``unfiltered_pull_off_force``; NaN if
-        there is no varied master.
+    `scales` has masters with the most likely spectra; `varied` those with sampled spectra and the
+    same random numbers. The changes ``log_ratio_shift`` and ``log_unfiltered_force_shift`` of the
+    logarithms of ratio and mean force are NaN if there is no varied master.
     """
     whole = "unfiltered_pull_off_force"
     ratio = varied["filtered_force_ratio"] / scales["filtered_force_ratio"]
@@ -149,12 +133,7 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
-    """Return forces of masters with the wavelengths at which artificial roughness begins.
-
-    scales: over side.
-    transitions: wavelength in nm by side.
-    Returns the forces with ``transition`` (side) in nm.
-    """
+    """Return forces of masters with the ``transition`` (side) in nm to artificial roughness."""
     attributes = {"units": "nm", "long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]
     return scales.assign(transition=("side", lengths, attributes))

@@ -81,12 +81,8 @@ def asperities_of_pair(
 ) -> xr.Dataset:
     """Return which asperities carry the force of some plastic contacts.
 
-    bodies: substrate and sphere on common pixels.
-    contact: load and hardness.
-    contact_indices: (contact, 2) Row and column of each contact in the array of contacts.
-    share: share of the force, between 0 and 1.
-    ranges: ranges of adhesion in nm.
-    Returns the variables of ASPERITY_UNITS (contact, rho).
+    The indices (contact, 2) are row and column in the array of contacts; ranges of adhesion are in
+    nm. Returns the variables of ASPERITY_UNITS (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)

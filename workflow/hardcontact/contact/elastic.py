@@ -83,12 +83,9 @@ def adhesive_pull_off(
 ) -> tuple[float, float]:
     """Return the pull-off forces (N) of one window, rigid and elastic.
 
-    Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
-    bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
-    paper, elastic analysis). Lengths are in nm, the effective modulus in Pa and the work of
-    adhesion in J/m². Raises ValueError if no equilibrium was reached, and for bodies so soft that
-    attraction stretches them by more than a tenth of rho: their pull-off may lie outside the range
-    that is searched.
+    Elastic: the largest attraction in equilibrium while the bodies part (the paper, elastic
+    analysis). Lengths are in nm, the effective modulus in Pa, the work of adhesion in J/m². Raises
+    ValueError if no equilibrium was reached, or if attraction stretches soft bodies by over rho/10.
     """
     heights = gap.min() - gap
     attraction = work_of_adhesion / rho * pixel_size**2 * np.exp(heights / rho)
@@ -167,15 +164,9 @@ def elastic_contacts_of_pair(
 ) -> xr.Dataset:
     """Solve some contacts of a pair of scans with elasticity, without plasticity.
 
-    bodies: substrate and sphere on common pixels.
-    contact: load, hardness, range and work of adhesion.
-    contact_indices: (contact, 2) Row and column of each contact in the array of contacts.
-    modulus: effective modulus in Pa.
-    pull_off_window: side in nm of the window around the lowest gap in which pull-off is solved.
-    Returns the variables of ELASTIC_UNITS (contact); ``share_above_hardness`` is the share of the
-        contact area whose pressure exceeds the hardness. ``pressure`` (y, x) in Pa around its peak,
-        for the first contact.
-    Raises ValueError if a solver finds no equilibrium.
+    The indices (contact, 2) are row and column in the array; the effective modulus is in Pa, the
+    side of the pull-off window about the lowest gap in nm. Returns ELASTIC_UNITS (contact), and
+    ``pressure`` (y, x) in Pa of the first. Raises ValueError if no equilibrium is found.
     """
     geometry = bodies.geometry
     pixel_size = bodies.geometry.pixel_size

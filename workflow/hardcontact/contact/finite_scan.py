@@ -35,10 +35,9 @@ def with_sizes(
 ) -> xr.Dataset:
     """Return predicted forces (surface) with sizes of scans, window and pixels.
 
-    The topography has ``scan_size`` and ``pixel_size`` (surface) in nm; search sizes (nm) are by
-    surface. The attraction of a smooth sphere is proportional to exp(-r²/(2 R rho)) at the distance
-    r from its apex (Eq. 3 of the paper). A square window of the edge L therefore holds the share
-    erf(L/sqrt(8 R rho))² of it.
+    Sizes are in nm. The attraction of a smooth sphere is proportional to exp(-r²/(2 R rho)) at the
+    distance r from its apex (Eq. 3 of the paper). A square window of the edge L therefore holds the
+    share erf(L/sqrt(8 R rho))² of it.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     lengths = [search_sizes[name] for name in force["surface"].values.tolist()]

@@ -29,13 +29,9 @@ def mean_forces(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Average forces over all scans of each surface, and sample this mean.
 
-    The random numbers of a surface depend on the purpose and the name of the surface alone: contact
-    models share them.
-
-    forces: forces (surface, scan, rho) in N, possibly also over the dimensions of contacts; NaN for
-        a missing scan.
-    Returns (surface, rho) N. (sample, surface, rho) N, by `student_log_samples`; NaN for a surface
-        with a single scan.
+    Forces (surface, scan, rho, ...) are in N, NaN for a missing scan. Returns means (surface, rho)
+    and samples (sample, surface, rho) in N, NaN for a surface with a single scan. Random numbers
+    depend on purpose and surface alone: contact models share them.
     """
     scans = mean_of_each_scan(forces)
     samples = [
@@ -58,10 +54,8 @@ def force_curves(
 ) -> dict[str, Any]:
     """Return mean forces and their ratios to a reference surface.
 
-    forces: forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N.
-    means, mean_samples: the means and samples of these forces, from `mean_forces`.
-    sampling: confidence of the intervals.
-    Returns ``mean_force`` in N and ``force_ratio``, both (surface, rho), with their intervals.
+    Forces are (surface, scan, sphere_scan, rho, contact_y, contact_x) in N, their means and samples
+    from `mean_forces`. Returns ``mean_force`` in N and ``force_ratio`` with intervals.
     """
     dimensions = ("surface", "rho")
     ratio = means / means[reference_index]
@@ -125,12 +119,9 @@ JACKKNIFE_STATISTICS = ["median_force_at_pair", "lognormal_shape", "lognormal_me
 def force_statistics(forces: np.ndarray, force_floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
-    forces: (scan, sphere_scan, contact) N, NaN for a missing scan or contact.
-    force_floor: smallest measurable force in N. Smaller forces enter the fit as censored.
-    sampling: confidence of the intervals. The intervals are NaN if `sampling.samples` is 0.
-    Returns the scalars FORCE_STATISTICS with intervals over substrate scans: the mean and the
-        censored fraction by Student's t, JACKKNIFE_STATISTICS by the jackknife. All are NaN if all
-        forces are.
+    Forces (scan, sphere_scan, contact) are in N, censored below the floor, NaN for a missing scan.
+    Returns FORCE_STATISTICS with intervals over substrate scans: JACKKNIFE_STATISTICS by the
+    jackknife, the others by Student's t. Intervals are NaN if `sampling.samples` is 0.
     """
     is_finite = np.isfinite(forces)
     scan_exists = is_finite.any(axis=(1, 2))

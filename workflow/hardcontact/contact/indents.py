@@ -62,12 +62,9 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan.
 
-    substrates, spheres: stitched scans by their numbers.
-    contact: the contact; its preload is not used.
-    preloads: loads in N, ascending.
-    Returns the variables of INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x). For
-        the contact of median depth at the largest preload, ``indentation`` (preload, y, x) and
-        ``sphere_height`` (y, x) in nm.
+    Stitched scans are by number; preloads in N ascend and replace that of the contact. Returns
+    INDENT_UNITS (scan, sphere_scan, preload, contact_y, contact_x) and, for the contact of median
+    depth at the largest preload, ``indentation`` (preload, y, x), ``sphere_height`` (y, x) in nm.
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:

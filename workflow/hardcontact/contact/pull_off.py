@@ -115,13 +115,9 @@ def pull_off_forces(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[f
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
 
-    bodies: substrate and sphere on common pixels.
-    contact: load and hardness.
-    ranges: ranges of adhesion in nm.
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
-        ``apex_height`` (contact_model, contact_y, contact_x) in nm, ``contact_pixel_count``
-        (contact_model) and the number of `touched_places`.
-    Raises ValueError if a range is too short for the relief of the surface.
+    ``apex_height`` in nm, ``contact_pixel_count`` and `touched_places`. Raises ValueError if a
+    range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)
@@ -195,10 +191,6 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
     """Return the mean plastic force on pixels of half the size, relative to those of a pair.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same.
-
-    bodies: substrate and sphere on common pixels.
-    contact: load, hardness and range of adhesion.
-    Returns the ratio of the forces, a single number.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
@@ -226,9 +218,7 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
 def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
     """Return how much the plastic force changes in a window larger by a period on each side.
 
-    pairs: one substrate with several scans of the sphere.
-    contact: load, hardness and range of adhesion.
-    Returns ``wider_window_change``, the largest relative change over contacts and pairs.
+    The pairs have one substrate; the largest relative change over contacts and pairs is returned.
     """
     changes = []
     for bodies in pairs:
@@ -252,11 +242,8 @@ def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset
 def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
 
-    bodies: substrate and sphere on common pixels.
-    index: row and column of the contact in the array of contacts.
-    contact: load, hardness, range and work of adhesion.
-    Returns ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
-        (separation) in N.
+    The index is row and column in the array. Returns ``gap`` (y, x) in nm before flattening,
+    ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
     """
     geometry = bodies.geometry
     rho = contact.range

@@ -37,19 +37,13 @@ MISLEADING_DEFECTS = frozenset({"spikes", "equal_lines", "highest"})
 
 @dataclass(frozen=True)
 class Caution:
-    """A caution about the answer of one surface.
+    """A caution about the answer of one surface."""
 
-    code: what makes the answer less sure.
-    grave: whether this changes the force by more than the tolerance of the band.
-    numbers, texts: what its sentence names, by name.
-    measurement: the number of the measurement with the defect; 0 for other cautions.
-    """
-
-    code: str
-    grave: bool = False
-    numbers: dict[str, Number] = field(default_factory=dict)
-    texts: dict[str, str] = field(default_factory=dict)
-    measurement: int = 0
+    code: str  #: What makes the answer less sure.
+    grave: bool = False  #: Whether it changes the force by more than the tolerance of the band.
+    numbers: dict[str, Number] = field(default_factory=dict)  #: In its sentence, by name.
+    texts: dict[str, str] = field(default_factory=dict)  #: In its sentence, by name.
+    measurement: int = 0  #: Number of the measurement with the defect; 0 for other cautions.
 
 
 def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:

@@ -60,10 +60,7 @@ class SurfaceAnswer(NamedTuple):
 
 
 def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
-    """Return the content of answer.json: a head, notes in words, and all numbers.
-
-    setting: the settings that the datasets do not hold.
-    """
+    """Return the content of answer.json: a head, notes in words, and all numbers."""
     surfaces = surface_answers(datasets, setting)
     study_numbers = _study_numbers(datasets, setting)
     return {

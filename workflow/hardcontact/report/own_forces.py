@@ -160,9 +160,7 @@ def measured_numbers(fit: xr.Dataset, spectra: xr.Dataset) -> list[Number]:
 def fit_numbers(fit: xr.Dataset) -> list[Number]:
     """Return which ranges and works of adhesion agree with all measured forces.
 
-    The fit is the part of fit.nc for one contact model. The status of `fit_region_range` is
-    "one_force" for a single surface, "no_interval" if a surface has none (no region), and
-    "no_agreement" if no pair agrees with all forces. `fit_exact_pairs` counts the pairs that
+    The fit is the part of fit.nc for one contact model. `fit_exact_pairs` counts the pairs that
     give the forces of two surfaces by construction. `fit_gap` lies between ranges that agree.
     `fit_agrees` is 1 if the range of the predicted forces agrees, otherwise 0.
     """

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from hardcontact.report.artificial import NEARLY_ALL
 from hardcontact.report.quantities import numbers_by_name
 from hardcontact.report.templates import rendered
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE
@@ -14,12 +15,10 @@ def render_page(
     citation: Mapping[str, Any],
     **facts: Any,
 ) -> str:
-    """Return the page, HTML.
+    """Return the page as HTML from the content of answer.json and the SVG of each figure.
 
-    answer: the content of answer.json.
-    figures: SVG by the name of the figure.
-    facts: of own surfaces `left_out`, parts that the data do not allow and why; of the paper what
-        `paper_page` gives.
+    The facts for own surfaces are `left_out`, the parts that the data do not allow and why;
+    `paper_page` gives those for the paper.
     """
     surfaces = [
         {**surface, "numbers": numbers_by_name(answer, surface["name"])}
@@ -35,5 +34,6 @@ def render_page(
         limit_names=LIMIT_NAMES,
         min_pixels=MIN_PIXELS,
         min_waves=MIN_WAVES_IN_SIZE,
+        nearly_all=NEARLY_ALL,
         **facts,
     )

@@ -52,10 +52,9 @@ def paper_answer(
 ) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    claims: the table that `verdicts.add_open_ends` returns.
-    datasets: final datasets: `topography`, `scales`, `edges`, `sets`, `protruded`,
-        `protruded_sphere`; `scan_size`, the table resources/validation/scan_size.nc.
-    constants: the table that `published.constants` returns.
+    `claims` comes from `verdicts.add_open_ends`, `constants` from `published.constants`. The
+    datasets are `topography`, `scales`, `edges`, `sets`, `protruded`, `protruded_sphere`, and
+    `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)

@@ -22,11 +22,8 @@ def paper_page(
 ) -> str:
     """Return the page of the paper's study.
 
-    answer: the content of answer.json.
-    claims: the table that `verdicts.add_open_ends` returns.
-    table1: from `table1.table1_rows`.
-    figures: SVG by the name of the figure.
-    captions: captions by the name of the figure.
+    `claims` comes from `verdicts.add_open_ends`, `table1` from `table1.table1_rows`; SVG and
+    captions are by the name of the figure.
     """
     chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
     return render_page(

@@ -34,11 +34,7 @@ def pages(
 ) -> dict[str, str]:
     """Return the HTML of the pages by their names: `claims`, each text, and `parameters`.
 
-    claims: the table that `verdicts.add_open_ends` returns.
-    texts: chapters in Markdown, by name.
-    configuration: the user's configuration of the study.
-    versions: versions by package.
-    Returns HTML by name.
+    `claims` comes from `verdicts.add_open_ends`; `texts` are chapters in Markdown, by name.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
@@ -57,11 +53,9 @@ def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
-    claims: the table that `verdicts.add_open_ends` returns.
-    Returns `claims` are rows by their ids, with printed numbers; `counts` are rows of
-        `verdicts.summary`. `unstable` is the number of verdicts that may change with the seed.
-        `without_scan` is the number of independent findings reproduced without any scan.
-        `larger_pixels` is that of findings which only scans with the paper's pixels can test.
+    `claims` has rows by their ids, with printed numbers, and `counts` rows of `verdicts.summary`.
+    The numbers of findings: `unstable` with the seed, `without_scan` reproduced without any scan,
+    `larger_pixels` testable only with the paper's pixels.
     """
     pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}

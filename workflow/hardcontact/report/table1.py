@@ -49,10 +49,6 @@ def table1_rows(topography: xr.Dataset, published: pd.DataFrame) -> list[list[st
     Computed values from scans are mean and standard deviation over the scans of a surface. Values
     over all scales are rms values of the joined spectrum, without a standard deviation. A dagger
     marks the values that substitutes meet by construction.
-
-    topography: the dataset that `roughness_table` returns.
-    published: the table that `published.table1` returns.
-    Returns rows of cells.
     """
     surfaces = [topography.sel(surface=name) for name in topography["surface"].values]
     rows = []

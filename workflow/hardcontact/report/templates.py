@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from hardcontact.base.formatting import format_as_paper, format_share
+from hardcontact.base.formatting import format_share
 from hardcontact.report import quantities
 from hardcontact.report.figures.listing import caption
 
@@ -63,7 +63,7 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
-        "percent": format_share, "as_paper": format_as_paper,
+        "percent": format_share,
         "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption

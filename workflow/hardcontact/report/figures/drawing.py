@@ -39,8 +39,7 @@ def draw_figure(
 ) -> None:
     """Draw a figure by the module of its name, and write its files.
 
-    inputs: paths of datasets and published tables, by the arguments of `draw`.
-    outputs: paths by FILE_KINDS.
+    Inputs are datasets and published tables, by the arguments of `draw`; outputs are by FILE_KINDS.
     """
     module = importlib.import_module(f"hardcontact.report.figures.{name}")
     data = {key: READERS.get(key, dataset.read)(path) for key, path in inputs.items()}
@@ -53,8 +52,7 @@ def save(
 ) -> None:
     """Write the files of a figure, the same bytes each time, either all or none.
 
-    outputs: paths by FILE_KINDS.
-    svg_resolution: resolution of the images in the SVG, in dots per inch.
+    Outputs are by FILE_KINDS; the resolution of images in the SVG is in dots per inch.
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:

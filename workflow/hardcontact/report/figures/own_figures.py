@@ -44,7 +44,7 @@ PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
 def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
     """Write the files of all figures of own surfaces, and return the SVG of each by its name.
 
-    outputs: paths of all figures, in one order, by FILE_KINDS. A file has the name of its figure.
+    Outputs are by FILE_KINDS, in one order of figures; a file has the name of its figure.
     """
     pictures = {}
     for paths in zip(*(outputs[kind] for kind in FILE_KINDS), strict=True):
