@@ -48,19 +48,6 @@ def mean_forces(surface: HeightMap, windows: Windows) -> Floats:
     return np.asarray(forces.sel(contact_model="plastic").values)
 
 
-def window_forces(surface: HeightMap, windows: Windows) -> Floats:
-    """Return the plastic pull-off on windows of a periodic surface, and on the surface itself.
-
-    The forces (scan_size, rho) in N at 1 J/m² are means over contacts and windows. The last scan
-    size belongs to the whole surface, which is not mirrored.
-    """
-    means = []
-    for size in windows.sizes:
-        scans = mirrored_windows(surface, size, windows.per_size)
-        means.append(np.mean([mean_forces(scan, windows) for scan in scans], axis=0))
-    return np.array([*means, mean_forces(surface, windows)])
-
-
 def filtered_forces(surface: HeightMap, cutoffs: list[float], windows: Windows) -> Floats:
     """Return the mean force on a periodic surface and the ratios to it without long waves.
 

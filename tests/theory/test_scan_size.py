@@ -1,4 +1,4 @@
-"""Sizes of scans: the validation table and the functions that make it."""
+"""Forces and long edges on mirrored windows, against whole surfaces and known ratios."""
 
 import sys
 from dataclasses import replace
@@ -11,17 +11,11 @@ from repository import ROOT
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
 from scan_windows import Windows, filtered_forces, mean_forces, mirrored_windows
-from validate_scan_sizes import (
-    TABLE,
-    Case,
-    ScanSizeRule,
-    correction_errors,
-    fitted_rule,
-    window_edges,
-)
+from validate_scan_sizes import TABLE, TOLERANCE, window_edges
 
 from hardcontact.base import dataset
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.edges import edges_of_curves
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 
 CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, count=2)
@@ -37,46 +31,12 @@ def random_heights(rms):
     return rms * np.random.default_rng(5).standard_normal((64, 64))
 
 
-def test_the_table_repeats_its_rule():
+def test_the_edges_of_the_table_follow_from_its_ratios():
     table = dataset.read(TABLE)
-    rule = ScanSizeRule(table["rule_factor"].item(), table["exponent"].values)
-    for surface in table["surface"].values:
-        row = table.sel(surface=surface)
-        lengths = [row[name].item() for name in ("rms_height", "rolloff", "radius")]
-        case = Case(row["scan_size"].values[:, None], *lengths, row["rho"].values)
-        np.testing.assert_allclose(row["predicted_finite_scan_ratio"], rule.excess(case))
-        needed = case._replace(size=row["size_needed"].values)
-        np.testing.assert_allclose(rule.excess(needed), table.attrs["allowed_ratio"])
-    for tested, name in (
-        ("surfaces", "finite_scan_ratio"),
-        ("random surfaces", "trial_finite_scan_ratio"),
-    ):
-        residual = np.log(table[name] / table[f"predicted_{name}"])
-        error = table["rms_log_error"].sel(tested_on=tested, correction="corrected")
-        np.testing.assert_allclose(error, np.sqrt((residual**2).mean()))
-
-
-def test_a_known_rule_is_recovered_and_corrects_other_surfaces():
-    true_rule = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
-    fitted_cases = random_cases(1)
-    other_cases = random_cases(2)
-    rule = fitted_rule(fitted_cases, true_rule.excess(fitted_cases))
-    np.testing.assert_allclose([rule.strength, *rule.exponents], [0.4, 1.2, 0.5, 0.3], atol=1e-3)
-    corrected, uncorrected = correction_errors(
-        rule.excess(other_cases), true_rule.excess(other_cases)
-    )
-    assert corrected < 1e-3 * uncorrected
-
-
-def random_cases(seed, count=40):
-    rng = np.random.default_rng(seed)
-    return Case(
-        rng.uniform(1000, 10e3, count),
-        rng.uniform(2, 50, count),
-        rng.uniform(400, 2500, count),
-        rng.choice([20e3, 250e3], count),
-        rng.uniform(2, 10, count),
-    )
+    names = ["filtered_force_ratio", "filtered_force_ratio_interval"]
+    for name, edge in edges_of_curves(table[names].assign_coords(side="large"), TOLERANCE).items():
+        np.testing.assert_array_equal(table[f"long_{name}"].transpose(*edge.dims), edge)
+    assert (table["force_over_largest"].isel(map_size=-1) == 1).all()
 
 
 def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface():
