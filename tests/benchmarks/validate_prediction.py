@@ -29,8 +29,8 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 from hardcontact.theory.closed_form import closed_form, edges
-from hardcontact.theory.prediction_errors import table_coordinates
 from hardcontact.theory.summits import spectrum_between
+from hardcontact.theory.validity import table_coordinates
 
 TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/prediction.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1

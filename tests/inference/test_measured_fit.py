@@ -7,8 +7,13 @@ import xarray as xr
 from known_forces import FORCE_DIMS
 
 from hardcontact.base.statistics import Sampling
-from hardcontact.inference.force_tests import MeasuredTests, measured_tests, sampled_means
-from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
+from hardcontact.inference.measured_fit import (
+    MeasuredTests,
+    add_extrapolated_work,
+    fit_measured,
+    measured_tests,
+    sampled_means,
+)
 
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
 RHO, WORK = 5.0, 0.05

@@ -30,7 +30,7 @@ from hardcontact.surfaces.spectrum import (
 )
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.prediction import trim_spectrum
-from hardcontact.theory.prediction_errors import nearest_errors, table_coordinates
+from hardcontact.theory.validity import nearest_errors, table_coordinates
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"

@@ -16,11 +16,11 @@ import validate_prediction
 from hardcontact.base.random import generator
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, varying_hurst
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.theory import prediction, prediction_errors
+from hardcontact.theory import prediction, validity
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.summits import moment
 
-TABLE = pd.read_csv(prediction_errors.VALIDATION)
+TABLE = pd.read_csv(validity.VALIDATION)
 
 
 def test_the_spectrum_of_a_grid_has_the_rms_height_of_its_surfaces():
@@ -61,7 +61,7 @@ def test_the_forces_of_a_designed_surface_are_reproduced():
     pd.testing.assert_frame_equal(row, pd.DataFrame([recomputed_row]), rtol=1e-3)
 
 
-@pytest.mark.parametrize("name", prediction_errors.VALIDATED_QUANTITIES)
+@pytest.mark.parametrize("name", validity.VALIDATED_QUANTITIES)
 def test_intervals_contain_nine_tenths_of_the_other_half(name):
     """Nine of ten, fewer by chance and at the border of the set: three quarters or more."""
     table = TABLE[TABLE["held_out"] == 0]
@@ -69,7 +69,7 @@ def test_intervals_contain_nine_tenths_of_the_other_half(name):
     closed_edges = closed_edges.dropna(subset=f"predicted_{name}")
     is_inside = []
     for _, row in closed_edges.iterrows():
-        low, high = prediction_errors.nearest_errors(row, name)
+        low, high = validity.nearest_errors(row, name)
         is_inside.append(low <= row[name] / row[f"predicted_{name}"] <= high)
     assert 0.75 < np.mean(is_inside) <= 1
 
@@ -90,13 +90,13 @@ def test_the_coatings_of_the_paper_lie_within_the_table(rolloff, plateau, hurst,
     spectrum = prediction.trim_spectrum(Spectrum(WAVEVECTORS, density))
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0)
     mean_hurst = hurst + change * np.log10(rolloff / 20) / 2
-    fit = prediction_errors.hurst_and_bend(spectrum, 20.0)
+    fit = validity.hurst_and_bend(spectrum, 20.0)
     assert fit == pytest.approx((mean_hurst, change), abs=0.01)
-    assert prediction_errors.is_validated(spectrum, contact, closed_form(spectrum, contact))
+    assert validity.is_validated(spectrum, contact, closed_form(spectrum, contact))
 
 
 def test_a_contact_wider_than_the_roll_off_leaves_no_hurst_exponent():
     spectrum = Spectrum(WAVEVECTORS, varying_hurst(WAVEVECTORS, 1e6, 300, 0.8, 0.0))
-    assert np.isnan(prediction_errors.hurst_and_bend(spectrum, 400.0)).all()
+    assert np.isnan(validity.hurst_and_bend(spectrum, 400.0)).all()
     contact = contact_of_area(250e3, 5.6, 0.0463, 400.0**2)
-    assert not prediction_errors.is_validated(spectrum, contact, closed_form(spectrum, contact))
+    assert not validity.is_validated(spectrum, contact, closed_form(spectrum, contact))

@@ -49,8 +49,8 @@ from hardcontact.surfaces.scans import (
 )
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
-from hardcontact.theory.hard_contact import wide_contact_message
 from hardcontact.theory.prediction import prediction
+from hardcontact.theory.validity import wide_contact_message
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography

@@ -6,7 +6,7 @@ pairs of range and work within the intervals of all surfaces at once.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -17,6 +17,7 @@ from hardcontact.base.statistics import (
     Sampling,
     bounds,
     interval_between,
+    lognormal_shape,
     percentile_interval,
     with_interval,
 )
@@ -24,9 +25,53 @@ from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NEWTON, NM
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
-from hardcontact.inference.force_tests import measured_tests, sampled_means
 from hardcontact.inference.mean_forces import SurfaceForces, fewest_places, forces_of_surface
 from hardcontact.inference.scan_parts import sampled_deviations
+
+#: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
+MAX_LOG_DEVIATION = 50.0
+
+
+class MeasuredTests(NamedTuple):
+    """Tests that measure the pull-off force on one surface; tests scatter log-normally."""
+
+    mean: float  #: Mean force in N.
+    log_std: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
+    test_count: int  #: Number of tests.
+
+
+def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
+    """Return the tests on one surface from its rows of the table of measured forces."""
+    count = int(forces["count"].sum())
+    mean = float(np.average(forces["mean"], weights=forces["count"]))
+    if count < 2:
+        return MeasuredTests(mean, np.nan, count)
+    if len(forces) == 1:
+        return MeasuredTests(mean, float(lognormal_shape(mean, forces["median"].iloc[0])), count)
+    return MeasuredTests(mean, float(np.log(forces["mean"]).std(ddof=1)), count)
+
+
+def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
+    """Sample mean forces (samples,) in N of a log-normal distribution from a few tests.
+
+    The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
+    with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
+    of the logarithms of n tests, mu and sigma their true values. The deviation of the pivot from
+    y + s²/2 is added to the logarithm of the measured mean. NaN for a single test, whose scatter is
+    unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
+    """
+    if tests.test_count < 2:
+        return np.full(samples, np.nan)
+    freedom = tests.test_count - 1
+    variance = tests.log_std**2
+    sampled_variance = variance * freedom / rng.chisquare(freedom, samples)
+    normal = rng.standard_normal(samples)
+    deviation = (sampled_variance - variance) / 2 - normal * np.sqrt(
+        sampled_variance / tests.test_count
+    )
+    return np.asarray(
+        tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
+    )
 
 
 def fit_measured(
@@ -36,12 +81,9 @@ def fit_measured(
 
     Intervals come from random samples of the mean of the tests and of the mean over scans.
 
-    adhesion: computed forces at 1 J/m², as in adhesion.nc.
-    forces: measured forces in N, from `config.tables.measured_forces`.
+    adhesion, forces: computed forces at 1 J/m² (adhesion.nc), and the user's table of forces in N.
     scan_sizes: side of the scans of each surface in nm.
-    Returns ``measured_force`` (surface) in N with its interval, ``test_count``, label and
-        ``interval_source``, for the surfaces with forces; by contact_model the variables of
-        `_fit_model`.
+    Returns fit.nc; by contact_model the variables of `_fit_model`.
     """
     measured = set(forces.surface)
     surfaces = [name for name in adhesion.surface.values.tolist() if name in measured]
@@ -208,17 +250,9 @@ def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
 def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
-    The work is the measured force divided by the force computed at 1 J/m². Extrapolated roughness
-    changes the computed force by a factor and the work by the inverse of this factor. Forces on
-    masters are computed at one range and in plastic contact only, so the result is one value, not a
-    curve over ranges.
-
-    fitted: the fit, from `fit_measured`.
-    force: predicted forces, as in force.nc, over the surfaces of the fit and possibly others.
-    Returns the fit with ``extrapolated_work`` (surface, side) in J/m² and its interval, in which
-        the independent errors of the logarithms of measured and computed force are added in
-        squares; ``extrapolation_matters`` and ``transition`` of the forces; the attribute
-        ``assumed_range``, at which ``work_by_range`` can be compared.
+    Forces on masters (force.nc) are computed at one range, the attribute ``assumed_range``, and in
+    plastic contact only: ``extrapolated_work`` (surface, side) in J/m² is no curve over ranges. Its
+    interval adds the independent errors of the logarithms of both forces in squares.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]

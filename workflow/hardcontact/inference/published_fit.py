@@ -21,8 +21,18 @@ from hardcontact.contact.force_curves import (
     interpolate_to_ranges,
     mean_forces,
 )
-from hardcontact.inference import error_map
-from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges, fit_without_each_surface
+from hardcontact.inference.fit import (
+    FIT_UNITS,
+    WORKS,
+    best_fit,
+    error_region,
+    fine_ranges,
+    fit_ratios,
+    fit_without_each_surface,
+    fit_work,
+    local_minima,
+    mean_relative_error,
+)
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -162,12 +172,12 @@ def fit_model(
     for name, attributes in FITTED_UNITS.items():
         variables |= sampling.with_interval(name, (), fits[name], sampled_fits[name], attributes)
     variables |= _error_variables(curves, targets, ranges, threshold)
-    _, ratio_errors = error_map.fit_ratios(curves, targets, fitted_reference_index)
+    _, ratio_errors = fit_ratios(curves, targets, fitted_reference_index)
     variables["ratio_error"] = ("rho_fine", ratio_errors, DIMENSIONLESS)
     variables |= force_curves(forces, means, mean_samples, reference_index, sampling)
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
-        "work": ("work", error_map.WORKS, JOULE_PER_M2),
+        "work": ("work", WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
@@ -178,7 +188,7 @@ def _fit_curves(
 ) -> dict[str, np.ndarray]:
     """Return the variables (...) of FITTED_UNITS, as `best_fit` returns its variables."""
     fit = best_fit(curves, targets, ranges)
-    best_index, _ = error_map.fit_ratios(curves, targets, reference_index)
+    best_index, _ = fit_ratios(curves, targets, reference_index)
     is_fitted = np.isfinite(fit["best_error"])
     return fit | {"range_from_ratios": np.where(is_fitted, ranges[best_index], np.nan)}
 
@@ -187,10 +197,10 @@ def _error_variables(
     curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray, threshold: float
 ) -> dict[str, Any]:
     """Return the error map, its local minima, and the region of small error."""
-    errors = error_map.mean_relative_error(curves, targets, error_map.WORKS)
-    region_range, region_work = error_map.error_region(errors, ranges, error_map.WORKS, threshold)
-    work, smallest_errors = error_map.fit_work(curves, targets)
-    minima = error_map.local_minima(smallest_errors, MAX_MINIMA)
+    errors = mean_relative_error(curves, targets, WORKS)
+    region_range, region_work = error_region(errors, ranges, WORKS, threshold)
+    work, smallest_errors = fit_work(curves, targets)
+    minima = local_minima(smallest_errors, MAX_MINIMA)
     padding = (0, MAX_MINIMA - len(minima))
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, DIMENSIONLESS),

@@ -25,8 +25,8 @@ from hardcontact.own.request import (
     parse_quantities,
 )
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum
-from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 from hardcontact.theory.prediction import prediction
+from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 
 USAGE = """\
 Predict the pull-off force of a smooth sphere from the power spectral density of a

@@ -29,9 +29,9 @@ from hardcontact.inference.scan_parts import (
     logarithmic_interval,
 )
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
-from hardcontact.theory.hard_contact import tabor
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
+from hardcontact.theory.validity import tabor
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]

@@ -12,7 +12,12 @@ from scipy.stats import truncnorm
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.inference import error_map
+from hardcontact.inference.fit import (
+    fit_range_and_work,
+    fit_work,
+    mean_relative_error,
+    minimum_along_axis,
+)
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
 
 #: Works of adhesion (J/m²) among which the best fit is searched.
@@ -62,15 +67,15 @@ def fit_classical_work(
     """
     if model.proportional:
         forces = model.force(1.0, roughness, sphere)
-        _, work, error = error_map.fit_range_and_work(forces[..., None], target)
+        _, work, error = fit_range_and_work(forces[..., None], target)
         return work, error
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
     works = np.broadcast_to(WORKS, (*roughness.height.shape[:-1], WORKS.size))
     step = np.log(WORKS[1] / WORKS[0])
     for refinement in range(REFINEMENTS + 1):
         forces = model.force(works[..., None, :], columns, sphere)
-        errors = error_map.mean_relative_error(forces, target, np.ones(1))[..., 0]
-        best, error = error_map.minimum_along_axis(errors, works)
+        errors = mean_relative_error(forces, target, np.ones(1))[..., 0]
+        best, error = minimum_along_axis(errors, works)
         if refinement < REFINEMENTS:
             finer_works = best[..., None] * np.exp(step * np.linspace(-1, 1, 41))
             works = np.clip(finer_works, WORKS[0], WORKS[-1])
@@ -93,7 +98,7 @@ def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
     exponents = np.broadcast_to(EXPONENTS, (*parameter.shape[:-1], EXPONENTS.size))
     for _ in range(REFINEMENTS + 1):
         powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
-        best, error = error_map.minimum_along_axis(error_map.fit_work(powers, work)[1], exponents)
+        best, error = minimum_along_axis(fit_work(powers, work)[1], exponents)
         exponents = best[..., None] + step * np.linspace(-1, 1, 41)
         step /= 20
     return error

@@ -18,7 +18,7 @@ from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
-from hardcontact.theory.hard_contact import HARD
+from hardcontact.theory.validity import HARD
 
 #: Smallest share of the force on a smooth sphere in a window without a caution.
 MIN_WINDOW_SHARE = 0.99

@@ -29,19 +29,20 @@ from hardcontact.theory.closed_form import (
     edges,
     smooth_force,
 )
-from hardcontact.theory.hard_contact import MAX_NEGLIGIBLE_CHANGE, UNKNOWN
-from hardcontact.theory.prediction_errors import (
+from hardcontact.theory.pull_off_statistics import predict_statistics
+from hardcontact.theory.validity import (
     EDGE_FOUND,
     INSIDE,
+    MAX_NEGLIGIBLE_CHANGE,
     NO_EDGE,
     OUTSIDE,
+    UNKNOWN,
     VALIDATED_QUANTITIES,
     is_validated,
     nearest_errors,
     table_coordinates,
     validated_ranges,
 )
-from hardcontact.theory.pull_off_statistics import predict_statistics
 
 #: Smallest accepted rms height in nm: a tenth of an atom.
 MIN_RMS_HEIGHT = 0.01

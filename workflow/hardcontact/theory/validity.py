@@ -1,6 +1,7 @@
-"""The errors of the closed form, from designed surfaces with computed forces and edges.
+"""How far the closed form is valid: its errors on designed surfaces, and how hard bodies must be.
 
-Only the half of these surfaces counts that was held out while the closed form was developed.
+Errors come from designed surfaces with computed forces and edges. Only the half of these surfaces
+counts that was held out while the closed form was developed.
 """
 
 import math
@@ -12,15 +13,16 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from hardcontact.base.formatting import format_quantity
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
-from hardcontact.surfaces.spectrum import (
-    Spectrum,
-    roll_off,
+from hardcontact.contact.smooth_sphere import (
+    maugis_parameter,
+    tabor_parameter,
+    transition_coefficient,
 )
-from hardcontact.theory.closed_form import (
-    ClosedForm,
-)
+from hardcontact.surfaces.spectrum import Spectrum, roll_off
+from hardcontact.theory.closed_form import ClosedForm, contact_share
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
 VALIDATION = Path(__file__).with_name("prediction.csv")
@@ -43,10 +45,13 @@ VALIDATED_PARAMETERS = {
 }
 #: Points of a spectrum to which a Hurst exponent and its change are fitted.
 FITTED_POINTS = 40
-#: Statuses: inside or outside the validated ranges; whether missing waves matter; whether an edge
-#: exists; whether the bodies are practically rigid.
+#: Statuses: inside or outside the validated ranges; whether an edge exists.
 INSIDE, OUTSIDE = "inside", "outside"
 EDGE_FOUND, NO_EDGE = "found", "none"
+#: Largest relative change of the force, by missing waves or by elasticity, that is negligible.
+MAX_NEGLIGIBLE_CHANGE = 0.1
+#: Statuses of the bodies of a contact.
+HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 
 
 @cache
@@ -138,3 +143,35 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
         lowest, highest = validation()[name].agg(["min", "max"])
         status = INSIDE if lowest <= values[name] <= highest else OUTSIDE
         yield Number(f"validated_{name}", values[name], unit, lowest, highest, status)
+
+
+def tabor(contact: Contact, modulus: float) -> Number:
+    """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
+
+    contact: the sphere and the attraction.
+    modulus: effective modulus in Pa, NaN if it is not known.
+    Returns the status is UNKNOWN without a modulus. It is SOFT if elasticity reduces the force of a
+        smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
+    """
+    if math.isnan(modulus):
+        return Number("tabor_parameter", modulus, status=UNKNOWN)
+    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.range))
+    softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
+    return Number(
+        "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
+    )
+
+
+def wide_contact_message(contact: Contact) -> str:
+    """Return a message if the contact area alone attracts as strongly as a smooth sphere.
+
+    The message is empty otherwise. It names the largest preload (N) that is valid.
+    """
+    share = contact_share(contact)
+    if share < 1:
+        return ""
+    return (
+        f"preload: expected less than {format_quantity(contact.preload / share, 'N')} at this "
+        f"hardness, radius and range, found {format_quantity(contact.preload, 'N')}: the contact "
+        "alone would stick like a smooth sphere"
+    )
