@@ -20,7 +20,7 @@ BUDGET = {
     "surfaces": 2822,
     "contact": 1216,
     "inference": 1083,
-    "theory": 658,
+    "theory": 648,
     "paper": 1515,
     "config": 2077,
     "own": 1563,

@@ -9,12 +9,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.force_curves import interpolate_to_ranges
 from hardcontact.inference import published_fit as fit
-from hardcontact.inference.fit import (
-    error_region,
-    fit_range_and_work,
-    local_minima,
-    mean_relative_error,
-)
+from hardcontact.inference.fit import fit_range_and_work, mean_relative_error
 from hardcontact.inference.published_fit import Pair, PublishedFit
 
 SAMPLING = Sampling(1, 50, 0.95)
@@ -71,9 +66,9 @@ def test_the_fit_has_the_smallest_error_of_a_fine_search():
 def test_the_region_contains_exactly_the_small_errors():
     errors = np.ones((4, 5))
     errors[1, 2] = errors[2, 3] = 0.05
-    ranges, works = error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
+    ranges, works = fit.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
     assert ranges.tolist() == [1.0, 2.0] and works.tolist() == [2.0, 3.0]
-    assert np.isnan(error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
+    assert np.isnan(fit.error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
 
 
 def two_ranges():
@@ -97,9 +92,9 @@ def test_ratios_met_at_two_ranges_give_two_minima():
 
 def test_an_end_of_the_sweep_is_a_minimum_if_the_error_falls_towards_it():
     errors = np.array([0.3, 0.5, 0.2, 0.2, 0.4, 0.6, 0.1])
-    assert local_minima(errors, 3).tolist() == [6, 2, 0]
-    assert local_minima(errors, 2).tolist() == [6, 2]
-    assert local_minima(np.arange(4.0), 3).tolist() == [0]
+    assert fit.local_minima(errors, 3).tolist() == [6, 2, 0]
+    assert fit.local_minima(errors, 2).tolist() == [6, 2]
+    assert fit.local_minima(np.arange(4.0), 3).tolist() == [0]
 
 
 def test_one_scan_is_fitted_without_interval():

@@ -104,12 +104,9 @@ def _edge_variables(
 def edges_of_realizations(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return ratio curves, changes of the force and edges, by side; mean ratios are sampled.
 
-    scales: ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at cutoffs
-        of the other side; ``unfiltered_wavelength`` (surface, side) in nm.
-    Returns with intervals: ``filtered_force_ratio`` (side, surface, cutoff_wavelength);
-        ``filtered_force_change`` (side, group, cutoff_wavelength), |ratio - 1|, and its mean over
-        surfaces for the group POOLED; ``edge`` (side, group) in nm, NaN if open. Without intervals:
-        ``edge_bound`` (side, group) in nm and ``edge_status`` (side, group) of `Edge`.
+    `scales` has ``filtered_force_ratio`` (surface, realization, side, cutoff_wavelength), NaN at
+    cutoffs of the other side, and ``unfiltered_wavelength`` (surface, side) in nm. The group POOLED
+    of ``filtered_force_change``, |ratio - 1|, is its mean over surfaces. Open edges are NaN.
     """
     return edges_with_samples(scales, tolerance, sampling)[0]
 
@@ -213,11 +210,9 @@ def edges_of_scans(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
-    scales: the forces on the filtered masters, as in scales.nc.
-    Returns ``filtered_force_ratio`` (surface, side, cutoff_wavelength), the mean over realizations,
-        with its interval, which runs from zero to infinity if it is not bounded; the variables of
-        `edges_of_curves` (surface, side); and over surface ``interval_is_conditional``, 1 if the
-        interval is conditional on one or two scans, ``interval_source`` and ``interval_scans``.
+    `scales` are the forces on filtered masters, as in scales.nc. An interval of a ratio runs from
+    zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
+    one or two scans.
     """
     curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     curves = curves.transpose("surface", "side", ...)
@@ -251,10 +246,10 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     """Return the edges of several curves with the cutoffs between which they lie.
 
-    ratios: ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs that
-        a curve does not have; side as a coordinate.
-    Returns over the other dimensions ``edge``, ``edge_bound`` and ``edge_interval`` in nm, NaN if
-        they are open, and ``edge_status`` of `Edge`.
+    Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs
+    that a curve does not have; side is a coordinate. Over the other dimensions ``edge``,
+    ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open; ``edge_status`` is that of
+    `Edge`.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
     shape = [ratios.sizes[dim] for dim in dimensions]

@@ -20,13 +20,9 @@ CONTACT_MODELS = ["rigid", "plastic"]
 def edges_by_contact(forces: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return the edges of the band of plastic and rigid contact at each range of adhesion.
 
-    forces: from `stacked_forces`, with a single radius, rho, and two loads: plastic and rigid.
-    tolerance: relative change of the force that counts.
-    sampling: random numbers and confidence of the intervals.
-    Returns `edges_of_realizations` by contact_model (CONTACT_MODELS) and rho. ``edge_ratio``
-        (removed_cause, side, group) with its interval: the edge in plastic contact at the longest
-        range, relative to the edge in rigid contact at this range (``"plasticity"``) or to the edge
-        in plastic contact at the shortest range (``"long_range"``).
+    Forces come from `stacked_forces`, with one radius and two loads. ``edge_ratio`` (removed_cause,
+    side, group) is the edge in plastic contact at the longest range, relative to rigid contact at
+    this range (``"plasticity"``) or to plastic contact at the shortest range (``"long_range"``).
     """
     sorted_forces = forces.squeeze("radius", drop=True).sortby("area")
     ranges = sorted_forces["rho"].values.tolist()

@@ -12,8 +12,6 @@ import xarray as xr
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
 from hardcontact.contact.force_curves import interpolate_to_ranges
 
-#: Works of adhesion (J/m²) of the error map.
-WORKS = np.geomspace(1e-3, 10.0, 501)
 #: Number of ranges of adhesion of a fit, from the shortest to the longest computed range.
 RANGE_COUNT = 801
 #: Variables of the best fit, with their units.
@@ -33,12 +31,10 @@ WITHOUT_SURFACE = {
 def mean_relative_error(
     mean_forces: np.ndarray, measured_forces: np.ndarray, works: np.ndarray
 ) -> np.ndarray:
-    """Return the mean over surfaces of |W f/F - 1|.
+    """Return the mean over surfaces of |W f/F - 1|, (..., rho, k).
 
-    mean_forces: computed forces f (..., surface, rho) in N at 1 J/m².
-    measured_forces: measured forces F (surface,) in N.
-    works: works of adhesion W (k,) in J/m².
-    Returns errors (..., rho, k).
+    Computed forces f (..., surface, rho) are in N at 1 J/m², measured forces F (surface,) in N,
+    works of adhesion W (k,) in J/m².
     """
     relative = mean_forces / measured_forces[:, None]
     return np.asarray(np.abs(relative[..., None] * works - 1).mean(axis=-3))
@@ -47,11 +43,7 @@ def mean_relative_error(
 def minimum_along_axis(
     errors: np.ndarray, values: np.ndarray, axis: int = -1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the values at the minima of the errors along an axis, and these minima.
-
-    errors, values: arrays of the same shape.
-    Returns values and errors at the minima, without the axis.
-    """
+    """Return the values at the minima of errors along an axis, and these minima."""
     best_index = np.expand_dims(errors.argmin(axis=axis), axis)
     value = np.take_along_axis(values, best_index, axis).squeeze(axis)
     error = np.take_along_axis(errors, best_index, axis).squeeze(axis)
@@ -59,14 +51,11 @@ def minimum_along_axis(
 
 
 def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Find the work of adhesion that minimizes the mean relative error, at every range.
+    """Return the work of adhesion (..., rho) in J/m² of the smallest error, and this error.
 
     The error is piecewise linear in W. Its minimum is therefore at a W that matches the force on
-    one of the surfaces exactly, and all these W are compared.
-
-    mean_forces: computed forces (..., surface, rho) in N at 1 J/m².
-    measured_forces: measured forces (surface,) in N.
-    Returns work of adhesion (..., rho) in J/m² and its error (..., rho).
+    one of the surfaces exactly, and all these W are compared. Forces are those of
+    `mean_relative_error`.
     """
     relative = mean_forces / measured_forces[:, None]
     candidates = 1 / relative
@@ -83,62 +72,12 @@ def fit_work(mean_forces: np.ndarray, measured_forces: np.ndarray) -> tuple[np.n
 def fit_range_and_work(
     mean_forces: np.ndarray, measured_forces: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Find the range and the work of adhesion that minimize the mean relative error.
+    """Return the index of the best range, its work of adhesion in J/m² and its error, each (...).
 
-    mean_forces, measured_forces: as for `fit_work`.
-    Returns index into rho, work of adhesion in J/m² and error, each (...).
+    Forces are those of `mean_relative_error`.
     """
     work, error = fit_work(mean_forces, measured_forces)
     return error.argmin(axis=-1), *minimum_along_axis(error, work)
-
-
-def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
-    """Return the indices of the local minima of errors, the smallest error first.
-
-    An end of the ranges is a minimum if the error grows from it inwards.
-
-    errors: errors (rho,).
-    count: largest number of minima.
-    Returns indices into rho, at most `count`.
-    """
-    run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
-    change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
-    minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]
-    return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
-
-
-def fit_ratios(
-    mean_forces: np.ndarray, measured_forces: np.ndarray, reference: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Find the range that minimizes the error of the force ratios to a reference surface.
-
-    The work of adhesion cancels in these ratios.
-
-    mean_forces: computed forces (..., surface, rho) in N.
-    measured_forces: measured forces (surface,) in N.
-    Returns index (...) into rho, and the mean relative errors (..., rho) of the ratios.
-    """
-    ratios = mean_forces / mean_forces[..., [reference], :]
-    measured_ratios = (measured_forces / measured_forces[reference])[:, None]
-    is_other = np.arange(len(measured_forces)) != reference
-    errors = np.abs(ratios / measured_ratios - 1)[..., is_other, :].mean(axis=-2)
-    return errors.argmin(axis=-1), errors
-
-
-def error_region(
-    errors: np.ndarray, rhos: np.ndarray, works: np.ndarray, threshold: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the extent in range and work of adhesion of the region of small error.
-
-    errors: error map (rho, work).
-    rhos, works: ranges of adhesion (rho,) in nm and works of adhesion (work,) in J/m².
-    threshold: error below which a pair counts as fitting.
-    Returns smallest and largest range (2,) and work (2,) of these pairs, NaN if there are none.
-    """
-    rows, columns = np.nonzero(errors < threshold)
-    if not rows.size:
-        return np.full(2, np.nan), np.full(2, np.nan)
-    return rhos[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]
 
 
 def fine_ranges(ranges: np.ndarray) -> np.ndarray:

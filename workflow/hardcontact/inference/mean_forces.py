@@ -33,12 +33,10 @@ class SurfaceForces(NamedTuple):
 
 
 def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
-    """Return the fewest places that the contacts on a scan touch.
+    """Return the fewest places that the contacts on a scan touch, by surface.
 
-    For several scans of the sphere, the scan with the most touched places counts.
-
-    adhesion: adhesion.nc, with ``touched_places`` (surface, scan, sphere_scan).
-    Returns number of places by surface.
+    ``touched_places`` of adhesion.nc is over surface, scan and sphere_scan. For several scans of
+    the sphere, the scan with the most touched places counts.
     """
     places = adhesion.touched_places.max("sphere_scan").min("scan")
     return {str(surface): float(places.sel(surface=surface)) for surface in places.surface.values}

@@ -250,9 +250,10 @@ def _extent(region: np.ndarray, ranges: np.ndarray) -> dict[str, Any]:
 def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     """Return a fit to measured forces with the work of adhesion from extrapolated roughness.
 
-    Forces on masters (force.nc) are computed at one range, the attribute ``assumed_range``, and in
-    plastic contact only: ``extrapolated_work`` (surface, side) in J/m² is no curve over ranges. Its
-    interval adds the independent errors of the logarithms of both forces in squares.
+    Forces on masters (force.nc) are computed at one range and in plastic contact only:
+    ``extrapolated_work`` (surface, side) in J/m² is no curve over ranges, but holds at the
+    ``assumed_range``. Its interval adds the independent errors of the logarithms of both forces in
+    squares.
     """
     surface_force = force.sel(surface=fitted.surface)
     computed_force = surface_force.extrapolated_force / force.attrs["work_of_adhesion"]

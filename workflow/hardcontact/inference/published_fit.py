@@ -23,20 +23,18 @@ from hardcontact.contact.force_curves import (
 )
 from hardcontact.inference.fit import (
     FIT_UNITS,
-    WORKS,
     best_fit,
-    error_region,
     fine_ranges,
-    fit_ratios,
     fit_without_each_surface,
     fit_work,
-    local_minima,
     mean_relative_error,
 )
 
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 
+#: Works of adhesion (J/m²) of the error map.
+WORKS = np.geomspace(1e-3, 10.0, 501)
 #: Largest number of local minima of the error.
 MAX_MINIMA = 3
 
@@ -75,13 +73,9 @@ def fit_published(
 ) -> xr.Dataset:
     """Fit range and work of adhesion for every contact model, and return the resulting forces.
 
-    adhesion: adhesion.nc: forces in N at 1 J/m².
-    reference_surface: surface to which force ratios are taken.
-    error_threshold: mean relative error below which a pair counts as fitting.
-    force_floor: smallest measurable force in N, for `force_statistics`.
-    Returns the variables of `fit_model` by contact_model, and those of WITHOUT_SURFACE. The
-        variables of `force_statistics` and ``ratio_at_pair`` also have pair and surface.
-        ``model_error_ratio`` is the smallest error of rigid contact relative to plastic contact.
+    Forces of adhesion.nc are at 1 J/m². A pair fits if its mean relative error is below the
+    threshold. The smallest measurable force, in N, is for `force_statistics`. ``model_error_ratio``
+    is the smallest error of rigid contact relative to plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
     targets = published.forces.mean_force.reindex(surfaces).to_numpy()
@@ -146,14 +140,10 @@ def fit_model(
 ) -> xr.Dataset:
     """Fit range and work of adhesion for one contact model, with error map and force curves.
 
-    forces: forces (surface, scan, sphere_scan, rho, contact_y, contact_x) in N at 1 J/m², NaN for a
-        missing scan.
-    published_forces: published mean forces (surface,) in N. Surfaces with NaN do not enter the fit.
-    reference_index: index of the surface to which force ratios are taken.
-    threshold: mean relative error below which a pair counts as fitting.
-    Returns FITTED_UNITS with intervals and samples, the error map, and the variables of
-        `force_curves`. At the best work for each range the error has local minima along the range.
-        ``minimum`` numbers them in the order of their errors; missing minima are NaN.
+    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN for a
+    missing scan. Surfaces whose published force is NaN do not enter the fit. At the best work for
+    each range the error has local minima along the range; ``minimum`` numbers them, the smallest
+    first.
     """
     rhos = forces.rho.values
     ranges = fine_ranges(rhos)
@@ -219,3 +209,42 @@ def _error_variables(
             ("error", smallest_errors, DIMENSIONLESS),
         )
     }
+
+
+def local_minima(errors: np.ndarray, count: int) -> np.ndarray:
+    """Return the indices of at most `count` local minima of errors (rho,), the smallest first.
+
+    An end of the ranges is a minimum if the error grows from it inwards.
+    """
+    run_starts = np.flatnonzero(np.diff(errors, prepend=np.inf))  # the first of equal neighbours
+    change = np.diff(errors[run_starts], prepend=np.inf, append=np.inf)
+    minima = run_starts[(change[:-1] < 0) & (change[1:] > 0)]
+    return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
+
+
+def fit_ratios(
+    mean_forces: np.ndarray, measured_forces: np.ndarray, reference: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the index (...) of the range that fits force ratios to a reference surface best.
+
+    The work of adhesion cancels in these ratios. Computed forces are (..., surface, rho), measured
+    forces (surface,). The second result are the mean relative errors (..., rho) of the ratios.
+    """
+    ratios = mean_forces / mean_forces[..., [reference], :]
+    measured_ratios = (measured_forces / measured_forces[reference])[:, None]
+    is_other = np.arange(len(measured_forces)) != reference
+    errors = np.abs(ratios / measured_ratios - 1)[..., is_other, :].mean(axis=-2)
+    return errors.argmin(axis=-1), errors
+
+
+def error_region(
+    errors: np.ndarray, rhos: np.ndarray, works: np.ndarray, threshold: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the smallest and largest range (2,) and work (2,) of the pairs that fit, or NaN.
+
+    Pairs (rho, work) whose error is below the threshold fit; ranges are in nm, works in J/m².
+    """
+    rows, columns = np.nonzero(errors < threshold)
+    if not rows.size:
+        return np.full(2, np.nan), np.full(2, np.nan)
+    return rhos[[rows.min(), rows.max()]], works[[columns.min(), columns.max()]]

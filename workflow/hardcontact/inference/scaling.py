@@ -27,10 +27,8 @@ EDGE_EXPONENT = DIMENSIONLESS | {
 def force_exponent(forces: xr.Dataset, rho: float, area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the mean force on masters with long waves against the radius.
 
-    forces: from `stacked_forces`, by radius, rho and area.
-    rho, area: range of adhesion in nm and area in contact in nm²; the nearest of each are taken.
-    Returns ``force_exponent`` (surface) by least squares of ln F against ln R, with its interval
-        over realizations.
+    Forces come from `stacked_forces`, at the nearest range (nm) and area in contact (nm²). The fit
+    is by least squares of ln F against ln R, the interval is over realizations.
     """
     large = forces["unfiltered_pull_off_force"].sel(side="large")
     means = large.sel(rho=rho, area=area, method="nearest").mean(CONTACT_AXES)
@@ -47,10 +45,9 @@ def force_exponent(forces: xr.Dataset, rho: float, area: float, confidence: floa
 def short_edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
     """Return the exponents of the short edge against the square roots of SCALED_QUANTITIES.
 
-    forces: from `stacked_forces`, by radius, rho and area.
-    tolerance: relative change of the force that defines the edge.
-    Returns ``short_edge_exponent`` (surface, exponent_of) by least squares over all edges that are
-        found, with its interval by the jackknife over realizations.
+    Forces come from `stacked_forces`. ``short_edge_exponent`` (surface, exponent_of) is fitted by
+    least squares to all edges that are found; its interval is that of the jackknife over
+    realizations.
     """
     small = forces.sel(side="small", drop=True)
     exponents = _fit_all_exponents(small, tolerance)

@@ -112,12 +112,9 @@ def parts_of_scans(
 ) -> ScanParts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
-    scan_of_map: (map,) The number of the scan that each map is made of.
-    quarters: (contact_y, contact_x) The quarter of each contact, from `quarters_of_contacts`.
-    size: side of a scan in nm.
-    weight_deviation: sqrt(R rho) in nm, the deviation of the weight with which a contact feels the
-        surface.
-    places: the fewest places that the contacts of a scan touch.
+    `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
+    The side of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
+    surface, are in nm. `places` is the fewest places that the contacts of a scan touch.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:

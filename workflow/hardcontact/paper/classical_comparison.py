@@ -31,18 +31,12 @@ def apply_classical_models(
     printed: pd.DataFrame,
     sampling: Sampling,
 ) -> xr.Dataset:
-    """Return effective works of adhesion, and forces and errors of classical models.
+    """Return effective works of adhesion, and forces and errors of classical models (classical.nc).
 
-    fit: fit.nc of the study: mean forces of plastic contact at the published pair.
-    constants, table1, printed: from `published.constants`, `published.table1` and
-        `published.printed_pull_off`.
-    sampling: samples the roughness of Table 1 within its uncertainty.
-    Returns by surface, NaN if the paper prints no force or no roughness: ``published_mean_force``
-        in N, whose interval contains all numbers rounded to it, and ``computed_mean_force`` in N.
-        By (force_source, surface): ``effective_work_of_adhesion`` in J/m² with the printed Tabor
-        parameter. By metrics: the variables of `compare_models` and `power_laws`. By model: its
-        description. ``tabor_parameter`` at the published work, and ``hertz_peak_pressure`` of the
-        sphere in Pa.
+    The fit (fit.nc) has mean forces of plastic contact at the published pair; the tables come from
+    `published`. Roughness of Table 1 is sampled within its uncertainty. The interval of
+    ``published_mean_force`` contains all numbers rounded to it. NaN if the paper prints no force or
+    no roughness of a surface.
     """
     value = constants["value"].to_dict()
     sphere = _elastic_sphere(fit.attrs["sphere_radius"], value)

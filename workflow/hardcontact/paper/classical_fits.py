@@ -12,12 +12,7 @@ from scipy.stats import truncnorm
 from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
-from hardcontact.inference.fit import (
-    fit_range_and_work,
-    fit_work,
-    mean_relative_error,
-    minimum_along_axis,
-)
+from hardcontact.inference import fit
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
 
 #: Works of adhesion (J/m²) among which the best fit is searched.
@@ -34,13 +29,10 @@ MIN_FORCE_RATIO = 1e-3
 def sample_roughness(
     rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, samples: int
 ) -> Roughness:
-    """Sample the roughness within its uncertainty.
+    """Sample the roughness (samples, surface) within its uncertainty.
 
     Every number is sampled independently from a normal distribution, truncated at zero. The
     published ± is its standard deviation.
-
-    mean, uncertainty: mean and standard deviation (surface,).
-    Returns samples (samples, surface).
     """
     size = samples, len(mean.height)
     return Roughness(
@@ -54,28 +46,23 @@ def sample_roughness(
 def fit_classical_work(
     model: Model, roughness: Roughness, sphere: ElasticSphere, target: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Fit the work of adhesion of a model to forces.
+    """Return the work (...) in J/m² that fits a model to forces (surface,) in N, and the error.
 
     The fit minimizes the mean over surfaces of |F/target - 1|. If the force of the model is not
-    proportional to the work, works up to 10 J/m² are searched.
-
-    roughness: roughness (..., surface).
-    sphere: the sphere and its materials.
-    target: forces (surface,) in N.
-    Returns work of adhesion (...) in J/m² and error (...). If all forces vanish, the work is NaN
-        and the error is 1.
+    proportional to the work, works up to 10 J/m² are searched. If all forces vanish, the work is
+    NaN and the error is 1.
     """
     if model.proportional:
         forces = model.force(1.0, roughness, sphere)
-        _, work, error = fit_range_and_work(forces[..., None], target)
+        _, work, error = fit.fit_range_and_work(forces[..., None], target)
         return work, error
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
     works = np.broadcast_to(WORKS, (*roughness.height.shape[:-1], WORKS.size))
     step = np.log(WORKS[1] / WORKS[0])
     for refinement in range(REFINEMENTS + 1):
         forces = model.force(works[..., None, :], columns, sphere)
-        errors = mean_relative_error(forces, target, np.ones(1))[..., 0]
-        best, error = minimum_along_axis(errors, works)
+        errors = fit.mean_relative_error(forces, target, np.ones(1))[..., 0]
+        best, error = fit.minimum_along_axis(errors, works)
         if refinement < REFINEMENTS:
             finer_works = best[..., None] * np.exp(step * np.linspace(-1, 1, 41))
             works = np.clip(finer_works, WORKS[0], WORKS[-1])
@@ -84,21 +71,17 @@ def fit_classical_work(
 
 
 def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
-    """Return the smallest mean relative error of a power law for the work of adhesion.
+    """Return the smallest error (...) of a power law for works of adhesion (surface,).
 
-    The factor and the exponent minimize the error. Exponents are searched among EXPONENTS, then
-    around the best exponent.
-
-    parameter: roughness parameter (..., surface).
-    work: works of adhesion (surface,) in J/m².
-    Returns errors (...).
+    The factor and the exponent of the parameter (..., surface) minimize the error. Exponents are
+    searched among EXPONENTS, then around the best exponent.
     """
     logarithm = np.log(parameter / parameter.mean(axis=-1, keepdims=True))[..., None]
     step = EXPONENTS[1] - EXPONENTS[0]
     exponents = np.broadcast_to(EXPONENTS, (*parameter.shape[:-1], EXPONENTS.size))
     for _ in range(REFINEMENTS + 1):
         powers = np.exp(logarithm * exponents[..., None, :])  # (..., surface, exponent)
-        best, error = minimum_along_axis(fit_work(powers, work)[1], exponents)
+        best, error = fit.minimum_along_axis(fit.fit_work(powers, work)[1], exponents)
         exponents = best[..., None] + step * np.linspace(-1, 1, 41)
         step /= 20
     return error
@@ -114,14 +97,8 @@ def compare_models(
 ) -> xr.Dataset:
     """Return the forces of every model, and the error of its fit to target forces.
 
-    mean, samples: roughness (surface,), and its samples (samples, surface), which give the
-        intervals.
-    sphere: the sphere and its materials.
-    work: work of adhesion (J/m²) of the returned forces.
-    targets: forces (surface,) in N to which the work of adhesion is fitted, by name.
-    sampling: confidence of the intervals.
-    Returns ``pull_off_force`` (model, surface) in N and ``mean_relative_error`` (model,
-        force_source).
+    Samples (samples, surface) of the roughness give the intervals. The work of adhesion is fitted
+    to the targets (surface,), in N, by name.
     """
     forces = {}
     fits = {}
@@ -145,13 +122,10 @@ def compare_models(
 def power_laws(
     mean: Roughness, samples: Roughness, works: Mapping[str, np.ndarray], sampling: Sampling
 ) -> xr.Dataset:
-    """Return the errors of power laws of single roughness parameters for the effective work.
+    """Return ``power_law_error`` of single roughness parameters for effective works of adhesion.
 
-    mean, samples: roughness (surface,), and its samples (samples, surface), which give the
-        intervals.
-    works: effective works of adhesion (surface,) in J/m², by the name of the forces.
-    sampling: confidence of the intervals.
-    Returns ``power_law_error`` (rms_parameter, force_source).
+    Samples (samples, surface) of the roughness give the intervals. The works (surface,), in J/m²,
+    have the names of their forces.
     """
     fits = {}
     for parameter in Roughness._fields:

@@ -47,11 +47,8 @@ DERIVED_QUANTITIES: dict[str, Callable[..., xr.Dataset]] = {
 
 
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return a derived quantity or a variable, with its interval.
+    """Return the number of a key of `DERIVED_QUANTITIES`, of a variable, or of a row of Table 1.
 
-    quantity: a key of `DERIVED_QUANTITIES`, a variable of the dataset, or a row of Table 1.
-    dataset, *others: the datasets of the claim.
-    Returns the number, as from `paper.numbers`.
     Raises KeyError if a variable or an attribute that is needed does not exist.
     """
     if quantity in DERIVED_QUANTITIES:
@@ -73,21 +70,16 @@ NUMBER_COLUMNS = ("published", "published_low", "published_high")
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
-    """Read the statements of the paper.
+    """Read the statements of the paper, one row each, from a table like resources/paper/claims.csv.
 
-    path: the table resources/paper/claims.csv, or one with the same columns.
-    Returns one row per statement. Published numbers are floats, NaN if blank; the rest is text.
+    Published numbers are floats, NaN if blank; the rest is text.
     """
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBER_COLUMNS})
 
 
 def replicated_statements(path: str | Path) -> list[dict[str, str]]:
-    """Return the replicated statements, with the columns that determine their numbers.
-
-    path: the table, as for `read_statements`.
-    Returns ``id``, ``dataset``, ``quantity``, ``select`` and ``rule`` of each statement.
-    """
+    """Return the replicated statements, with the columns that determine their numbers."""
     table = read_statements(path)
     replicated = table[table["replicated"] == "yes"]
     columns = ["id", "dataset", "quantity", "select", "rule"]
@@ -97,13 +89,10 @@ def replicated_statements(path: str | Path) -> list[dict[str, str]]:
 def claim_values(
     statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
-    """Compute the number of every claim, without its interval.
+    """Compute the number of every claim by ``id``, without its interval.
 
-    statements: from `read_statements`.
-    datasets: the datasets that the claims name, as in the final netCDF files.
-    constants: from `published.constants`: the dataset ``paper`` of the claims.
-    Returns floats by ``id``, NaN if no number exists or the datasets lack a label.
-    Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
+    It is NaN if no number exists or the datasets lack a label. Raises ValueError if a claim needs a
+    dataset, a variable or an attribute that is missing.
     """
     numbers = {
         claim.id: np.nan if claim_number is None else float(claim_number.number["value"])
@@ -120,19 +109,12 @@ def evaluate(
     sets: xr.Dataset,
     seed: int,
 ) -> pd.DataFrame:
-    """Compare every claim with its computed number.
+    """Compare every claim with its computed number; return one row per claim with `COLUMNS`.
 
-    statements: from `read_statements`.
-    datasets: the datasets that the claims name, as in the final netCDF files. ``topography`` has
-        the basis of the scans: measured or substitutes.
-    constants: from `published.constants`: the dataset ``paper`` of the claims.
-    sets: sets.nc: ``value`` (set, claim), the numbers of many equally good sets of scans. They give
-        the frequency of a replicated claim, the stability of its verdict and, if they vary, its
-        interval.
-    seed: selects the random numbers of the stability.
-    Returns one row per claim with the columns `COLUMNS`. A claim about a surface or a contact model
-        that the study lacks is left out.
-    Raises ValueError if a claim needs a dataset, a variable or an attribute that is missing.
+    ``value`` (set, claim) of sets.nc gives frequency, stability and, if it varies, the interval of
+    a replicated claim; the seed selects the random numbers of the stability. A claim about a
+    surface or a contact model that the study lacks is left out. Raises ValueError if a claim needs
+    a dataset, a variable or an attribute that is missing.
     """
     common = _Common(datasets["topography"], constants, sets, confidence, seed)
     rows = []

@@ -69,13 +69,10 @@ def gather_sources(
     smooth: Mapping[str, xr.Dataset],
     masters: xr.Dataset,
 ) -> Sources:
-    """Gather the datasets from which sets are made.
+    """Join the chunks of the pools and compute the factor of the rough sphere from both forces.
 
-    study: ``topography`` and ``adhesion`` of the study.
-    chunks: from `pool.compute_pool`, by substrate, first and last scan.
-    smooth: mean forces of the scans of the study on a smooth sphere, by substrate.
-    masters: from `all_surfaces.stacked_forces` at one load.
-    Returns the chunks are joined to pools; the factor of the sphere follows from both forces.
+    `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `smooth` are mean
+    forces of the scans of the study on a smooth sphere, by substrate.
     """
     pool_chunks: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
@@ -100,12 +97,7 @@ def sample_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.D
 
     The rms heights of the set get the mean and the deviation of the pool. With six scans or more a
     height may be negative. A set with a height below all heights of the pool is therefore sampled
-    again.
-
-    pool: from `pool.compute_pool`.
-    Returns by scan, from 1 on: METRICS, ``number`` of the scan in the pool, and ``pull_off_force``
-        (scan, contact_model, rho, contact_y, contact_x) in N on a smooth sphere.
-    Raises ValueError if no set with possible heights is found.
+    again. Raises ValueError if no set with possible heights is found.
     """
     lowest = pool["rms_height_of_force"].values.min()
     mean = pool.attrs["mean_rms_height"]
@@ -147,9 +139,6 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 
     Other scans of the surface would have another mean force. The distribution over contacts stays
     the same. A single scan keeps its forces.
-
-    forces: forces (scan, sphere_scan, contact_model, rho, contact_y, contact_x) in N.
-    Returns scaled forces in N.
     """
     axes = ("scan", "contact_model", "rho")
     means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
@@ -241,13 +230,8 @@ def judge_sets(
 ) -> xr.Dataset:
     """Sample all sets and compute the numbers of each.
 
-    sources: datasets from which sets are made.
-    statements, constants: from `evaluation.replicated_statements` and `published.constants`.
-    published: published forces, range and work of adhesion.
-    settings: settings of the sampling and of the judgement.
-    Returns by set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_EDGE_VARIABLES
-        (side, ...). ``sphere_factor`` (contact_model, surface, rho), NaN for a surface without a
-        pool.
+    By set: ``value`` (claim), SET_FIT_VARIABLES (contact_model, ...) and SET_EDGE_VARIABLES (side,
+    ...). ``sphere_factor`` (contact_model, surface, rho) is NaN for a surface without a pool.
     """
     numbers = range(1, settings.replicates + 1)
     sets = []

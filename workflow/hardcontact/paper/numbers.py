@@ -18,24 +18,17 @@ from hardcontact.contact.contact import CONTACT_DIMENSIONS
 def number_with_interval(
     value: xr.DataArray, low: xr.DataArray | float = np.nan, high: xr.DataArray | float = np.nan
 ) -> xr.Dataset:
-    """Return a number from a value and the ends of its interval.
-
-    value: the value (...).
-    low, high: ends (...), or one for all values; NaN for no interval.
-    Returns ``value`` (...) and ``value_interval`` (..., bound).
-    """
+    """Return a number from values and the ends of their intervals; NaN for no interval."""
     zero = xr.zeros_like(value)
     return xr.Dataset({"value": value, "value_interval": interval_between(zero + low, zero + high)})
 
 
 def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable as a number.
+    """Return a variable as a number, with the variable's interval if it has one.
 
-    The interval of the variable becomes that of the number. A variable of single contacts becomes
-    its mean over contacts and scans, with an interval over scans. Other variables get no interval.
-
-    dataset: the attribute ``confidence`` is that of the interval over scans.
-    Raises KeyError if the variable, or the confidence that it needs, does not exist.
+    A variable of single contacts becomes its mean over contacts and scans, with an interval over
+    scans. Other variables get no interval. Raises KeyError if the variable does not exist, or the
+    attribute ``confidence`` that a mean needs.
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:
@@ -53,12 +46,9 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 
 
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
-    """Return the mean over scans as a number, with `student_log_interval`.
+    """Return the mean over a dimension as a number, with `student_log_interval`.
 
-    values: values (..., dim).
-    dim: dimension of the mean.
-    Returns the number. Its interval is NaN if a value is not positive, and has zero width if all
-        values are zero.
+    The interval is NaN if a value is not positive, and has zero width if all values are zero.
     """
     positive = ((values > 0) | values.isnull()).all(dim)
     interval = student_log_interval(values.where(positive), confidence, dim)

@@ -67,14 +67,11 @@ def read_pool_sources(inputs: Any, parameters: Mapping[str, Any]) -> PoolSources
 
 
 def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
-    """Return the rms heights at which the forces of a pool are computed.
+    """Return the ascending rms heights (count,) in nm at which the forces of a pool are computed.
 
     No value of a sample of n is farther from its mean than (n - 1)/sqrt(n) of its standard
     deviations. The heights are evenly spaced in their root, because forces change faster at small
     heights. A set of one scan has no deviation and needs a single height.
-
-    targets: mean and deviation of the rms heights of a set.
-    Returns ascending heights (count,) in nm.
     """
     mean = targets.means["rms_height"]
     if scans == 1:
@@ -85,12 +82,7 @@ def pool_heights(targets: Targets, scans: int, count: int) -> Floats:
 
 
 def height_weights(heights: Floats, targets: Floats) -> Floats:
-    """Return the weights that interpolate between heights by a cubic spline in their root.
-
-    heights: ascending heights (rms_height_of_force,) in nm.
-    targets: heights (target,) in nm of the interpolation.
-    Returns weights (target, rms_height_of_force).
-    """
+    """Return the weights (target, height) of a cubic spline in the root of ascending heights."""
     from scipy.interpolate import make_interp_spline
 
     if len(heights) == 1:
@@ -101,11 +93,7 @@ def height_weights(heights: Floats, targets: Floats) -> Floats:
 
 
 def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
-    """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
-
-    Returns by number of the scan: the variables of `forces_at_heights`. Mean and deviation of the
-    targets become attributes.
-    """
+    """Return the `forces_at_heights` of some scans of a pool, by number of the scan."""
     scans = [
         forces_at_heights(pool_scan(number, sources), sources)
         for number in progress(numbers, len(numbers), "scans of the pool")
@@ -123,10 +111,9 @@ def pool_scan(number: int, sources: PoolSources) -> HeightMap:
 
 
 def forces_at_heights(scan: HeightMap, sources: PoolSources) -> xr.Dataset:
-    """Return the forces on a levelled scan at several rms heights, and its roughness.
+    """Return the forces on a levelled scan at several rms heights, and its METRICS unscaled.
 
-    Returns METRICS of the unscaled scan, and ``log_force`` (rms_height_of_force, contact_model,
-    rho, contact_y, contact_x), the logarithm of forces in N.
+    ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force in N).
     """
     contact = sources.contact
     roughness = metrics(scan)

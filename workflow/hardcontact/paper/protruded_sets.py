@@ -41,12 +41,7 @@ PROTRUSION_UNITS = {
 def published_roughness(
     table1: pd.DataFrame, constants: pd.DataFrame, coating: str
 ) -> PublishedRoughness:
-    """Return the published roughness of a coating and of the sphere.
-
-    table1, constants: from `published.table1` and `published.constants`.
-    Returns rms height, rms slope and largest rms slope of the coating, and the largest rms height
-        of the sphere.
-    """
+    """Return the roughness of a coating, and the largest rms height of the sphere."""
     rows = rows_of_surface(table1, coating)
     slope = float(rows["value"]["afm_rms_slope"])
     return PublishedRoughness(
@@ -64,24 +59,12 @@ def compute_protruded_forces(
     roughness: PublishedRoughness,
     protruded_body: str,
 ) -> xr.Dataset:
-    """Compute the forces between sphere and coating if either of them has protrusions.
+    """Compute the forces between sphere and coating if the `protruded_body` has protrusions.
 
     Forces depend on the gap alone. Protrusions of the sphere are therefore added to the heights of
-    the coating, at random positions on each scan, as if each scan met another sphere. A coating
-    with protrusions of its own is scaled back to its rms height.
-
-    draw_numbers: numbers of the draws. Each draw has other protrusions.
-    scan_count: number of scans of the coating in each draw. Their rms heights are scaled to the
-        mean and the standard deviation of the targets; those below the smallest rms height of the
-        pool are raised to it.
-    sources: spectrum and targets of the coating without protrusions.
-    roughness: published roughness, which limits protrusions.
-    protruded_body: name of the body with protrusions: the coating or the sphere. Protrusions of the
-        sphere are the same for all coatings.
-    Returns ``pull_off_force`` (draw, rho, contact) in N at 1 J/m², plastic, of a smooth sphere at
-        all contacts on all scans; ``mean_force_ratio`` (draw, rho), the mean force relative to the
-        mean force without protrusions; ``protrusion_density`` (1/µm²), ``protrusion_height`` (rms
-        heights) and ``protrusion_width`` (nm) by draw.
+    the coating, at random positions on each scan, as if each scan met another sphere. They are the
+    same for all coatings. A coating with protrusions of its own is scaled back to its rms height.
+    Plastic forces (draw, rho, contact) on a smooth sphere are in N at 1 J/m².
     """
     draw_datasets = [
         _protruded_forces(number, scan_count, sources, roughness, protruded_body)
@@ -158,21 +141,10 @@ def fit_protruded_sets(
 ) -> xr.Dataset:
     """Fit range and work of adhesion to every set, with the protrusions of every draw.
 
-    The forces with protrusions replace the forces of the sets on this surface. The mean forces on
-    other surfaces are multiplied by the ratio of the forces with and without protrusions.
-
-    draw_datasets: from `compute_protruded_forces`: the same draws for each surface whose forces
-        change.
-    surface: the surface whose mean and median force decide whether a set agrees.
-    sets: sets.nc for plastic contact: ``mean_force`` (set, surface, rho) and ``sphere_factor``
-        (surface, rho).
-    published: published forces, range and work of adhesion.
-    Returns the `fit_mean_forces` by (draw, set). At the fitted pair ``mean_force_at_fit`` and
-        ``median_force_at_fit`` (draw, set) of the coating in N; ``agrees`` (draw, set) is 1 if both
-        are within the factor MAX_FORCE_FACTOR of the published forces. At the published pair
-        ``mean_force_at_published`` and ``median_force_at_published`` (draw) in N and
-        ``log_force_std_at_published`` (draw), the standard deviation of ln F. The variables of
-        PROTRUSION_UNITS (draw).
+    The forces with protrusions replace the forces of the sets (sets.nc, plastic) on this surface.
+    The mean forces on other surfaces are multiplied by the ratio of forces with and without
+    protrusions. ``agrees`` (draw, set) is 1 if mean and median force of the surface at the fitted
+    pair are within MAX_FORCE_FACTOR of the published forces.
     """
     draws = _stack_draws(draw_datasets)
     coating = draws[surface]
@@ -237,11 +209,7 @@ def _statistics_at_published_pair(forces: xr.DataArray, published: PublishedFit)
 
 
 def empty_protruded_forces(surface: str, ranges: np.ndarray) -> xr.Dataset:
-    """Return the dataset of `compute_protruded_forces` without any draw.
-
-    ranges: ranges of adhesion (rho,) in nm.
-    Returns as from `compute_protruded_forces`; the dimension draw has the length zero.
-    """
+    """Return the dataset of `compute_protruded_forces` without any draw; ranges are in nm."""
     forces = np.empty((0, len(ranges), 1))
     return xr.Dataset(
         {

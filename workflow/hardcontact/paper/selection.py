@@ -20,12 +20,10 @@ SelectedLabels = Mapping[str, list[list[Any]]]
 
 
 def parse_selection(number: xr.Dataset, select: str) -> SelectedLabels | None:
-    """Parse the column `select` of a claim.
+    """Parse the column `select` of a claim: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
 
-    number: the number with its coordinates.
-    select: labels by dimension: ``a=x;b=y,z>w`` means {a: [[x]], b: [[y, z], [w]]}.
-    Returns labels as in the coordinates; None if a coordinate lacks a label.
-    Raises KeyError if a dimension does not exist.
+    Labels are those of the coordinates; None if a coordinate lacks a label. Raises KeyError if the
+    number lacks a dimension.
     """
     labels: dict[str, list[list[Any]]] = {}
     for item in filter(None, select.split(";")):
@@ -48,17 +46,11 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
 
 
 def select_number(number: xr.Dataset, labels: SelectedLabels, rule: str) -> xr.Dataset:
-    """Return the single number that is judged, with its interval.
+    """Return the single number that is judged, with its interval, by labels from `parse_selection`.
 
     The number of a chain of groups, ``a > b > c``, is the smallest ratio of a member of a group to
     a member of the next group. A rule with one limit reduces dimensions without a selection to the
-    worst value.
-
-    number: the number with its dimensions.
-    labels: from `parse_selection`.
-    rule: as for `verdicts.accepted_range`.
-    Returns the number without dimensions.
-    Raises ValueError if the rule has two limits and more than one number remains.
+    worst value. Raises ValueError if the rule has two limits and more than one number remains.
     """
     for dim, groups in labels.items():
         members = [number.sel({dim: group}) for group in groups]
@@ -92,16 +84,11 @@ WITHOUT_SCAN = "no scan"
 def claim_surfaces(
     claim: Any, datasets: Mapping[str, xr.Dataset], labels: SelectedLabels, topography: xr.Dataset
 ) -> list[str]:
-    """Return the surfaces on which a claim depends.
+    """Return the names of the surfaces on which a claim depends.
 
     A claim depends on the surfaces that it selects. If it selects none, it depends on all surfaces
     of its first dataset. Unless it is about topography alone, it depends on the sphere, too. A
     claim that needs no scan depends on no surface.
-
-    claim: from `evaluation.read_statements`; its column ``needs`` is used.
-    labels: from `parse_selection`.
-    topography: topography.nc, with all surfaces and the name of the sphere.
-    Returns names of surfaces.
     """
     if claim.needs == WITHOUT_SCAN:
         return []
@@ -135,14 +122,10 @@ LARGER_PIXELS = "It depends on the size of a pixel, which is larger than the pap
 def fixed_verdict(
     claim: Any, surfaces: list[str], topography: xr.Dataset, constants: pd.DataFrame
 ) -> tuple[str, str]:
-    """Return a verdict that does not depend on the number, and its reason.
+    """Return a verdict that does not depend on the number, and its reason, or empty texts.
 
-    claim: from `evaluation.read_statements`; its columns ``needs`` and ``quantity`` are used.
-    surfaces: from `claim_surfaces`.
-    topography: topography.nc; ``table1_rows_met`` names the rows of Table 1 that the scans of a
-        surface meet by construction.
-    constants: from `published.constants`.
-    Returns verdict and reason, both empty if the number decides.
+    ``table1_rows_met`` of topography.nc names the rows of Table 1 that the scans of a surface meet
+    by construction.
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""

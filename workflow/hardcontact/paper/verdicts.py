@@ -89,22 +89,19 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> Ac
 
 
 def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
-    """Return the central interval of the numbers of many sets.
+    """Return the central intervals (..., 2) of the numbers (set, ...) of many sets.
 
-    replicas: numbers (set, ...), NaN if a set has none.
-    confidence: share of the sets inside the interval.
-    Returns intervals (..., 2), NaN if fewer sets than this share have a number.
+    A set without a number has NaN. The interval is NaN if fewer sets than the confidence have a
+    number.
     """
     enough = np.isfinite(replicas).sum(axis=0) >= confidence * len(replicas)
     return np.where(enough[..., None], percentile_interval(replicas, confidence), np.nan)
 
 
 def stretch_interval(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Stretch intervals until they contain their numbers, as they are judged and printed.
+    """Return both ends (...) of intervals (..., 2), stretched to contain their numbers (...).
 
-    ends: ends (..., 2), NaN if there is no interval.
-    value: numbers (...). NaN leaves the interval as it is.
-    Returns low ends (...) and high ends (...).
+    This is how intervals are judged and printed. NaN leaves the interval as it is.
     """
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
     is_missing = np.isnan(value)
@@ -122,13 +119,10 @@ def replicas_vary(replicas: np.ndarray) -> bool:
 def interval_with_sets(
     value: float, interval: tuple[ArrayLike, ArrayLike], replicas: np.ndarray, confidence: float
 ) -> tuple[float, float]:
-    """Return the interval of a number, stretched until it contains the number.
+    """Return both ends of the interval of a number, stretched to contain it; NaN if none.
 
-    interval: low and high end of its own interval, which counts if the numbers of the sets do not
-        vary.
-    replicas: numbers (set,) of all sets; their spread is the interval if they vary.
-    confidence: share of the sets inside the interval.
-    Returns low and high end, NaN if there is no interval.
+    If the numbers (set,) of all sets vary, their spread is the interval. Otherwise it is the
+    number's own interval.
     """
     ends = sets_interval(replicas, confidence) if replicas_vary(replicas) else np.array(interval)
     low, high = stretch_interval(ends, value)
@@ -142,16 +136,11 @@ def stability(
     confidence: float,
     rng: np.random.Generator,
 ) -> float:
-    """Return the share of resamplings of all sets that keep the verdict.
+    """Return the share of `RESAMPLINGS` resamplings of all sets that keep the verdict.
 
     Another seed gives other sets, and the study is another set. Both are simulated from the present
-    sets: all sets are sampled again with replacement, and one of them is taken for the study (the
-    bootstrap: B. Efron, The Annals of Statistics 7, 1979, 1).
-
-    judge: takes a number and the ends of its interval and returns a verdict.
-    replicas: numbers (set,) of the sets, NaN if a set has none.
-    confidence: share of the sets inside the interval.
-    Returns share of `RESAMPLINGS` resamplings.
+    numbers (set,): all sets are sampled again with replacement, and one of them is taken for the
+    study (the bootstrap: B. Efron, The Annals of Statistics 7, 1979, 1).
     """
     resampled_sets = rng.choice(replicas, size=(len(replicas), RESAMPLINGS))
     study_numbers = rng.choice(replicas, size=RESAMPLINGS)
@@ -161,10 +150,8 @@ def stability(
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:
-    """Read the claims of a study with their verdicts, as from `evaluation.evaluate`.
+    """Read the claims.csv of a study, as from `evaluation.evaluate`.
 
-    path: the claims.csv of the study.
-    Returns one row per claim.
     Raises ValueError if the file ends within a line.
     """
     if not Path(path).read_bytes().endswith(b"\n"):
@@ -176,13 +163,10 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
 
 
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
-    """Count the claims of each verdict, and the independent findings among them.
+    """Count the claims of each of `VERDICTS`, and the independent findings among them.
 
     A claim is not independent if it follows from another claim, holds by construction, or compares
     the model with measured forces.
-
-    evaluated: from `evaluation.evaluate` or `read_verdicts`.
-    Returns columns ``verdict``, ``independent`` and ``claims``, one row for each of `VERDICTS`.
     """
     verdicts = evaluated["verdict"]
     independent = (evaluated["follows_from"] == "") & ~verdicts.isin([BY_CONSTRUCTION, EXPERIMENT])
@@ -200,12 +184,9 @@ OPEN_END = {"small": "high", "large": "low"}
 
 
 def open_end(side: str, value: float, low: float, high: float, bands: Sequence[xr.Dataset]) -> str:
-    """Return the end of the interval of an edge that lies beyond the computed cutoffs.
+    """Return the end of the interval of an edge (nm) that lies beyond the computed cutoffs.
 
-    side: side of the edge, ``"small"`` or ``"large"``.
-    value, low, high: the edge and its interval in nm.
-    bands: as for `add_open_ends`.
-    Returns ``"low"`` or ``"high"``, or ``""`` if both ends are within the cutoffs.
+    It is ``"low"``, ``"high"``, or ``""`` if both ends are within the cutoffs of the `bands`.
     """
     end = OPEN_END[side]
     limit = high if end == "high" else low
@@ -218,16 +199,11 @@ def open_end(side: str, value: float, low: float, high: float, bands: Sequence[x
 
 
 def add_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
-    """Add the column `open_end` to claims about edges.
+    """Add the column `open_end` to claims about edges; it is ``""`` for other claims.
 
-    An edge beyond the cutoffs counts as the last cutoff. Sets have fewer cutoffs than the study, so
-    that the edge of the study may lie beyond theirs. An interval that is stretched to such an edge
-    is open there, too.
-
-    claims: from `read_verdicts`.
-    bands: the datasets that give the intervals, edges.nc and sets.nc: ``filtered_force_change``
-        (..., side, group, cutoff_wavelength).
-    Returns the claims with the column, from the function `open_end`; ``""`` for other claims.
+    An edge beyond the cutoffs counts as the last cutoff. The sets have fewer cutoffs than the
+    study, so that the edge of the study may lie beyond theirs. An interval that is stretched to
+    such an edge is open there, too. The `bands`, edges.nc and sets.nc, give the cutoffs.
     """
     sides = claims["id"].str.extract("^edge_(small|large)_", expand=False)
     rows = zip(sides, claims["computed"], claims["low"], claims["high"], strict=True)

@@ -80,8 +80,7 @@ def smooth_force(contact: Contact) -> float:
 def gaussian_share(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike) -> Floats:
     """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
 
-    rms_height, apex_height, rho: sigma, m and rho in nm; they broadcast.
-    Returns of the broadcast shape.
+    All arguments (rms height sigma, apex height m and range rho) are in nm; they broadcast.
     """
     sigma = np.asarray(rms_height)
     m = np.asarray(apex_height)
@@ -93,11 +92,8 @@ def gaussian_share(rms_height: ArrayLike, apex_height: ArrayLike, rho: ArrayLike
 def closed_form(spectrum: Spectrum, contact: Contact, *, rough_below: bool = True) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    spectrum: c_iso in nm⁴; roughness of other wavelengths does not exist.
-    contact: the sphere, the attraction and the area in contact.
-    rough_below: whether summits below the sphere attract as rough summits (`rough_terms`). If not,
-        they attract as smooth summits, and only the summits that touch are rough.
-    Returns the mean force, its terms and its regime.
+    Roughness at other wavelengths than those of the spectrum does not exist. Without `rough_below`
+    only the summits that touch are rough; summits below the sphere attract as smooth ones.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -137,15 +133,10 @@ def _terms(
 def rough_terms(sigma: float, levels: ApexLevels, rho: float, share: float) -> tuple[Floats, float]:
     """Return the first term of F/(2 pi R W) at each level (n,), and the mean second term.
 
-    Rough summits attract with a share of the force of smooth summits, whether they touch or lie
+    A rough summit attracts with `share` of the force of a smooth one, whether it touches or lies
     below the sphere. Over the height sigma/t the number of summits falls by the factor e. Points
     closer to the sphere than sigma/t are therefore on summits. The mean over the plane counts
     mostly points on summits that rise above the sphere; such summits do not exist.
-
-    sigma, rho: rms height and range of adhesion in nm.
-    levels: levels t of the apex at closest approach.
-    share: force of a rough summit relative to a smooth summit.
-    Returns the first term (n,) and the mean of the second term, both relative to 2 pi R W.
     """
     t = levels.levels
     relief = 1 / max(levels.mean(), 1.0)
@@ -176,12 +167,10 @@ def roughness_on_summit(
 
 
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
-    """Return a spectrum without the wavelengths below or above a cutoff.
+    """Return a spectrum without the wavelengths below or above a cutoff (nm).
 
-    spectrum: c_iso in nm⁴.
-    side: ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it.
-    cutoff: wavelength in nm.
-    Returns all densities are zero if no wave remains.
+    The side ``"small"`` removes wavelengths below the cutoff, ``"large"`` wavelengths above it. If
+    no wave remains, all densities are zero.
     """
     limit = 2 * np.pi / cutoff
     filtered = (
@@ -193,16 +182,11 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
 
 
 def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
-    """Return both edges of the band of wavelengths that decide the force.
+    """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
-    Without all shorter or all longer wavelengths the force changes by the tolerance. Summits below
-    the sphere count as smooth. On the held-out designed surfaces rough summits improve the forces
-    of single peaks, but not the edges.
-
-    spectrum: c_iso in nm⁴.
-    contact: the sphere, the attraction and the area in contact.
-    tolerance: relative change of the force.
-    Returns short and long edge in nm, NaN if the force never changes by the tolerance.
+    Without all shorter or all longer wavelengths the force changes by the tolerance; NaN if it
+    never does. Summits below the sphere count as smooth: on the held-out designed surfaces rough
+    summits improve the forces of single peaks, but not the edges.
     """
     wavelengths = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
     if not len(wavelengths):

@@ -67,19 +67,11 @@ def prediction(
 ) -> dict[str, Number]:
     """Predict the pull-off force and both edges of a sphere on a rough surface, in closed form.
 
-    spectrum: c_iso in nm⁴ of the surface. That of scans rises above its longest wavelength, where
-        it is extrapolated, as the rms height of the scans requires. A table is level there. It is
-        not extrapolated below a density of zero at its end.
-    contact: the sphere, the attraction and the area in contact.
-    tolerance: relative change of the force that defines an edge.
-    name: name of the spectrum in messages.
-    Returns by name. Intervals follow from `nearest_errors` if the table covers contact and
-        spectrum. Otherwise they are NaN, and the force has the status ``"outside"``.
-        ``extrapolated_force`` is the force with the extrapolated spectrum. Its status is also that
-        of ``pull_off_force`` if the spectrum is extrapolated already. For scans with steep edges
-        the force has no value and the status ``"steep_edges"``, and numbers that follow from it are
-        left out.
-    Raises ValueError if `trim_spectrum` refuses the spectrum.
+    The spectrum of scans rises above its longest wavelength, where it is extrapolated, as the rms
+    height of the scans requires; that of a table is level there. ``extrapolated_force`` is the
+    force with the spectrum extrapolated to short waves. Without a known error intervals are NaN and
+    the force has the status OUTSIDE. For scans with steep edges the force has no value. Raises
+    ValueError if `trim_spectrum` refuses the spectrum, which messages call `name`.
     """
     waves = trim_spectrum(spectrum, name)
     height, gradient, _ = all_scales_rms(waves)
@@ -138,14 +130,11 @@ def prediction(
 
 
 def trim_spectrum(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
-    """Return a spectrum without the zeros at its ends.
+    """Return a spectrum without the zeros at its ends; messages call it `name`.
 
-    spectrum: c_iso in nm⁴.
-    name: name of the spectrum in messages.
-    Returns from the first to the last density above zero.
-    Raises ValueError if densities are unknown. If wavelengths are beyond those of the study, or the
-        rms height is below MIN_RMS_HEIGHT or above the longest wavelength: the unit is probably
-        wrong.
+    Raises ValueError if densities are unknown, if wavelengths are beyond those of the study, or if
+    the rms height is below MIN_RMS_HEIGHT or above the longest wavelength: then the unit is
+    probably wrong.
     """
     if not ((np.diff(spectrum.wavevector) > 0).all() and (spectrum.density >= 0).all()):
         raise ValueError(

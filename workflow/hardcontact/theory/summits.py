@@ -53,11 +53,9 @@ class ApexLevels(NamedTuple):
 
 
 def spectrum_between(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
-    """Return the waves of a spectrum between two wavevectors, on a new grid.
+    """Return the waves of a spectrum between two wavevectors (rad/nm), on a new grid.
 
-    spectrum: c_iso in nm⁴.
-    lowest, highest: wavevectors in rad/nm.
-    Returns none if the spectrum has no waves between them.
+    None if the spectrum has no waves between them.
     """
     rough = spectrum.wavevector[spectrum.density > 0]
     if not len(rough):
@@ -97,11 +95,7 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
 
 @lru_cache(maxsize=4)
 def lost_correlation(waves: Spectrum) -> tuple[Floats, Floats]:
-    """Return the lost correlation 1 - r(d)/sigma² by distance, r the autocorrelation of heights.
-
-    waves: c_iso in nm⁴.
-    Returns distances d (n,) in nm, and the lost correlation (n,).
-    """
+    """Return distances d (n,) in nm and the lost correlation 1 - r(d)/sigma² (n,) of heights."""
     q = waves.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
     lost = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
@@ -149,12 +143,11 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
 
 
 def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
-    """Return size, number and area of the clumps above a sphere whose apex is at LEVELS.
+    """Return radius, number and area of the clumps above a sphere whose apex is at LEVELS.
 
-    waves: from `rough_waves`.
-    radius: radius of the sphere in nm.
-    Returns radius of a clump in nm, mean number Lambda of clumps, and mean area B above the sphere
-        in nm², each (LEVELS,).
+    They are the radius of a clump in nm, the mean number Lambda of clumps, and the mean area B
+    above the sphere in nm², each (LEVELS,). Waves come from `rough_waves`; the sphere's radius is
+    in nm.
     """
     radii = clump_radius(waves, LEVELS)
     tail = special.ndtr(-LEVELS)
@@ -171,12 +164,8 @@ def search_size(spectrum: Spectrum, radius: float, area: float) -> float:
 
     At the distance r from the apex heights touch if they are r²/2R above the level t. At high
     levels such Gaussian heights are rarer by exp(-t r²/(2 R sigma)). Touching points therefore have
-    the rms distance sqrt(2 R sigma/t). Levels below one count as one.
-
-    spectrum: c_iso in nm⁴.
-    radius: radius of the sphere in nm.
-    area: area in contact in nm².
-    Returns the edge in nm, 0 for a surface that the sphere follows.
+    the rms distance sqrt(2 R sigma/t). Levels below one count as one. Radius and area in contact
+    are in nm and nm². The edge is 0 for a surface that the sphere follows.
     """
     waves = rough_waves(spectrum, radius)
     if waves is None:

@@ -58,8 +58,8 @@ HARD, SOFT, UNKNOWN = "hard", "soft", "unknown"
 def validation() -> pd.DataFrame:
     """Return the surfaces of the table VALIDATION that were held out, with their errors.
 
-    Returns rows of the table with the column ``<name>_error`` for each of VALIDATED_QUANTITIES: the
-        computed value relative to the predicted value, NaN if an edge is open or not predicted.
+    The column ``<name>_error``, for each of VALIDATED_QUANTITIES, is the computed value relative to
+    the predicted value, NaN if an edge is open or not predicted.
     """
     table = pd.read_csv(VALIDATION)
     held_out = table[table["held_out"] == 1].copy()
@@ -74,11 +74,8 @@ def validation() -> pd.DataFrame:
 def table_coordinates(waves: Spectrum, contact: Contact, form: ClosedForm) -> dict[str, Any]:
     """Return the coordinates of a spectrum and a contact in the table of designed surfaces.
 
-    waves: trimmed by `trim_spectrum`.
-    contact: the sphere, the attraction and the area in contact.
-    form: the closed form of both.
-    Returns ``weibull_modulus``, k = rho m/sigma², the inverse of the freezing, infinite without
-        roughness; ``contact_over_rolloff``, ``mean_hurst``, ``mean_hurst_change`` and ``regime``.
+    The waves come from `trim_spectrum`. ``weibull_modulus`` is k = rho m/sigma², the inverse of the
+    freezing, infinite without roughness.
     """
     mean_hurst, bend = hurst_and_bend(waves, math.sqrt(contact.area))
     return {
@@ -108,14 +105,11 @@ def hurst_and_bend(waves: Spectrum, contact_length: float) -> tuple[float, float
 
 
 def nearest_errors(point: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the smallest and the largest error among the nearest surfaces of the table.
+    """Return the smallest and the largest error among the surfaces of the table nearest to a point.
 
     Distances are those between the logarithms of modulus and contact_over_rolloff. A surface of
-    another regime is farther by one. A point outside the table is moved to its border.
-
-    point: `table_coordinates` of an input.
-    name: one of VALIDATED_QUANTITIES.
-    Returns computed value relative to the predicted value, smallest and largest.
+    another regime is farther by one. A point outside the table is moved to its border. An error of
+    a quantity, one of VALIDATED_QUANTITIES, is the computed relative to the predicted value.
     """
     surfaces = validation().dropna(subset=f"{name}_error")
     axes = ["weibull_modulus", "contact_over_rolloff"]
@@ -148,10 +142,8 @@ def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Ite
 def tabor(contact: Contact, modulus: float) -> Number:
     """Return the Tabor parameter, with the range of adhesion as spacing, and its status.
 
-    contact: the sphere and the attraction.
-    modulus: effective modulus in Pa, NaN if it is not known.
-    Returns the status is UNKNOWN without a modulus. It is SOFT if elasticity reduces the force of a
-        smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
+    The effective modulus is in Pa, NaN if it is UNKNOWN. Bodies are SOFT if elasticity reduces the
+    force of a smooth sphere by more than MAX_NEGLIGIBLE_CHANGE, otherwise HARD.
     """
     if math.isnan(modulus):
         return Number("tabor_parameter", modulus, status=UNKNOWN)
@@ -163,9 +155,9 @@ def tabor(contact: Contact, modulus: float) -> Number:
 
 
 def wide_contact_message(contact: Contact) -> str:
-    """Return a message if the contact area alone attracts as strongly as a smooth sphere.
+    """Return a message if the contact area alone attracts as strongly as a smooth sphere, or "".
 
-    The message is empty otherwise. It names the largest preload (N) that is valid.
+    It names the largest preload (N) that is valid.
     """
     share = contact_share(contact)
     if share < 1:
