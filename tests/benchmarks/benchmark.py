@@ -212,7 +212,7 @@ def elastic_contact(pixels=512):
         yield "the library alone, unchecked", times_as_long(library_seconds / checked_seconds)
 
 
-def filtered_job(pixels, threads, answer):
+def filtered_job(pixels, answer):
     """Answer seconds and peak memory (GiB) of one job of Fig. 6 in a separate process."""
     substrate = surface(pixels)
     start = time.perf_counter()
@@ -223,13 +223,13 @@ def filtered_job(pixels, threads, answer):
     answer.put((seconds, int(peak.split()[1]) / 2**20))
 
 
-def growth(threads, largest):
+def growth(largest):
     context, previous = multiprocessing.get_context("spawn"), None
     for pixels in (4096, 8192, 16384):
         if pixels > largest:
             continue
         answer = context.Queue()
-        process = context.Process(target=filtered_job, args=(pixels, threads, answer))
+        process = context.Process(target=filtered_job, args=(pixels, answer))
         process.start()
         seconds, peak = answer.get()
         process.join()
@@ -263,7 +263,7 @@ def main():
         smooth_sphere(options.threads),
         rough_sphere(),
         elastic_contact(),
-        growth(options.threads, options.largest),
+        growth(options.largest),
     ):
         for description, value in rows:
             print(f"| {description} | {value} |", flush=True)

@@ -1,19 +1,13 @@
 """The costs of more realizations and larger masters, from the jobs of a finished study.
 
-    python tests/benchmarks/cost.py [--study paper] [--dry-runs 10 100 1000]
+    python tests/benchmarks/cost.py [--study paper]
 
 Prints a table of core hours, memory and disk. Times are processor times of the jobs as Snakemake
 measured them, so that other work of the machine counts little. They include the start-up of jobs,
-but not Snakemake's own process. Dry runs measure the time to build the graph of jobs.
+but not Snakemake's own process.
 """
 
 import argparse
-import re
-import resource
-import subprocess
-import sys
-import tempfile
-import time
 from math import log2
 from pathlib import Path
 
@@ -96,49 +90,7 @@ def costs(study):
     print(job_costs.groupby("rule").agg({"seconds": ["count", "mean", "sum"], "memory": "max"}))
 
 
-def dry_run(realizations):
-    """Print the number of jobs, the time and the memory of a dry run of some realizations."""
-    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as overlay:
-        yaml.safe_dump(
-            {
-                "store": "results/store-none",
-                "study": "none",
-                "scales": {"realizations": realizations},
-            },
-            overlay,
-        )
-        overlay.flush()
-        start, usage_before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
-        run = subprocess.run(
-            [
-                sys.executable,
-                "-m",
-                "snakemake",
-                "-n",
-                "--quiet",
-                "rules",
-                "--configfile",
-                overlay.name,
-            ],
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    job_count = re.search(r"^total\s+(\d+)", run.stdout + run.stderr, re.M)[1]
-    processor = usage.ru_utime + usage.ru_stime - usage_before.ru_utime - usage_before.ru_stime
-    print(
-        f"dry run of {realizations} realizations: {job_count} jobs, {processor:.0f} s of "
-        f"processor, "
-        f"{time.monotonic() - start:.0f} s, {usage.ru_maxrss * 1024 / 1e9:.2f} GB at most so far"
-    )
-
-
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--study", default="paper")
-    parser.add_argument("--dry-runs", type=int, nargs="*", default=[])
-    options = parser.parse_args()
-    costs(options.study)
-    for realizations in options.dry_runs:
-        dry_run(realizations)
+    costs(parser.parse_args().study)

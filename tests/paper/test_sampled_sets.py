@@ -78,15 +78,6 @@ def measured_forces(scans):
     )
 
 
-def test_measured_scans_are_scaled_by_one_factor():
-    forces = measured_forces(5)
-    ratio = scale_to_sampled_mean(forces, generator(4)) / forces
-    assert ratio.dims == forces.dims
-    factor = ratio.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0)
-    np.testing.assert_allclose(ratio, factor.broadcast_like(ratio), rtol=1e-12)
-    assert not np.isclose(factor, 1).any()
-
-
 def test_sampled_means_of_measured_scans_spread_over_their_interval():
     forces = measured_forces(5)
     scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
