@@ -10,8 +10,15 @@ from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
-from scan_windows import Windows, filtered_forces, mean_forces, mirrored_windows
-from validate_scan_sizes import TABLE, TOLERANCE, window_edges
+from validate_scan_sizes import (
+    TABLE,
+    TOLERANCE,
+    Windows,
+    filtered_forces,
+    mean_forces,
+    mirrored_windows,
+    window_edges,
+)
 
 from hardcontact.base import dataset
 from hardcontact.contact.contact import Contact

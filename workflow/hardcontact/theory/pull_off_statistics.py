@@ -41,8 +41,8 @@ from hardcontact.theory.summits import (
 
 #: Standard deviations of curvature, and their probabilities, that a summit is averaged over.
 DEVIATIONS = np.linspace(-8, 8, 801)
-CHANCES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
-#: Factor of the radius with which the exponent of the force over it is found.
+PROBABILITIES = np.exp(-(DEVIATIONS**2) / 2) / np.sqrt(2 * np.pi) * (DEVIATIONS[1] - DEVIATIONS[0])
+#: Factor by which the radius grows to find the exponent of the force against the radius.
 WIDER = 1.2
 
 
@@ -104,11 +104,11 @@ class _Attraction(NamedTuple):
     """The attraction in 2 pi R W, without that of the area in contact, by level (n,)."""
 
     levels: ApexLevels
-    first: Floats  #: (n,) mean of the clumps below the sphere.
-    touching: float  #: Mean of those that touch.
-    clumps: float  #: Mean number of those that touch.
+    first: Floats  #: (n,) mean attraction by the clumps below the sphere.
+    touching: float  #: Mean attraction by the clumps that touch.
+    clumps: float  #: Mean number of the clumps that touch.
     variance: Floats  #: (n,) of the sum.
-    growth: float  #: Exponent of the force over the radius of the sphere, 0 to 1.
+    growth: float  #: Exponent of the force against the radius of the sphere, 0 to 1.
 
     @property
     def mean(self) -> float:
@@ -121,13 +121,13 @@ class _Attraction(NamedTuple):
 
 
 def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
-    """Return how a sphere is attracted by summits, which are rough themselves."""
+    """Return the attraction of a sphere by summits, which are rough themselves."""
     radius = contact.radius
     rho = contact.range
     levels = apex_levels(waves, radius, contact.area)
     sigma = np.sqrt(moment(waves, 0))
     t = levels.levels
-    # What a rough summit attracts of what a smooth one does.
+    # Force of a rough summit relative to a smooth summit.
     share = 1.0
     scatter = 1.0
     growth = 1.0
@@ -142,15 +142,15 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     number = np.interp(t, LEVELS, clumps_above(waves, radius)[1])
     clumps = max(levels.mean(number), 1.0)
     cover = levels.mean(special.ndtr(-t))
-    # The mean of the squared force of a clump, over the square of its mean force. The radius of a
-    # summit counts as far as the force on it grows with it.
+    # Mean of the squared force of a clump, relative to the square of its mean force. The radius of
+    # a summit counts only as far as its force grows with the radius.
     square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
     crowded = number_variance(cover)
     clump_force = share * special.ndtr(-t) / np.maximum(number, 1e-300)
     clump_variance = crowded * square * clump_force * rough_terms(sigma, levels, rho / 2, share)[0]
     field_variance = first**2 * field_variation(waves, contact) ** 2
-    # n clumps touch, of which all but the last are as many as Poisson lets expect. Where they cover
-    # the plane they are one flat contact, whose rim is the force.
+    # Of the n clumps that touch, all but the last have Poisson's number. If they cover the plane,
+    # they are one flat contact, and only its rim scatters.
     scattered = (1 - cover) * clumps * (square - 1) + crowded * (clumps - 1)
     variance = np.minimum(field_variance, clump_variance) + (touching / clumps) ** 2 * scattered
     attraction = _Attraction(levels, first, touching, clumps, variance, 1.0)
@@ -163,8 +163,8 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
 def number_variance(cover: float) -> float:
     """Return the variance over the mean of the number of clumps that cover a share of the plane.
 
-    They do not overlap: their number scatters as that of hard discs does whose pressure is that of
-    an ideal gas over (1 - cover)² (scaled particle theory).
+    Clumps do not overlap. Their number scatters like the number of hard discs, whose pressure is
+    the pressure of an ideal gas divided by (1 - cover)² (scaled particle theory).
     """
     return (1 - cover) ** 3 / (1 + cover)
 
@@ -188,9 +188,9 @@ def summit_variation(waves: Spectrum, levels: ApexLevels) -> float:
     a = np.maximum(a, 0)
     b = np.sqrt(laplacian) / 2
     summits = -np.expm1(-((a / b) ** 2))  # the probability of a > b
-    density = CHANCES @ (a**2 - b**2 * summits)  # means over b of K, sqrt(K), 1
-    mean = CHANCES @ (a - b * special.dawsn(a / b)) / density
-    return float(np.sqrt(max(CHANCES @ summits / density / mean**2 - 1, 0.0)))
+    density = PROBABILITIES @ (a**2 - b**2 * summits)  # means over b of K, sqrt(K), 1
+    mean = PROBABILITIES @ (a - b * special.dawsn(a / b)) / density
+    return float(np.sqrt(max(PROBABILITIES @ summits / density / mean**2 - 1, 0.0)))
 
 
 def field_variation(waves: Spectrum, contact: Contact) -> float:
