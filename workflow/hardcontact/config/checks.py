@@ -16,7 +16,8 @@ from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
-from hardcontact.surfaces.scans import read_measurement, read_scan
+from hardcontact.surfaces.height_map import require_map
+from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import needs_calibration, read_segments
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
@@ -100,7 +101,7 @@ def _own_surface_checks(
     ]
     spectrum_scans = table[table.use != CONTACT]
     for path, dataset in zip(spectrum_scans.path, spectrum_scans.dataset, strict=True):
-        checks.append(partial(read_measurement, path, dataset, **_reading(config)))
+        checks.append(partial(read_scan, path, dataset, **_reading(config)))
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
         checks.append(partial(measured_forces, config["forces"], list(substrates.unique())))
@@ -145,7 +146,7 @@ def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> 
     """Return the grid of measured scans, all of which are read."""
     grids: list[Grid] = []
     for path, dataset in zip(rows.path, rows.dataset, strict=True):
-        scan = read_scan(path, dataset, **_reading(config))
+        scan = require_map(read_scan(path, dataset, **_reading(config)))
         relief = float(np.ptp(scan.heights))
         if relief == 0:
             raise ValueError(f"{path}: expected a rough surface, found constant height")
