@@ -6,14 +6,13 @@ import numpy as np
 from random_scans import gentle, uncd
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.scans import Measurement
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import random_surface
 
 
 def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
     """Return a map or a line scan, by the dimensions of its heights (nm)."""
-    kind = "map" if heights.ndim == 2 else "line scan"
-    return Measurement(path, "", "Height", "nm", kind, heights, pixel_size, tip_radius, (), 0)
+    return HeightMap(heights, pixel_size, path=path, channel="Height", tip_radius=tip_radius)
 
 
 def map_of(rng, pixels, pixel_size, density=uncd, **stated):

@@ -23,7 +23,7 @@ from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces import spectrum, synthesis
-from hardcontact.surfaces.height_map import flat_map, level, mirror_stitch
+from hardcontact.surfaces.height_map import flatten, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import add_sphere, cut_scan
 from hardcontact.surfaces.synthesis import synthesize_master
@@ -123,7 +123,7 @@ def stitched_scan(config, rng, density, radius=None):
     substitute = cut_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(substitute))
-    return mirror_stitch(flat_map(add_sphere(rng, substitute, radius), radius))
+    return mirror_stitch(flatten(add_sphere(rng, substitute, radius), radius))
 
 
 def assert_forces(arrays):

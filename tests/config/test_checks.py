@@ -1,5 +1,8 @@
 """Studies with contradictory keys, tables and scans are refused in one line."""
 
+from collections import namedtuple
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -8,12 +11,17 @@ from repository import ROOT
 from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
-from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
+from hardcontact.base import dataset
+from hardcontact.base.origin import Origin, canonical, digests, keep_records
+from hardcontact.config.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
+from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import Grid, master_megabytes
 from hardcontact.config.limits import check_grids, memory_faults
+from hardcontact.config.patterns import study_patterns
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import described_rms_height, spectrum_from_description
 from hardcontact.surfaces.synthesis import random_surface
@@ -134,6 +142,48 @@ def test_unusable_scans_are_refused(tmp_path, project_folder):
     ):
         text = own_scans(scan(tmp_path / "a.nc", values))
         assert_says(refusal(check, numbers(), tmp_path, text), "a.nc", *message_parts)
+
+
+# Scans that the study has stored
+
+
+def store(row, arguments, heights):
+    """Store heights as the scan of a row, as if the rule read_scan had read its file so."""
+    path = Path(study_patterns(numbers()).measurement.format(surface=row.surface, scan=row.scan))
+    path.parent.mkdir(parents=True)
+    dataset.write(HeightMap(heights, 10.0).to_dataset(), path)
+    keep_records([path], Origin(canonical(arguments), digests([row.path]), []))
+    return path
+
+
+@pytest.mark.parametrize("change", ["none", "file", "keys", "stored file", "source"])
+def test_a_file_is_read_only_if_the_study_has_not_stored_it_as_it_is(tmp_path, monkeypatch, change):
+    monkeypatch.chdir(tmp_path)
+    paths = {name: str(scan(tmp_path / f"{name}.nc")) for name in "ab"}
+    row = namedtuple("Row", "surface scan path dataset")("glass", 1, paths["a"], "")
+    config = numbers()
+    stored_path = store(row, reading_keys(config, ""), np.zeros((16, 16)))
+    if change == "file":
+        scan(tmp_path / "a.nc", 2 * heights())
+    elif change == "keys":
+        config["scan"]["undefined_pixels"] = "harmonic"
+    elif change == "stored file":
+        dataset.write(HeightMap(np.ones((16, 16)), 10.0).to_dataset(), stored_path)
+    elif change == "source":
+        row = row._replace(path=paths["b"])
+    is_stored = not stored_scan(config, row).heights.any()
+    assert is_stored == (change == "none")
+
+
+def test_a_changed_file_that_cannot_be_read_is_refused_though_it_was_stored(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = scan(tmp_path / "a.nc")
+    row = namedtuple("Row", "surface scan path dataset")("glass", 1, str(path), "")
+    store(row, reading_keys(numbers(), ""), np.zeros((16, 16)))
+    path.write_bytes(b"damaged")
+    assert_says(refusal(stored_scan, numbers(), row), "a.nc: expected", "found")
+    path.unlink()
+    assert_says(refusal(stored_scan, numbers(), row), "a.nc: expected a scan, found no such file")
 
 
 # How far contacts on substitutes can lie apart in height

@@ -14,7 +14,6 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.mean_forces import Masters
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
-from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
 from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
@@ -114,10 +113,8 @@ def interval_of_one_scan(density, number):
     """Return the interval of the long edge (nm) from one scan; open ends are NaN."""
     surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, density)
     heights = surface.heights[:PIXELS, :PIXELS].astype(float)
-    scan = level(HeightMap(heights, PIXEL_SIZE, False, "measured"))
-    measurements = [
-        Measurement("a", "", "", "nm", "map", scan.heights, PIXEL_SIZE, 1.0, notes=(), undefined=0)
-    ]
+    scan = level(HeightMap(heights, PIXEL_SIZE, tip_radius=1.0))
+    measurements = [scan]
     spectrum = spectrum_of_dataset(joined_spectrum(measurements, [None]))
     rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
 

@@ -18,7 +18,7 @@ from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
 from hardcontact.config.tables import measured_forces, refuse_description
 from hardcontact.own.own_spectrum import own_spectrum
-from hardcontact.surfaces.scans import list_measurements, read_measurement
+from hardcontact.surfaces.scans import list_scans, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 NUMBER = re.compile(rb"\d+")
@@ -70,8 +70,8 @@ def scans(folder):
 
 
 def read_scans(path):
-    for dataset in list_measurements(path):
-        read_measurement(path, dataset, "harmonic")
+    for dataset in list_scans(path):
+        read_scan(path, dataset, "harmonic")
 
 
 def texts(folder):
@@ -115,7 +115,7 @@ def read_overlay(path):
 #: Kinds of input: a function that writes whole files, and a function that reads one.
 KINDS = {
     "scan": (scans, read_scans),
-    "text": (texts, lambda path: read_measurement(path, "", "harmonic", "um,nm", 200.0)),
+    "text": (texts, lambda path: read_scan(path, "", "harmonic", "um,nm", 200.0)),
     "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},

@@ -85,11 +85,11 @@ def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
 ):
     path, read_original = (
         scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)),
-        module.read_measurement,
+        module.read_scan,
     )
     monkeypatch.setattr(
         module,
-        "read_measurement",
+        "read_scan",
         lambda *choices: replace(read_original(*choices), tip_radius=stated_radius),
     )
     entry = only_entry(path, 12.0)

@@ -18,8 +18,7 @@ from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own import request
 from hardcontact.own.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.own.predict import predict, predict_arguments
-from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
-from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
+from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.surfaces.spectrum import (

@@ -16,10 +16,10 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     Tail,
     extrapolate_long_waves,
     extrapolate_short_waves,
+    fit_hurst_exponent,
     has_exponent,
     levelled_share,
 )
-from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
@@ -203,3 +203,14 @@ def test_a_spectrum_rises_to_its_rolloff_and_is_constant_beyond():
     density = extrapolate_long_waves(np.ones(len(WAVEVECTORS)), 1000.0, -3.0, 8000.0)
     wavelength = 2 * np.pi / WAVEVECTORS
     np.testing.assert_allclose(density, np.clip(wavelength / 1000, 1, 8) ** 3.0)
+
+
+@pytest.mark.parametrize("sharpness", [1, 2, 4, 20])
+@pytest.mark.parametrize("rolloff", [200.0, 400.0, 1000.0])
+def test_the_rolloff_does_not_bias_the_hurst_exponent(rolloff, sharpness):
+    def bent(q):
+        return (1 + (q * rolloff / 2 / np.pi) ** (2 * sharpness)) ** (-1.7 / sharpness)
+
+    fit = fit_hurst_exponent(BINS, bent(BINS), np.full(BINS.shape, 1e-4))
+    assert fit.exponent == pytest.approx(0.7, abs=0.1)
+    np.testing.assert_allclose([fit.shortest, fit.longest], 2 * np.pi / BINS[[-1, -11]])

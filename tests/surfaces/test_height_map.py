@@ -9,10 +9,10 @@ from scipy import stats
 from hardcontact.base import dataset
 from hardcontact.surfaces.height_map import (
     HeightMap,
-    flat_map,
+    flatten,
     level,
     level_lines,
-    library_map,
+    library_topography,
     metrics,
     mirror_stitch,
     read_height_map,
@@ -28,10 +28,10 @@ def scan_of(heights, pixel_size=10.0):
 def test_a_map_is_read_back_as_it_was_written(tmp_path):
     heights = np.random.default_rng(0).standard_normal((8, 12))
     surface = HeightMap(heights, 2500 / 512, periodic=True, basis="measured")
-    dataset.write(surface.dataset(), tmp_path / "a.nc")
-    read_map = read_height_map(tmp_path / "a.nc")
-    np.testing.assert_array_equal(read_map.heights, heights.astype(np.float32))
-    assert (read_map.pixel_size, read_map.periodic, read_map.basis) == (
+    dataset.write(surface.to_dataset(), tmp_path / "a.nc")
+    read_scan = read_height_map(tmp_path / "a.nc")
+    np.testing.assert_array_equal(read_scan.heights, heights)
+    assert (read_scan.pixel_size, read_scan.periodic, read_scan.basis) == (
         2500 / 512,
         True,
         "measured",
@@ -44,7 +44,7 @@ def test_a_map_is_read_back_as_it_was_written(tmp_path):
 @pytest.mark.parametrize("dtype", [np.float32, float])
 def test_levelling_equals_that_of_surface_topography(shape, dtype):
     scan = scan_of(np.random.default_rng(0).standard_normal(shape).cumsum(0).astype(dtype))
-    library_heights = library_map(scan).detrend("height").heights().T
+    library_heights = library_topography(scan).detrend("height").heights().T
     np.testing.assert_array_equal(level(scan).heights, library_heights)
 
 
@@ -61,7 +61,7 @@ def test_a_sphere_is_removed_wherever_its_apex_lies():
     wave = np.cos(2 * np.pi * np.arange(64) * 8 / 64) * np.ones((64, 1))
     y, x = (np.mgrid[:64, :64] - 20.3) * 40.0
     sphere = scan_of(wave - (x**2 + (y - 500) ** 2) / (2 * RADIUS), 40.0)
-    flat = flat_map(sphere, RADIUS)
+    flat = flatten(sphere, RADIUS)
     np.testing.assert_allclose(flat.heights, level(scan_of(wave)).heights, atol=1e-8)
 
 
@@ -91,7 +91,7 @@ def test_a_wave_has_the_metrics_in_closed_form():
 @pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
 def test_metrics_equal_those_of_surface_topography_and_scipy(shape):
     scan = scan_of(np.random.default_rng(3).standard_normal(shape).cumsum(axis=0), 4.9)
-    values, topography = metrics(scan), library_map(scan)
+    values, topography = metrics(scan), library_topography(scan)
     for name, value in (
         ("rms_height", topography.Sq()),
         ("rms_gradient", topography.rms_gradient()),

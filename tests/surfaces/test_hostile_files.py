@@ -171,8 +171,8 @@ HOSTILE = {
 
 
 def read_all(path):
-    for dataset in scans.list_measurements(path):
-        scans.read_measurement(path, dataset)
+    for dataset in scans.list_scans(path):
+        scans.read_scan(path, dataset)
 
 
 @pytest.fixture

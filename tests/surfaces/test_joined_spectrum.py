@@ -6,7 +6,7 @@ from measurements import line_of, map_of, measurement, two_sizes_and_a_line
 from random_scans import gentle
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.hurst_exponent import HURST_SCATTER
+from hardcontact.surfaces.extrapolated_spectrum import HURST_SCATTER
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band

@@ -13,7 +13,6 @@ from hardcontact.surfaces.measured_spectrum import (
     isotropic_from_profile,
     local_slopes,
     measured_psd,
-    measured_size,
     variance_of_log,
 )
 from hardcontact.surfaces.spectrum import BIN_EDGES, profile_over_isotropic
@@ -30,7 +29,7 @@ def test_line_scans_have_the_spectrum_of_their_surface():
     wavevector = measured_psd(lines[0])[0]
     mean = np.mean([measured_psd(line)[1] for line in lines], axis=0)
     wavelength = 2 * np.pi / wavevector
-    is_reliable = np.isfinite(mean) & (wavelength > 40) & (wavelength < measured_size(lines[0]) / 3)
+    is_reliable = np.isfinite(mean) & (wavelength > 40) & (wavelength < lines[0].size / 3)
     np.testing.assert_allclose(
         np.log(mean[is_reliable] / uncd(wavevector[is_reliable])), 0, atol=0.5
     )
@@ -49,9 +48,7 @@ def test_spectra_scatter_by_their_number_of_independent_waves(kind):
     logs = np.log([measured_psd(draw)[1] for draw in draws])
     wavelength = 2 * np.pi / wavevector
     is_reliable = (
-        np.isfinite(logs).all(axis=0)
-        & (wavelength > 60)
-        & (wavelength < measured_size(draws[0]) / 3)
+        np.isfinite(logs).all(axis=0) & (wavelength > 60) & (wavelength < draws[0].size / 3)
     )
     predicted_scatter = np.sqrt(variance_of_log(independent_waves(draws[0])[is_reliable]))
     assert np.median(logs.std(axis=0)[is_reliable] / predicted_scatter) == pytest.approx(

@@ -6,7 +6,7 @@ from refusals import assert_says, refusal
 from scan_files import heights
 
 from hardcontact.surfaces.plain_text import readable_text
-from hardcontact.surfaces.scans import read_measurement
+from hardcontact.surfaces.scans import read_scan
 
 PIXELS = 24
 MAP = heights(PIXELS, PIXELS)  # in nm
@@ -34,7 +34,7 @@ METRES = matrix("\t", "{:.6e}", 1e-9)
 def test_a_matrix_with_a_header_is_read_in_every_encoding(tmp_path, encoding, comma):
     head = [line if comma else line.replace(",", ".") for line in HEAD]
     lines = [*head, *(commas(METRES) if comma else METRES)]
-    measurement = read_measurement(written(tmp_path / "a.txt", lines, encoding, "\r\n"))
+    measurement = read_scan(written(tmp_path / "a.txt", lines, encoding, "\r\n"))
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
     assert measurement.notes == (("decimal commas read",) if comma else ())
@@ -54,24 +54,22 @@ MATRICES = {
 @pytest.mark.parametrize("name", MATRICES)
 def test_a_bare_matrix_is_read_with_its_size_and_unit(tmp_path, name):
     path = written(tmp_path / "a.csv", MATRICES[name])
-    message = refusal(read_measurement, path)
+    message = refusal(read_scan, path)
     assert_says(message, "physical size and unit", "found none", "--size 5um", "--unit nm")
-    assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "--size 5um", "scan.map_size")
-    measurement = read_measurement(path, unit="nm", map_size=240.0)
+    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "--size 5um", "scan.map_size")
+    measurement = read_scan(path, unit="nm", map_size=240.0)
     assert measurement.pixel_size == pytest.approx(10.0)
     np.testing.assert_allclose(measurement.heights, MAP, atol=1e-4)
-    coarse = read_measurement(
-        path, unit="mm,nm", map_size=480.0
-    )  # the unit of positions is not used
+    coarse = read_scan(path, unit="mm,nm", map_size=480.0)  # the unit of positions is not used
     assert coarse.pixel_size == pytest.approx(20.0)
     np.testing.assert_allclose(coarse.heights, MAP, atol=1e-4)
 
 
 def test_the_given_size_is_the_longer_edge_of_files_without_a_size(tmp_path):
     path = written(tmp_path / "a.txt", matrix(" ")[:20])
-    assert read_measurement(path, unit="nm", map_size=240.0).pixel_size == pytest.approx(10.0)
+    assert read_scan(path, unit="nm", map_size=240.0).pixel_size == pytest.approx(10.0)
     path = written(tmp_path / "b.txt", [*(line.replace(",", ".") for line in HEAD), *METRES])
-    measurement = read_measurement(path, unit="nm", map_size=999.0)
+    measurement = read_scan(path, unit="nm", map_size=999.0)
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.notes == ()
 
 
@@ -80,7 +78,7 @@ def test_empty_cells_and_words_are_undefined_pixels(tmp_path, word):
     rows = matrix(";")
     rows[3] = rows[3].replace(rows[3].split(";")[5], word, 1)
     path = written(tmp_path / "a.csv", rows)
-    measurement = read_measurement(path, "", "harmonic", "nm", 240.0)
+    measurement = read_scan(path, "", "harmonic", "nm", 240.0)
     assert measurement.undefined == 1
     defined = np.ones((PIXELS, PIXELS), bool)
     defined[3, 5] = False
@@ -102,8 +100,8 @@ def coordinates(path, points, separator=" "):
 def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
     points = np.delete(POINTS, GAPS, axis=0)[::order]
     path = coordinates(tmp_path / "a.xyz", points, separator)
-    assert_says(refusal(read_measurement, path, "", "refuse", "nm"), "undefined", "found 30")
-    measurement = read_measurement(path, "", "harmonic", "nm")
+    assert_says(refusal(read_scan, path, "", "refuse", "nm"), "undefined", "found 30")
+    measurement = read_scan(path, "", "harmonic", "nm")
     assert measurement.pixel_size == pytest.approx(10.0) and measurement.undefined == 30
     defined = np.delete(np.arange(len(POINTS)), GAPS)
     np.testing.assert_allclose(measurement.heights.ravel()[defined], POINTS[defined, 2], atol=1e-5)
@@ -117,12 +115,12 @@ def test_missing_points_are_undefined_pixels(tmp_path, separator, order):
 def test_points_may_have_two_units(tmp_path, gaps):
     scaled = np.delete(POINTS, gaps, axis=0) * [1e-3, 1e-3, 1]
     path = coordinates(tmp_path / "a.xyz", scaled)
-    measurement = read_measurement(path, "", "harmonic", "um,nm")
+    measurement = read_scan(path, "", "harmonic", "um,nm")
     assert measurement.pixel_size == pytest.approx(10.0)
     assert measurement.heights.ravel()[5] == pytest.approx(MAP.ravel()[5], abs=1e-5)
-    assert_says(refusal(read_measurement, path, "", "harmonic", "um"), "--unit mm,nm gives")
+    assert_says(refusal(read_scan, path, "", "harmonic", "um"), "--unit mm,nm gives")
     line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
-    np.testing.assert_allclose(read_measurement(line, unit="um,nm").heights, MAP[0], atol=1e-5)
+    np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -135,7 +133,7 @@ def test_points_may_have_two_units(tmp_path, gaps):
 )
 def test_points_that_make_no_map_are_refused(tmp_path, points):
     path = coordinates(tmp_path / "a.xyz", points)
-    message = refusal(read_measurement, path, "", "harmonic", "nm")
+    message = refusal(read_scan, path, "", "harmonic", "nm")
     assert_says(message, "a.xyz: expected points x, y, height on a regular grid")
 
 
@@ -150,9 +148,9 @@ def test_other_texts_keep_their_words(content):
 def test_values_other_than_lengths_are_refused_with_their_unit(tmp_path):
     lines = [*HEAD[:3], "# Value units: mV", *matrix(" ")]
     path = written(tmp_path / "a.txt", [line.replace(",", ".") for line in lines])
-    assert_says(refusal(read_measurement, path), "found a text of values in mV")
+    assert_says(refusal(read_scan, path), "found a text of values in mV")
 
 
 def test_ragged_rows_are_refused(tmp_path):
     path = written(tmp_path / "a.txt", [*matrix(" "), "1 2 3 4 5 6"])
-    assert_says(refusal(read_measurement, path), "found a text that is neither a matrix")
+    assert_says(refusal(read_scan, path), "found a text that is neither a matrix")

@@ -6,7 +6,8 @@ import xarray as xr
 from repository import ROOT, copy_repository, run_snakemake
 
 from hardcontact.surfaces.height_map import level
-from hardcontact.surfaces.scans import examine, list_measurements, read_measurement, read_scan
+from hardcontact.surfaces.scan_defects import examine
+from hardcontact.surfaces.scans import list_scans, read_scan
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")
@@ -28,9 +29,7 @@ def test_real_scans_have_their_levelled_rms_height(path, member, size, rms_heigh
 
 
 def test_the_real_container_is_read_whole():
-    measurements = [
-        read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)
-    ]
+    measurements = [read_scan(CONTAINER, dataset) for dataset in list_scans(CONTAINER)]
     assert [measurement.kind for measurement in measurements] == ["line scan", "map", "line scan"]
     tem, afm, stylus = measurements
     assert [measurement.tip_radius for measurement in measurements] == [None, 26.0, 5000.0]
@@ -45,8 +44,8 @@ def test_the_real_container_is_read_whole():
 
 
 def test_real_scans_have_no_defect():
-    files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_measurements(CONTAINER))]
-    assert not any(examine(read_measurement(*file)).defects for file in files)
+    files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_scans(CONTAINER))]
+    assert not any(examine(read_scan(*file)).defects for file in files)
 
 
 TABLE = f"""\

@@ -10,9 +10,8 @@ from random_scans import PIXEL, UNCD, levelled_scan
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import bounds
-from hardcontact.surfaces.height_map import METRICS, flat_map, metrics
+from hardcontact.surfaces.height_map import METRICS, flatten, level_and_stitch, metrics
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table, scan_averages
-from hardcontact.surfaces.scans import level_and_stitch
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
 from hardcontact.surfaces.substitute_scans import add_sphere
 
@@ -48,7 +47,7 @@ def maps():
 @pytest.fixture(scope="module")
 def table(maps):
     examples = {
-        name: level_and_stitch(measurement(maps[name, 1].heights, PIXEL), "measured", radius)[0]
+        name: level_and_stitch(measurement(maps[name, 1].heights, PIXEL), radius)[0]
         for name, radius in (("uncd", None), ("ruby", 250e3))
     }
     spectra = {
@@ -80,10 +79,10 @@ def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
 @pytest.mark.parametrize("radius", [None, 250e3])
 def test_a_prepared_scan_is_levelled_and_stitched_and_keeps_its_notes(maps, radius):
     scan = replace(measurement(maps["ruby", 1].heights, PIXEL), notes=("cropped", "filled"))
-    levelled, stitched = level_and_stitch(scan, "substitute", radius, "lines")
+    levelled, stitched = level_and_stitch(scan, radius, "lines")
     np.testing.assert_array_equal(stitched.heights[48:, 48:], levelled.heights[::-1, ::-1])
     assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped; filled"
     assert (levelled.attrs["periodic"], stitched.attrs["periodic"]) == (0, 1)
     assert ("as_scanned" in levelled) == (radius is not None)
-    heights = flat_map(maps["ruby", 1], radius, "lines").heights
+    heights = flatten(maps["ruby", 1], radius, "lines").heights
     np.testing.assert_allclose(levelled.heights, heights, atol=1e-4)

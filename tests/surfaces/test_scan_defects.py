@@ -8,8 +8,7 @@ from scipy.ndimage import gaussian_filter
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import level_quadratic
 from hardcontact.surfaces.protrusions import Protrusions, add_protrusions
-from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
-from hardcontact.surfaces.scans import examine, height_map
+from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence, examine
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 20.0, 128
@@ -128,7 +127,7 @@ def test_curvature_has_the_share_of_the_rms_height_without_it():
 def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():
     scan = measurement(curved(34, 1.0, 30e3, 90e3), PIXEL)
     flat = examine(scan, levelling="quadratic")
-    plain = level_quadratic(height_map(measurement(rough(34, 1.0), PIXEL)))
+    plain = level_quadratic(measurement(rough(34, 1.0), PIXEL))
     np.testing.assert_allclose(flat.heights, plain.heights, atol=1e-6)
     assert not flat.defects
 
@@ -143,7 +142,7 @@ def test_no_self_affine_surface_has_a_defect(batch):
 
 
 def protruded(seed):
-    scan = height_map(measurement(rough(seed, 5.0), PIXEL))
+    scan = measurement(rough(seed, 5.0), PIXEL)
     return add_protrusions(generator(seed), scan, Protrusions(3.0, 7.0, 40.0), 5.0).heights
 
 

@@ -35,18 +35,13 @@ from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wid
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.own.own_spectrum import own_spectrum
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.limited_process import RefusedFile
+from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
-from hardcontact.surfaces.scans import (
-    Measurement,
-    examine,
-    flatten,
-    height_map,
-    read_measurement,
-)
+from hardcontact.surfaces.scans import read_scan as read_any_scan
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.theory.prediction import prediction
@@ -97,8 +92,8 @@ def read_scan(
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
-    measurement = read_measurement(path, dataset, undefined_pixels, unit, map_size)
-    return _prepare(measurement, sphere_radius, levelling)
+    scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size))
+    return _prepare(scan, sphere_radius, levelling)
 
 
 def from_topography(
@@ -140,18 +135,14 @@ def from_topography(
         values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
     except RefusedFile as error:
         raise ValueError(f"topography: {error}") from None
-    return _prepare(_measurement(values["heights"], values["pixel_size"]), sphere_radius, levelling)
+    scan = HeightMap(values["heights"], values["pixel_size"])
+    return _prepare(scan, sphere_radius, levelling)
 
 
-def _prepare(measurement: Measurement, sphere_radius: float | None, levelling: str) -> HeightMap:
-    """Return the height map of a measurement, levelled and in float32 like in the study's files."""
-    scan = height_map(flatten(measurement, sphere_radius, levelling))
-    return replace(scan, heights=scan.heights.astype(np.float32))
-
-
-def _measurement(heights: np.ndarray, pixel_size: float) -> Measurement:
-    """Return heights (y, x) in nm as a measurement without a file."""
-    return Measurement("scan", "", "", "nm", "map", heights, pixel_size, None, (), 0)
+def _prepare(scan: HeightMap, sphere_radius: float | None, levelling: str) -> HeightMap:
+    """Return a height map levelled and in float32, like in the study's files."""
+    flat = flatten(scan, sphere_radius, levelling)
+    return replace(flat, heights=flat.heights.astype(np.float32))
 
 
 def read_spectrum(
@@ -397,7 +388,7 @@ def predict(
     check_positive(tolerance=tolerance)
     if isinstance(spectrum, HeightMap):
         check_heights(spectrum.heights, "spectrum")
-        scan = examine(_measurement(spectrum.heights.astype(float), spectrum.pixel_size))
+        scan = examine(HeightMap(spectrum.heights.astype(float), spectrum.pixel_size))
         joined = joined_spectrum([scan], [None])
         spectrum = reliable_spectrum(joined, metrics(spectrum)["skewness"])
     if not isinstance(spectrum, Spectrum):

@@ -3,14 +3,11 @@
 from hardcontact.base.code import PINS, code_inputs, template_inputs
 from hardcontact.base.origin import canonical
 from hardcontact.config import start
-from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
+from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
 from hardcontact.config.model import PAPER
-from hardcontact.config.store_keys import store_digests
 
 STUDY = start.checked_configuration(workflow, config)
-PATTERNS = Patterns(
-    f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"], store_digests(STUDY)
-)
+PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
 #: How intervals follow from random samples.
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}

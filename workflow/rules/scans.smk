@@ -1,5 +1,6 @@
 # Scans: substitutes where none was measured; all scans are then prepared in the same way.
 
+from hardcontact.config.configuration import reading_keys
 from hardcontact.config.grids import realization_pixels
 
 SCAN_GRID = {
@@ -41,12 +42,7 @@ rule read_scan:
         PATTERNS.benchmark("read_scan", PATTERNS.measurement)
     params:
         canonical=lambda w: canonical(
-            {
-                "dataset": SELECTION.dataset(w.surface, int(w.scan)),
-                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
-                "unit": STUDY["scan"]["unit"],
-                "map_size": STUDY["scan"]["map_size"],
-            }
+            reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))
         ),
     script:
         "../scripts/read_scan.py"

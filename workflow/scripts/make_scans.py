@@ -4,9 +4,9 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import multiply_amplitudes
-from hardcontact.surfaces.scans import LEVELLED, STITCHED, level_and_stitch
+from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.substitute_scans import ScanGrid, convert_to_measurement, synthesize_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, synthesize_scan, synthesized_map
 
 with job(snakemake) as job:
     params = job.parameters
@@ -33,9 +33,8 @@ with job(snakemake) as job:
             output=index,
             file_format="NETCDF3_64BIT",
         )
-        measurement = convert_to_measurement(scan, job.output[index])
         levelled_scan, stitched_scan = level_and_stitch(
-            measurement, "substitute", params["sphere_radius"]
+            synthesized_map(scan, job.output[index]), params["sphere_radius"]
         )
         job.write(levelled_scan, LEVELLED, levelled_output)
         job.write(stitched_scan, STITCHED, stitched_output)

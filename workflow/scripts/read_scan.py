@@ -1,10 +1,10 @@
 """A measured scan as its file has it, in nm: a map on square pixels, or a line scan."""
 
 from hardcontact.base.job import job
-from hardcontact.surfaces.scans import read_measurement
+from hardcontact.surfaces.scans import read_scan
 
 with job(snakemake) as job:
     job.write(
-        read_measurement(job.input.scan, **job.parameters).to_dataset(),
+        read_scan(job.input.scan, **job.parameters).to_dataset(),
         title="heights of a measured scan, as read",
     )

@@ -2,8 +2,8 @@
 
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
+from hardcontact.surfaces.height_map import flatten, read_height_map
 from hardcontact.surfaces.joined_spectrum import sample_spectra
-from hardcontact.surfaces.scans import flatten, read_stored
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as job:
@@ -16,7 +16,7 @@ with job(snakemake) as job:
             for realization in range(1, len(job.output) + 1)
         ),
         [
-            flatten(read_stored(file), params["sphere_radius"], params["levelling"])
+            flatten(read_height_map(file), params["sphere_radius"], params["levelling"])
             for file in job.input.measurements
         ],
         params["tip_radii"],

@@ -16,7 +16,7 @@ with job(snakemake) as job:
         rng = generator(params["seed"], surface, realization, f"{side}-scale master")
         master = synthesize_master(side, rng, scan, scales, spectrum)
         job.write(
-            master.dataset(),
+            master.to_dataset(),
             title=f"{side}-scale master: realization {realization} of {surface}",
             output=side,
         )

@@ -95,6 +95,20 @@ def read_record(path: str | Path) -> Record | None:
         ) from None
 
 
+def is_current(path: str | Path, parameters: str, source: str) -> bool:
+    """Return whether a job made a file from a source with these parameters, and nothing changed.
+
+    Raises ValueError, with one line, if the record of the file is damaged.
+    """
+    record = read_record(path)
+    if record is None or record["parameters"] != parameters:
+        return False
+    recorded = record["input_digests"] | {str(path): record["sha256"]}
+    return Path(source).as_posix() in recorded and all(
+        Path(name).is_file() and digest(name) == value for name, value in recorded.items()
+    )
+
+
 def refuse_changed(digests_now: Mapping[str, str]) -> None:
     """Raise ValueError, in one line, if files are not as a job made them.
 

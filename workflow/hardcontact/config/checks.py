@@ -8,15 +8,17 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base import published
-from hardcontact.config.configuration import get_key
+from hardcontact.base.origin import canonical, is_current
+from hardcontact.config.configuration import get_key, reading_keys
 from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
-from hardcontact.config.patterns import PUBLISHED_TABLES
+from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
-from hardcontact.surfaces.scans import read_measurement, read_scan
+from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
+from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import needs_calibration, read_segments
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
@@ -30,7 +32,7 @@ RELIEF_OVER_RMS = 4.5
 
 
 def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
-    """Refuse a study that would fail in a job; measured scans are read after all other checks.
+    """Refuse a study that would fail in a job; new scans are read after all other checks.
 
     Quantities in `config` are numbers; `compared` are the surfaces with a published pull-off force.
     Raises ValueError with a line for each fault, which names the key or the file.
@@ -99,23 +101,29 @@ def _own_surface_checks(
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     spectrum_scans = table[table.use != CONTACT]
-    for path, dataset in zip(spectrum_scans.path, spectrum_scans.dataset, strict=True):
-        checks.append(partial(read_measurement, path, dataset, **_reading(config)))
+    checks += [partial(stored_scan, config, row) for row in spectrum_scans.itertuples()]
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
         checks.append(partial(measured_forces, config["forces"], list(substrates.unique())))
     return checks
 
 
-def _reading(config: dict[str, Any]) -> dict[str, Any]:
-    """Return the keys with which scans are read, by the names of arguments."""
-    return {name: config["scan"][name] for name in ("undefined_pixels", "unit", "map_size")}
+def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
+    """Return a measured scan of a row of the table, as `read_scan` reads it.
+
+    The rule read_scan stores scans: a file is read here only if it, its keys or the code changed.
+    """
+    stored = study_patterns(config).measurement.format(surface=row.surface, scan=row.scan)
+    arguments = reading_keys(config, row.dataset)
+    if is_current(stored, canonical(arguments), row.path):
+        return read_height_map(stored)
+    return read_scan(row.path, **arguments)
 
 
 def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
     """Return the grid of the scans of a surface from its rows in the table.
 
-    Measured scans are read; their relief is the largest of all scans. The relief of a substitute is
+    The relief of measured scans is the largest of all. The relief of a substitute is
     the relief of its largest master. Raises ValueError with one line if a scan is unusable or its
     pixels differ from the first scan's.
     """
@@ -142,17 +150,17 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
 
 
 def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    """Return the grid of measured scans, all of which are read."""
+    """Return the grid of the measured scans of a surface."""
     grids: list[Grid] = []
-    for path, dataset in zip(rows.path, rows.dataset, strict=True):
-        scan = read_scan(path, dataset, **_reading(config))
+    for row in rows.itertuples():
+        scan = require_map(stored_scan(config, row))
         relief = float(np.ptp(scan.heights))
         if relief == 0:
-            raise ValueError(f"{path}: expected a rough surface, found constant height")
+            raise ValueError(f"{row.path}: expected a rough surface, found constant height")
         grids.append(Grid(scan.pixels, scan.pixel_size, scan.size, relief))
         if not same_grid(grids[0], grids[-1]):
             raise ValueError(
-                f"{path}: expected, as in the first scan of {surface}, "
+                f"{row.path}: expected, as in the first scan of {surface}, "
                 f"{grids[0].pixels} pixels of {grids[0].pixel_size:.4g} nm; "
                 f"found {scan.pixels} of {scan.pixel_size:.4g} nm"
             )

@@ -121,6 +121,12 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
     )
 
 
+def reading_keys(config: Mapping[str, Any], dataset: str) -> dict[str, Any]:
+    """Return the arguments of `read_scan` for a scan of the study, given its column `dataset`."""
+    names = ("undefined_pixels", "unit", "map_size")
+    return {"dataset": dataset} | {name: config["scan"][name] for name in names}
+
+
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
     """Return the key of each setting of the masters of one side that a section filters.
 

@@ -3,6 +3,9 @@
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
+from typing import Any
+
+from hardcontact.config.store_keys import store_digests
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
 PUBLISHED_TABLES = {
@@ -95,6 +98,16 @@ class Patterns:
             return f"{self.results}/{kind}/{rule}{suffix}"
         _, *folders = PurePosixPath(output).relative_to(self.store).with_suffix(suffix).parts
         return "/".join((self.store, kind, rule, *folders))
+
+
+def study_patterns(configuration: Mapping[str, Any]) -> Patterns:
+    """Return the paths of a study."""
+    return Patterns(
+        f"results/{configuration['study']}",
+        configuration["store"],
+        configuration["sphere"]["surface"],
+        store_digests(configuration),
+    )
 
 
 def any_name_pattern(names: Iterable[str]) -> str:

@@ -23,7 +23,8 @@ from hardcontact.own.inventory import Entry, entries_by_surface
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 
-#: Fewest pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
+#: Fewest pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well, a
+#: tenth of those in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm: 343).
 MIN_RADIUS_PIXELS = 32
 #: Height of the sphere above its apex at the border of the window, relative to the range of
 #: adhesion (14 in the paper) and to the rms height.

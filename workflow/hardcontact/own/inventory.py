@@ -11,16 +11,13 @@ from hardcontact.base.formatting import format_length
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.own.request import Source
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
+from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import split_notes
-from hardcontact.surfaces.scans import (
-    Measurement,
-    examine,
-    list_measurements,
-    read_measurement,
-)
+from hardcontact.surfaces.scans import list_scans, read_scan
 from hardcontact.surfaces.spectrum import Floats
 
 #: The use of scans that only enter the spectrum of their surface.
@@ -103,12 +100,10 @@ def inventory(
         file_entries = []
         faults = []
         try:
-            for dataset in list_measurements(source.file):
+            for dataset in list_scans(source.file):
                 try:
-                    measurement = read_measurement(
-                        source.file, dataset or channel, FILLING, unit, map_size
-                    )
-                    file_entries.append(_entry(source, measurement, tip_radius, levelling))
+                    scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size)
+                    file_entries.append(_entry(source, scan, tip_radius, levelling))
                 except ValueError as error:
                     file = f"{source.file}: "
                     faults += [
@@ -156,38 +151,33 @@ def entry_contradiction_lines(entries: Sequence[Entry]) -> Iterator[str]:
         yield from contradiction_lines(differences, [scan.name for scan in scans])
 
 
-def _entry(
-    source: Source, measurement: Measurement, tip_radius: float | None, levelling: str
-) -> Entry:
+def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling: str) -> Entry:
     """Return the entry of one topography; raise ValueError if it cannot be used."""
-    relief = np.ptp(measurement.heights)
+    relief = np.ptp(scan.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = examine(measurement, source.sphere_radius, levelling)
-    levelled = flat.heights
-    if flat.kind != "map":  # A line scan is levelled by its mean line.
-        position = np.arange(len(levelled))
-        levelled = levelled - np.polynomial.Polynomial.fit(position, levelled, 1)(position)
+    flat = examine(scan, source.sphere_radius, levelling)
+    peak_to_valley = float(np.ptp(flat.heights))
     _, density = measured_psd(flat)
-    stated_radius = measurement.tip_radius
+    stated_radius = scan.tip_radius
     radius = tip_radius if stated_radius is None else stated_radius
     return Entry(
         source=source,
-        dataset=measurement.dataset,
-        channel=measurement.channel,
-        file_unit=measurement.file_unit,
-        kind=measurement.kind,
-        pixels=measurement.heights.shape[0],
-        pixel_size=measurement.pixel_size,
-        rms_height=float(levelled.std()),
-        peak_to_valley=float(np.ptp(levelled)),
-        relief=float(max(relief, np.ptp(levelled))),
+        dataset=scan.dataset,
+        channel=scan.channel,
+        file_unit=scan.file_unit,
+        kind=scan.kind,
+        pixels=scan.pixels,
+        pixel_size=scan.pixel_size,
+        rms_height=float(flat.heights.std()),
+        peak_to_valley=peak_to_valley,
+        relief=max(float(relief), peak_to_valley),
         tip_radius=radius,
         tip_given=radius is not stated_radius,
         band=reliable_band(flat, radius, density),
         density=density,
-        undefined=measurement.undefined,
-        notes=measurement.notes,
+        undefined=scan.undefined,
+        notes=scan.notes,
         defects=flat.defects,
     )
 

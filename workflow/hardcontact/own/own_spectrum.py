@@ -21,14 +21,9 @@ from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictio
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.scan_defects import defect_sentence
+from hardcontact.surfaces.scan_defects import defect_sentence, examine
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
-from hardcontact.surfaces.scans import (
-    examine,
-    height_map,
-    list_measurements,
-    read_measurement,
-)
+from hardcontact.surfaces.scans import list_scans, read_scan
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Pairs of columns. A table has one column of each pair, and a column with its unit.
@@ -95,13 +90,9 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
-        examine(
-            read_measurement(path, member, undefined_pixels, unit, map_size),
-            sphere_radius,
-            levelling,
-        )
+        examine(read_scan(path, member, undefined_pixels, unit, map_size), sphere_radius, levelling)
         for path in files
-        for member in ([dataset] if dataset else list_measurements(path))
+        for member in ([dataset] if dataset else list_scans(path))
     ]
     for scan in scans:
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
@@ -131,7 +122,7 @@ def own_spectrum(
     differing = contradiction_lines(contradictions(*columns), names)
     notes += [f"{TAKE_CARE}{line}" for line in differing]
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
-    skewnesses = [metrics(height_map(scan))["skewness"] for scan in scans if scan.kind == "map"]
+    skewnesses = [metrics(scan)["skewness"] for scan in scans if scan.kind == "map"]
     spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))
     return OwnSpectrum(spectrum, tuple(notes))
 

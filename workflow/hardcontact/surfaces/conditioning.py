@@ -25,12 +25,12 @@ from hardcontact.surfaces.spectrum import (
 from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 
-#: Number of components of the gain. The amplitudes of the second and the third relative to the
-#: first are fitted.
+#: Number of components of the gain, as many as rows of Table 1 are met. The amplitudes of the
+#: second and the third relative to the first are fitted.
 COMPONENT_COUNT = 3
 #: Largest amplitude of a component relative to that of the longest wavelengths, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
-#: Relative error at which a target counts as met.
+#: Relative error at which a target counts as met: far below the digits of Table 1.
 TOLERANCE = 1e-9
 
 

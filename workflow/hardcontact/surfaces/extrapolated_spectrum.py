@@ -11,10 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.surfaces.hurst_exponent import ROLLOFF_COUNT, HurstFit
-from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_size
+from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     BIN_WIDTH,
@@ -37,11 +35,98 @@ MAX_HALF_LAPLACIAN = 7.52
 MAX_ROLLOFF = 10.0
 #: Fewest decades to which the Hurst exponent is fitted: five bins.
 MIN_FITTED_DECADES = 0.39
-#: Directions that waves are averaged over.
+#: Directions that waves are averaged over: more change a share by less than 0.5 % (line scan) or
+#: 1e-6 (map).
 DIRECTION_COUNT = 64
 #: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
 STEEPEST_SLOPE = -4.0
 LOG_WAVEVECTORS = np.log(WAVEVECTORS)
+#: Exponents s of C0 (1 + (q/q_r)^2s)^(-(1 + H)/s): from a gradual to a sharp roll-off at q_r.
+SHARPNESS = (1.0, 2.0, 4.0)
+#: Bounds of the fitted roll-off: factors on the first and the last wavevector. Below the lower one
+#: the fit is a power law; above the upper one hardly a bin is left for its exponent.
+ROLLOFF_BOUNDS = (0.1, 0.7)
+#: Roll-off wavelengths that are compared. In a trial on a scan of 10 µm, four times as many changed
+#: the roll-off by 6 %, far less than its uncertainty, and the Hurst exponent by 0.0002.
+ROLLOFF_COUNT = 61
+#: Standard deviation of the Hurst exponent below the wavelengths measured: surfaces are self-affine
+#: over some decades at best.
+HURST_SCATTER = 0.1
+#: Least probability of a Hurst exponent within 0 to 1 at which a self-affine surface fits: the
+#: usual level of significance.
+MIN_TRUNCATED_PROBABILITY = 0.05
+#: Share of a normal distribution within 0 to 1, below which a case of the mixture is left out: its
+#: weight is negligible, and its mean would be a ratio of rounding errors.
+NEGLIGIBLE_SHARE = 1e-9
+
+
+class HurstFit(NamedTuple):
+    """The Hurst exponent of the shortest waves; 0 or 1 if no exponent between them fits."""
+
+    exponent: float
+    error: float  #: Standard error of the fit, with HURST_SCATTER.
+    shortest: float  #: Wavelengths in nm of the bins fitted.
+    longest: float
+
+
+def fit_hurst_exponent(wavevector: Floats, density: Floats, variance: Floats) -> HurstFit:
+    """Return the Hurst exponent of at least three bins, fitted together with the roll-off.
+
+    Bins of the last decade follow ln C = ln C0 - (1 + H) ln(1 + (q/q_r)^2s)/s, a weighted
+    regression for each roll-off q_r and s. The prior is uniform in ln q_r, in SHARPNESS, and in H
+    within 0 to 1. The exponent is the posterior mean; its error has HURST_SCATTER.
+    """
+    is_fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
+    is_fitted[-MIN_BINS:] = True
+    q = wavevector[is_fitted]
+    log_density = np.log(density[is_fitted])
+    weight = 1 / variance[is_fitted]
+    rolloffs = np.geomspace(ROLLOFF_BOUNDS[0] * q[0], ROLLOFF_BOUNDS[1] * q[-1], ROLLOFF_COUNT)
+    sharpness = np.array(SHARPNESS)[:, None, None]
+    falls = -np.log1p((q / rolloffs[:, None]) ** (2 * sharpness)) / sharpness
+    falls = falls.reshape(-1, len(q))
+    total = weight.sum()
+    centred = falls - (falls @ weight)[:, None] / total
+    spread = centred**2 @ weight
+    slopes = centred @ (weight * log_density) / spread
+    residuals = log_density - log_density @ weight / total - slopes[:, None] * centred
+    log_evidence = -(residuals**2 @ weight) / 2 - np.log(spread) / 2
+    probability = np.exp(log_evidence - log_evidence.max())
+    probability /= probability.sum()
+    exponent, variance_of_mean = _truncated_moments(slopes - 1, 1 / np.sqrt(spread), probability)
+    error = np.sqrt(variance_of_mean + HURST_SCATTER**2)
+    return HurstFit(float(exponent), float(error), *(2 * np.pi / q[[-1, 0]]).tolist())
+
+
+def _truncated_moments(
+    exponents: Floats, errors: Floats, probability: Floats
+) -> tuple[Floats, Floats]:
+    """Return mean and variance of a mixture of normal exponents (case,), truncated to 0 to 1.
+
+    If the probability of this range is below MIN_TRUNCATED_PROBABILITY, the mean is clipped to it.
+    """
+    from scipy.special import ndtr
+
+    low, high = -exponents / errors, (1 - exponents) / errors
+    truncated_share = ndtr(high) - ndtr(low)
+    total = probability @ truncated_share
+    if total < MIN_TRUNCATED_PROBABILITY:
+        mean = probability @ exponents
+        return np.clip(mean, 0, 1), probability @ (errors**2 + (exponents - mean) ** 2)
+    cases = truncated_share > NEGLIGIBLE_SHARE
+    low, high = low[cases], high[cases]
+    exponents, errors = exponents[cases], errors[cases]
+    truncated_share, probability = truncated_share[cases], probability[cases]
+    low_density = np.exp(-(low**2) / 2) / np.sqrt(2 * np.pi)
+    high_density = np.exp(-(high**2) / 2) / np.sqrt(2 * np.pi)
+    shift = (low_density - high_density) / truncated_share
+    means = exponents + errors * shift
+    variances = errors**2 * (
+        1 + (low * low_density - high * high_density) / truncated_share - shift**2
+    )
+    weight = probability * truncated_share / total
+    mean = weight @ means
+    return mean, weight @ (variances + (means - mean) ** 2)
 
 
 class Tail(NamedTuple):
@@ -153,19 +238,17 @@ class LongWaves:
     """The farthest-reaching scans of a surface, and the evidence of their rms height."""
 
     def __init__(
-        self, scans: Sequence[Measurement], densities: Floats, bands: Sequence[ReliableBand]
+        self, scans: Sequence[HeightMap], densities: Floats, bands: Sequence[ReliableBand]
     ) -> None:
         """Store the evidence of all scans, with their PSDs (scan, bins) in nm⁴ and their bands."""
         longest = max(band.longest for band in bands)
         widest_indices = [index for index, band in enumerate(bands) if band.longest == longest]
         self.kind = scans[widest_indices[0]].kind
-        self.size = measured_size(scans[widest_indices[0]])
+        self.size = scans[widest_indices[0]].size
         self.count = len(widest_indices)
-        heights = [
-            np.asarray(levelled_topography(scans[index]).heights()) for index in widest_indices
-        ]
+        variances = [level(scans[index]).heights.T.var() for index in widest_indices]
         #: The mean variance of the levelled heights in nm².
-        self.variance = float(np.mean([float(values.var()) for values in heights]))
+        self.variance = float(np.mean(variances))
         self._density = np.nan_to_num(densities[widest_indices]).mean(axis=0)
         shortest = min(bands[index].shortest for index in widest_indices)
         self._unreliable = 2 * np.pi / BIN_CENTRES < shortest

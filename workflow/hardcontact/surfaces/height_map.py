@@ -1,8 +1,8 @@
-"""Height maps: levelling, subtracting the sphere, mirror stitching, rms metrics."""
+"""Height maps and line scans: levelling, subtracting the sphere, mirror stitching, rms metrics."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -12,39 +12,53 @@ from hardcontact.base.formatting import format_length
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from SurfaceTopography import Topography
+    from SurfaceTopography import Topography, UniformLineScan
 
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
-    """A surface on square pixels; heights grow out of the material.
+    """A surface on square pixels, or a line scan; heights grow out of the material.
 
-    Heights (y, x) and the side of a pixel are in nm. A periodic map repeats beyond its edges.
-    The basis is ``"measured"`` or ``"substitute"``.
+    Heights (y, x), or (x,) of a line scan, and the side of a pixel are in nm. A periodic map
+    repeats beyond its edges. The basis is ``"measured"`` or ``"substitute"``.
     """
 
     heights: np.ndarray
     pixel_size: float
     periodic: bool = False
     basis: str = "measured"
+    path: str = "scan"  #: Of the file, as messages name it.
+    dataset: str = ""  #: The data file in a container, the channel of any other file, or empty.
+    channel: str = ""  #: Name of the channel that was read.
+    file_unit: str = "nm"  #: Unit of length that the file, or its container, states.
+    tip_radius: float | None = None  #: In nm, if the file or its container states one.
+    notes: tuple[str, ...] = ()  #: What was changed or chosen in reading, in words for the user.
+    undefined: int = 0  #: Undefined pixels among those kept, before they were filled.
+    #: The result of `scan_defects`, after `examine`.
+    defects: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Return pixels, their size and the rms height."""
-        rows, columns = self.heights.shape
+        counts = " x ".join(map(str, reversed(self.heights.shape)))
         kind = "periodic, " * self.periodic + self.basis
         return (
-            f"HeightMap({columns} x {rows} pixels of {format_length(self.pixel_size)}, rms height "
+            f"HeightMap({counts} pixels of {format_length(self.pixel_size)}, rms height "
             f"{format_length(float(self.heights.std()))}, {kind})"
         )
 
     @property
+    def kind(self) -> str:
+        """The kind of scan: ``"map"`` or ``"line scan"``."""
+        return "map" if self.heights.ndim == 2 else "line scan"
+
+    @property
     def pixels(self) -> int:
-        """Pixels along a side of a square map."""
+        """Pixels along a side of a square map, or points of a line scan."""
         return int(self.heights.shape[0])
 
     @property
     def size(self) -> float:
-        """Edge of a square map in nm."""
+        """Edge of a square map, or length of a line scan, in nm."""
         return self.pixels * self.pixel_size
 
     def plot(self, axes: "Axes | None" = None) -> "Axes":
@@ -69,55 +83,76 @@ class HeightMap:
         axes.figure.colorbar(image, ax=axes, label="height (nm)")
         return axes
 
-    def dataset(self) -> xr.Dataset:
-        """Return the map as a dataset: float32 heights with coordinates in nm."""
+    def to_dataset(self) -> xr.Dataset:
+        """Return heights with coordinates in nm; all other fields but defects are attributes."""
+        axes = ("y", "x")[-self.heights.ndim :]
         coordinates = {
             axis: (
                 (axis,),
                 (0.5 + np.arange(count)) * self.pixel_size,
                 {"units": "nm", "long_name": f"{axis} position"},
             )
-            for axis, count in zip("yx", self.heights.shape, strict=True)
+            for axis, count in zip(axes, self.heights.shape, strict=True)
         }
-        attributes = {
+        labels = {
             "units": "nm",
             "long_name": "surface height",
             "pixel_size": float(self.pixel_size),
         }
-        return xr.Dataset(
-            {"heights": (("y", "x"), self.heights.astype("float32"), attributes)},
-            coordinates,
-            {"periodic": int(self.periodic), "basis": self.basis},
-        )
+        attributes = {
+            **{name: getattr(self, name) for name in TEXT_FIELDS},
+            "periodic": int(self.periodic),
+            "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
+            "notes": "; ".join(self.notes),
+            "undefined": self.undefined,
+        }
+        return xr.Dataset({"heights": (axes, self.heights, labels)}, coordinates, attributes)
+
+
+#: Fields of a height map that are texts.
+TEXT_FIELDS = ("basis", "path", "dataset", "channel", "file_unit")
 
 
 def read_height_map(path: str) -> HeightMap:
     """Read a height map from a netCDF file of the study; raises ValueError if it is unreadable."""
     map_dataset = dataset.read(path)
     heights = map_dataset["heights"]
+    attributes = map_dataset.attrs
+    texts: dict[str, Any] = {name: str(attributes[name]) for name in TEXT_FIELDS}
+    tip_radius = float(attributes["tip_radius"])
+    notes = attributes["notes"]
     return HeightMap(
         heights.values,
         float(heights.attrs["pixel_size"]),
-        bool(map_dataset.attrs["periodic"]),
-        str(map_dataset.attrs["basis"]),
+        bool(attributes["periodic"]),
+        **texts,
+        tip_radius=None if np.isnan(tip_radius) else tip_radius,
+        notes=tuple(notes.split("; ")) if notes else (),
+        undefined=int(attributes["undefined"]),
     )
 
 
-def library_map(surface: HeightMap) -> "Topography":
-    """Return a height map as a Topography of SurfaceTopography, whose first axis is x."""
-    from SurfaceTopography import Topography
+def library_topography(scan: HeightMap) -> "Topography | UniformLineScan":
+    """Return a scan as an object of SurfaceTopography, whose first axis is x."""
+    from SurfaceTopography import Topography, UniformLineScan
 
-    sizes = tuple(count * surface.pixel_size for count in surface.heights.T.shape)
-    return Topography(np.asarray(surface.heights, dtype=float).T, sizes, unit="nm")
+    heights = np.asarray(scan.heights, dtype=float).T
+    if scan.kind == "line scan":
+        return UniformLineScan(heights, scan.size, unit="nm")
+    sizes = tuple(count * scan.pixel_size for count in heights.shape)
+    return Topography(heights, sizes, unit="nm")
 
 
 def level(scan: HeightMap) -> HeightMap:
-    """Return a scan minus its least-squares plane, equal bit by bit to SurfaceTopography's."""
+    """Return a scan minus its least-squares plane or line, equal to SurfaceTopography's."""
     heights = np.asarray(scan.heights, dtype=float).T
-    x, y = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
-    design = np.column_stack([np.ones(heights.size), x.ravel(), y.ravel()])
-    offset, slope_x, slope_y = np.linalg.lstsq(design, heights.ravel(), rcond=None)[0]
-    return replace(scan, heights=(heights - offset - slope_x * x - slope_y * y).T)
+    axes = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
+    design = np.column_stack([np.ones(heights.size), *(axis.ravel() for axis in axes)])
+    offset, *slopes = np.linalg.lstsq(design, heights.ravel(), rcond=None)[0]
+    levelled = heights - offset
+    for slope, axis in zip(slopes, axes, strict=True):
+        levelled = levelled - slope * axis
+    return replace(scan, heights=levelled.T)
 
 
 def level_lines(scan: HeightMap) -> HeightMap:
@@ -126,13 +161,13 @@ def level_lines(scan: HeightMap) -> HeightMap:
     Each line loses its least-squares line, then its median: drift and jumps of the feedback, but
     also all real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
     """
-    aligned = library_map(scan).scan_line_align(direction="x", mode="median", degree=1)
+    aligned = library_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
     return level(replace(scan, heights=aligned.heights().T))
 
 
 def level_quadratic(scan: HeightMap) -> HeightMap:
     """Return a scan minus its least-squares polynomial of second order, to remove a bow."""
-    return replace(scan, heights=library_map(scan).detrend("curvature").heights().T)
+    return replace(scan, heights=library_topography(scan).detrend("curvature").heights().T)
 
 
 #: Ways to level a scan, by their names in the configuration.
@@ -143,14 +178,18 @@ LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {
 }
 
 
-def flat_map(
+def flatten(
     scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan levelled, after subtracting the sphere that it shows (radius in nm), if any.
+    """Return a scan levelled, after subtracting the sphere that a map shows (radius in nm), if any.
 
     The apex of the paraboloid x²/2R is at the centre of the scan. Another apex would add a plane,
-    which levelling removes.
+    which levelling removes. A line scan loses its mean line, whatever the levelling.
     """
+    if levelling not in LEVELLING:
+        raise ValueError(f"levelling: expected {', '.join(LEVELLING)}, found {levelling}")
+    if scan.kind == "line scan":
+        return level(scan)
     if sphere_radius is not None:
         rows, columns = scan.heights.shape
         y = (np.arange(rows) - (rows - 1) / 2) * scan.pixel_size
@@ -167,6 +206,34 @@ def mirror_stitch(scan: HeightMap) -> HeightMap:
     """
     wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
     return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
+
+
+def require_map(scan: HeightMap) -> HeightMap:
+    """Return a scan that is a map; raises ValueError for a line scan."""
+    if scan.kind != "map":
+        raise ValueError(f"{scan.path}: expected a height map, found a line scan")
+    return scan
+
+
+#: Titles of the files with the results of `level_and_stitch`.
+LEVELLED = "levelled scan, the sphere subtracted if it shows one"
+STITCHED = "scan and its mirror images, periodic"
+
+
+def level_and_stitch(
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
+) -> tuple[xr.Dataset, xr.Dataset]:
+    """Return a levelled map and its mirror-stitched map (y, x) in nm, in float32.
+
+    The levelled scan of a sphere (radius in nm) also has ``as_scanned``, the heights as read.
+    """
+    flat = flatten(require_map(scan), sphere_radius, levelling)
+    flat = replace(flat, heights=flat.heights.astype("float32"))
+    levelled = flat.to_dataset()
+    if sphere_radius is not None:
+        labels = {"units": "nm", "long_name": "height of the sphere as scanned"}
+        levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
+    return levelled, mirror_stitch(flat).to_dataset()
 
 
 #: Metrics of a height map with their units and long names, in the order of Table 1.

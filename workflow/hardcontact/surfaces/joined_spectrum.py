@@ -9,13 +9,15 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.extrapolated_spectrum import (
+    HurstFit,
     LongWaves,
     Tail,
     extrapolate_long_waves,
     extrapolate_short_waves,
+    fit_hurst_exponent,
     has_exponent,
 )
-from hardcontact.surfaces.hurst_exponent import HurstFit, fit_hurst_exponent
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import (
     Curve,
     MeanBins,
@@ -31,7 +33,6 @@ from hardcontact.surfaces.measured_spectrum import (
     measured_psd,
 )
 from hardcontact.surfaces.reliable_band import ReliableBand, limit_by_tip, reliable_band
-from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     MIN_BINS,
@@ -62,7 +63,7 @@ class _MeasuredSpectra(NamedTuple):
 
 
 def _measured_spectra(
-    measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
+    measurements: Sequence[HeightMap], tip_radii: Sequence[float | None]
 ) -> _MeasuredSpectra:
     """Return the spectra of measurements; raises ValueError if fewer than MIN_BINS are reliable."""
     radii = [
@@ -93,7 +94,7 @@ def _measured_spectra(
 
 
 def joined_spectrum(
-    measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
+    measurements: Sequence[HeightMap], tip_radii: Sequence[float | None]
 ) -> xr.Dataset:
     """Return the spectrum of a surface, joined from its levelled measurements within their bands.
 
@@ -131,7 +132,7 @@ def joined_spectrum(
 
 def sample_spectra(
     rngs: Iterable[np.random.Generator],
-    measurements: Sequence[Measurement],
+    measurements: Sequence[HeightMap],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
     """Yield, by generator, a spectrum of a surface within the uncertainty of its measurements.

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-#: The largest file in bytes.
+#: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
 #: Bytes of memory of the child: the maximum, those for any file, those for each byte of a file.
 MAX_MEMORY = 4 * 2**30
@@ -30,7 +30,7 @@ MEMORY_PER_BYTE = 200
 MAX_SECONDS = 120
 SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
-#: Elapsed time in s, with waits for a processor.
+#: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT = 600
 #: The longest message in characters.
 MAX_MESSAGE = 2000

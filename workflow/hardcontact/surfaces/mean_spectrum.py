@@ -29,9 +29,11 @@ from hardcontact.surfaces.spectrum import (
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.
 SLOPE_CHANGE = 2.0
-#: Probability of so much power by chance below which a bin holds a line, such as a grating's.
+#: Probability of so much power by chance below which a bin holds a line, such as a grating's: among
+#: 60 bins, one in 170 spectra has a false line.
 LINE_PROBABILITY = 1e-4
-#: The largest change of ln C with which a curve may match the variance of the bins.
+#: The largest change of ln C with which a curve may match the variance of the bins: it only bounds
+#: the search for a root, beyond any ratio of densities in a spectrum.
 MAX_LOG_CHANGE = 20.0
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, if both have many waves.

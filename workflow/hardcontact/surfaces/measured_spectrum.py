@@ -5,12 +5,10 @@ Fourier Transform and Its Applications): C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt
 """
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from hardcontact.surfaces.height_map import HeightMap, level, library_map
-from hardcontact.surfaces.scans import Measurement
+from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, Floats, measured_psds, profile_psd
 
 #: Share of independent waves under a Hann window, along one axis:
@@ -34,53 +32,33 @@ INTEGRATION_POINTS = np.linspace(0, 7.6, 400)
 FLATTEST_PROFILE_SLOPE = -1.0
 
 
-def measured_size(measurement: Measurement) -> float:
-    """Return the length of a profile, or the shorter side of a map, in nm."""
-    return float(min(measurement.heights.shape) * measurement.pixel_size)
-
-
-def levelled_topography(measurement: Measurement) -> Any:
-    """Return a measurement as an object of SurfaceTopography, minus its plane or line."""
-    from SurfaceTopography import UniformLineScan
-
-    if measurement.kind == "map":
-        return library_map(_levelled_map(measurement))
-    return UniformLineScan(
-        np.asarray(measurement.heights, float), measured_size(measurement), unit="nm"
-    ).detrend("height")
-
-
-def _levelled_map(measurement: Measurement) -> HeightMap:
-    return level(HeightMap(measurement.heights, measurement.pixel_size, False, "measured"))
-
-
-def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
-    """Return BIN_CENTRES and C_iso (nm⁴), NaN in empty bins, of a levelled measurement."""
-    if measurement.kind == "map":
-        wavevector, _, density = measured_psds(_levelled_map(measurement))
+def measured_psd(scan: HeightMap) -> tuple[Floats, Floats]:
+    """Return BIN_CENTRES and C_iso (nm⁴), NaN in empty bins, of a scan, which is levelled."""
+    levelled = level(scan)
+    if scan.kind == "map":
+        wavevector, _, density = measured_psds(levelled)
         return wavevector, density
-    profile = profile_psd(levelled_topography(measurement))
-    waves = independent_waves(measurement)
-    return BIN_CENTRES, isotropic_from_profile(BIN_CENTRES, profile, waves)
+    waves = independent_waves(scan)
+    return BIN_CENTRES, isotropic_from_profile(BIN_CENTRES, profile_psd(levelled), waves)
 
 
-def axis_ratio(measurement: Measurement) -> Floats:
+def axis_ratio(scan: HeightMap) -> Floats:
     """Return the ratio (bins,) of C_1D along both axes of a map, at least 1.
 
-    It is 1 in empty bins and for a profile.
+    It is 1 in empty bins and for a line scan.
     """
-    if measurement.kind != "map":
+    if scan.kind == "line scan":
         return np.ones(len(BIN_CENTRES))
-    levelled = _levelled_map(measurement)
-    profile_x = profile_psd(library_map(levelled))
-    profile_y = profile_psd(library_map(replace(levelled, heights=levelled.heights.T)))
+    levelled = level(scan)
+    profile_x = profile_psd(levelled)
+    profile_y = profile_psd(replace(levelled, heights=levelled.heights.T))
     ratio = np.maximum(profile_x / profile_y, profile_y / profile_x)
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
 
-def independent_waves(measurement: Measurement) -> Floats:
+def independent_waves(scan: HeightMap) -> Floats:
     """Return the number of independent waves in each bin of a measured PSD, at least 1."""
-    return waves_in_bins(measurement.kind, measured_size(measurement))
+    return waves_in_bins(scan.kind, scan.size)
 
 
 def waves_in_bins(kind: str, size: float) -> Floats:

@@ -14,16 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length
+from hardcontact.surfaces.height_map import HeightMap, level, library_topography
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
-    levelled_topography,
     local_slopes,
     measured_psd,
-    measured_size,
     variance_of_log,
 )
-from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE_BINS, Floats
 
 #: The shortest wavelength in pixels, and the ratio of the size to the longest wavelength. Longer
@@ -78,38 +76,37 @@ class ReliableBand(NamedTuple):
 
 
 def reliable_band(
-    measurement: Measurement, tip_radius: float | None, density: Floats | None = None
+    scan: HeightMap, tip_radius: float | None, density: Floats | None = None
 ) -> ReliableBand:
-    """Return the reliable wavelengths of a measurement, with their limits.
+    """Return the reliable wavelengths of a scan, with their limits.
 
     The radius of the tip is in nm, None if unknown. `density` (bins,) in nm⁴ comes from
     `measured_psd`; None to compute it.
     """
     if density is None:
-        _, density = measured_psd(measurement)
-    pixels = MIN_PIXELS * measurement.pixel_size, "pixels"
-    shortest, limit = max([pixels, *_spectral_ends(measurement, density)])
-    band = ReliableBand(shortest, measured_size(measurement) / MIN_WAVES_IN_SIZE, limit)
-    return band if tip_radius is None else limit_by_tip(band, measurement, tip_radius)
+        _, density = measured_psd(scan)
+    pixels = MIN_PIXELS * scan.pixel_size, "pixels"
+    shortest, limit = max([pixels, *_spectral_ends(scan, density)])
+    band = ReliableBand(shortest, scan.size / MIN_WAVES_IN_SIZE, limit)
+    return band if tip_radius is None else limit_by_tip(band, scan, tip_radius)
 
 
-def limit_by_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) -> ReliableBand:
+def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> ReliableBand:
     """Return a band that ends at the cutoff of a tip with a radius in nm, if that is longer."""
-    cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
-        tip_radius, rtol=TOLERANCE
-    )
+    topography = library_topography(level(scan))
+    cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TOLERANCE)
     if cutoff is None or cutoff <= band.shortest:
         return band
     return band._replace(shortest=float(cutoff), limited_by="tip")
 
 
-def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
+def _spectral_ends(scan: HeightMap, density: Floats) -> list[tuple[float, str]]:
     """Return the wavelengths (nm) of noise and smoothing, with their codes in LIMIT_NAMES."""
-    mask = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * measurement.pixel_size <= 2 * np.pi)
+    mask = np.isfinite(density) & (BIN_CENTRES * MIN_PIXELS * scan.pixel_size <= 2 * np.pi)
     q = BIN_CENTRES[mask]
-    variance = variance_of_log(independent_waves(measurement)[mask])
+    variance = variance_of_log(independent_waves(scan)[mask])
     slope, error = local_slopes(q, density[mask], variance)
-    axes_differ = axis_ratio(measurement)[mask] > MAX_AXIS_RATIO
+    axes_differ = axis_ratio(scan)[mask] > MAX_AXIS_RATIO
     is_smoothed = slope + MIN_STANDARD_ERRORS * error < np.where(
         axes_differ, STEEPEST_SELF_AFFINE_SLOPE, STEEPEST_FACET_SLOPE
     )

@@ -5,6 +5,7 @@ after levelling, a lay and edges.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import product
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length, format_share
+from hardcontact.surfaces.height_map import HeightMap, flatten
 from hardcontact.surfaces.spectrum import Floats
 
 
@@ -127,6 +129,14 @@ def scan_defects(
         for code, defect in DEFECTS.items()
         if numbers.get(code)
     }
+
+
+def examine(
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
+) -> HeightMap:
+    """Return a scan from `flatten`, with its defects."""
+    flat = flatten(scan, sphere_radius, levelling)
+    return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
 
 
 def _spike_numbers(heights: Floats) -> list[float]:

@@ -42,7 +42,8 @@ for module in IMPORTED_LATE:
 
 #: The lists of scans in containers, new and old, in the order in which they are looked for.
 INDEX_FILES = ("index.json", "meta.yml")
-#: Largest number of scans in a container; each is read in its own process.
+#: Largest number of scans in a container. Each is read in its own process, which takes
+#: 0.05 s for 512 x 512 pixels: so many take a minute.
 MAX_SCANS = 1000
 #: Keys of the data file of a scan: the measured file, or else the processed file, whose channel is
 #: already selected and whose heights are already scaled.
@@ -74,10 +75,10 @@ def list_datasets(content: bytes) -> dict[str, Any]:
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
 
-def read_measurement_fields(
+def read_fields(
     content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str
 ) -> dict[str, Any]:
-    """Return all fields of a `Measurement` except its path, for `scans.read_measurement`."""
+    """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
     entries = _container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
@@ -131,7 +132,6 @@ def read_measurement_fields(
         "dataset": dataset if entry or len(reader.channels) > 1 else "",
         "channel": channel.name,
         "file_unit": topography.unit,
-        "kind": "map" if is_map else "line scan",
         "tip_radius": tip_radius,
         **values,
         "notes": [*notes, *values["notes"], *tip_notes],

@@ -69,7 +69,7 @@ def unit_in_nm(unit: str) -> float:
 
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
-    """Return these fields of a `Measurement`; refuse impossible heights and pixel sizes."""
+    """Return these fields of a `HeightMap`; refuse impossible heights and pixel sizes."""
     minimum, maximum = LENGTH_BOUNDS
     # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))

@@ -17,11 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.base import dataset
 from hardcontact.base.formatting import format_length
-from hardcontact.surfaces.height_map import HeightMap, library_map
+from hardcontact.surfaces.height_map import HeightMap, library_topography
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from SurfaceTopography import Topography, UniformLineScan
 
 Floats = NDArray[np.float64]
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
@@ -90,23 +89,7 @@ class Spectrum:
 
 
 def read_spectrum(path: str) -> Spectrum:
-    """Read a spectrum from a file of the study.
-
-    Parameters
-    ----------
-    path : str
-        A dataset that `spectrum_dataset` made.
-
-    Returns
-    -------
-    Spectrum
-        C_iso in nm⁴ over wavevectors in rad/nm.
-
-    Raises
-    ------
-    ValueError
-        If the file is unreadable.
-    """
+    """Read a spectrum from a file of the study; raises ValueError if it is unreadable."""
     return spectrum_of_dataset(dataset.read(path))
 
 
@@ -143,14 +126,14 @@ def measured_psds(scan: HeightMap) -> tuple[Floats, Floats, Floats]:
     >>> scan = hc.read_scan("scan.nc")
     >>> wavevector, profile, isotropic = hc.measured_psds(scan)
     """
-    topography = library_map(scan)
-    isotropic = topography.power_spectrum_from_area(**PSD_ARGUMENTS)[1]
-    return BIN_CENTRES, profile_psd(topography), _mark_empty_bins(isotropic)
+    isotropic = library_topography(scan).power_spectrum_from_area(**PSD_ARGUMENTS)[1]
+    return BIN_CENTRES, profile_psd(scan), _mark_empty_bins(isotropic)
 
 
-def profile_psd(topography: "Topography | UniformLineScan") -> Floats:
+def profile_psd(scan: HeightMap) -> Floats:
     """Return C_1D along x (bins,) in nm³, measured with a Hann window; NaN in empty bins."""
-    return _mark_empty_bins(topography.power_spectrum_from_profile(**PSD_ARGUMENTS)[1])
+    profile = library_topography(scan).power_spectrum_from_profile(**PSD_ARGUMENTS)[1]
+    return _mark_empty_bins(profile)
 
 
 def _mark_empty_bins(density: ArrayLike) -> Floats:

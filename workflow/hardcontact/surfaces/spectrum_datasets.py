@@ -10,10 +10,9 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.extrapolated_spectrum import Tail
-from hardcontact.surfaces.measured_spectrum import measured_size
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
-from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     DATA_BASES,
@@ -29,7 +28,7 @@ END_UNITS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), 
 
 
 def measurement_descriptions(
-    measurements: Sequence[Measurement],
+    measurements: Sequence[HeightMap],
     radii: Sequence[float | None],
     bands: Sequence[ReliableBand],
 ) -> list[dict[str, Any]]:
@@ -40,7 +39,7 @@ def measurement_descriptions(
     return [
         {
             "kind": measurement.kind,
-            "size": measured_size(measurement),
+            "size": measurement.size,
             "pixel_size": measurement.pixel_size,
             "shortest_reliable": band.shortest,
             "longest_reliable": band.longest,

@@ -7,7 +7,6 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import SpectrumFunction
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -72,8 +71,8 @@ def synthesize_scan(
     )
 
 
-def convert_to_measurement(synthesized: xr.Dataset, path: str) -> Measurement:
-    """Return the scan of `synthesize_scan` as a measurement, as if read from its file."""
+def synthesized_map(synthesized: xr.Dataset, path: str) -> HeightMap:
+    """Return the scan of `synthesize_scan` as if read from its file."""
     heights = synthesized["heights"].values.T
     pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
-    return Measurement(path, "", "Default", "nm", "map", heights, pixel_size, None, (), 0)
+    return HeightMap(heights, pixel_size, basis="substitute", path=path, channel="Default")

@@ -33,7 +33,7 @@ Weights = tuple[Floats, Floats]
 #: Bins of wavevectors in which weights are added up, and rows added at a time.
 BIN_COUNT = 4000
 BLOCK_ROWS = 512
-#: Relative error at which a number of Table 1 counts as met.
+#: Relative error at which a number of Table 1 counts as met: far below its digits.
 TOLERANCE = 1e-9
 #: Calibrated parameters by model, and parameters whose logarithms are searched.
 SEARCHED_PARAMETERS = {

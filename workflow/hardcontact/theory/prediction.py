@@ -13,8 +13,7 @@ import numpy as np
 from hardcontact.base.formatting import format_length
 from hardcontact.base.number import Number
 from hardcontact.contact.contact import Contact
-from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves
-from hardcontact.surfaces.hurst_exponent import fit_hurst_exponent
+from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
 from hardcontact.surfaces.spectrum import (
