@@ -1,0 +1,151 @@
+"""Octaves: waves are split without loss, and the sensitivities are derivatives."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from periodic_maps import height_map, periodic_noise
+
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import pull_off_forces
+from hardcontact.inference.octaves import (
+    FACTORS,
+    STEP,
+    band_of_surface,
+    band_ratios,
+    octave_forces,
+    octave_limits,
+    octaves,
+    octaves_of_surface,
+    sensitivities,
+    surface_within,
+)
+from hardcontact.inference.scan_parts import ScanParts
+
+#: Pixel size (nm) and pixels of a map of 2560 nm.
+PIXEL_SIZE, PIXELS = 20.0, 128
+
+
+def wavy(*wavelengths):
+    """A map of 2560 nm with waves of 1 nm along y."""
+    y = np.arange(PIXELS) * PIXEL_SIZE
+    profile = sum(np.cos(2 * np.pi * y / wavelength) for wavelength in wavelengths)
+    return height_map(np.tile(profile[:, None], PIXELS), PIXEL_SIZE)
+
+
+def rough_map():
+    """A map without waves beyond its octaves, of 4 nm."""
+    noise = height_map(periodic_noise(PIXELS, 4.0, 3), PIXEL_SIZE)
+    return surface_within(noise, 80.0, 2561.0)
+
+
+def mean_force(surface):
+    contact = Contact(radius=50e3, preload=10e-6, hardness=25e9, window=2560.0, count=16, range=5.0)
+    return pull_off_forces(bodies(surface, None, contact), [contact], [contact.range])[0, 0].mean()
+
+
+def whole_parts(count):
+    """Parts of some maps: the maps themselves."""
+    numbers = np.broadcast_to(np.arange(count)[:, None, None], (count, 1, 1))
+    return ScanParts(numbers, np.eye(count), count)
+
+
+def test_octaves_end_within_the_waves_of_a_map():
+    limits = octave_limits(41.0, 1000.0)
+    np.testing.assert_array_equal(limits, [80.0, 160.0, 320.0, 640.0])
+
+
+def test_each_wave_is_in_one_octave_with_its_shorter_limit():
+    surface = wavy(160.0, 256.0, 1280.0)
+    waves = list(octaves(surface, [80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0]))
+    rms = [float(octave.heights.std()) for octave in waves]
+    np.testing.assert_allclose(rms, [0, 1, 0, 0, np.sqrt(0.5)], atol=1e-6)
+    np.testing.assert_allclose(sum(octave.heights for octave in waves), surface.heights, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("shortest", "longest", "kept"),
+    [
+        (None, None, (160.0, 512.0, 1280.0)),
+        (200.0, None, (512.0, 1280.0)),
+        (None, 600.0, (160.0, 512.0)),
+        (200.0, 600.0, (512.0,)),
+    ],
+)
+def test_a_part_of_the_roughness_keeps_its_waves_alone(shortest, longest, kept):
+    part = surface_within(wavy(160.0, 512.0, 1280.0), shortest, longest)
+    np.testing.assert_allclose(part.heights, wavy(*kept).heights, atol=1e-5)
+
+
+def test_the_octaves_add_up_to_the_derivative_for_all_roughness():
+    surface = rough_map()
+    limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2561.0]
+    attenuated, amplified = octave_forces(surface, limits, mean_force).T
+    total = np.log(amplified / attenuated).sum() / (2 * STEP)
+    low, high = (mean_force(height_map(surface.heights * f, PIXEL_SIZE)) for f in FACTORS)
+    assert total == pytest.approx(np.log(high / low) / (2 * STEP), rel=0.02)
+    assert abs(total) > 0.3
+
+
+def test_the_central_difference_converges(monkeypatch):
+    surface = rough_map()
+
+    def derivative(step):
+        monkeypatch.setattr("hardcontact.inference.octaves.FACTORS", (1 - step, 1 + step))
+        ((attenuated, amplified),) = octave_forces(surface, [640.0, 1280.0], mean_force)
+        return np.log(amplified / attenuated) / (2 * step)
+
+    limit = derivative(0.001)
+    errors = [abs(derivative(step) - limit) for step in (4 * STEP, 2 * STEP, STEP)]
+    assert errors[0] > errors[1] > errors[2]
+    assert errors[2] < 0.05 * abs(limit)
+
+
+def test_the_sensitivity_of_a_power_is_its_exponent():
+    # Forces that are powers of the rms height of one wave, on three maps of different size.
+    maps = [
+        octaves_of_surface(
+            height_map(scale * wavy(160.0).heights, PIXEL_SIZE),
+            [80.0, 160.0, 320.0],
+            lambda surface: np.full((1, 1), surface.heights.std() ** -1.5),
+        )
+        for scale in (1.0, 2.0, 3.0)
+    ]
+    forces = xr.concat(maps, "map").octave_force
+    result = sensitivities(forces, whole_parts(3), 0.95)
+    exponent = -1.5 * np.arctanh(STEP) / STEP
+    np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
+    assert result.octave.values.tolist() == [80.0, 160.0]
+
+
+def test_ratios_of_a_band_have_intervals_over_maps():
+    maps = [
+        band_of_surface(
+            height_map(scale * wavy(160.0, 512.0, 1280.0).heights, PIXEL_SIZE),
+            200.0,
+            600.0,
+            lambda surface: np.full((1, 1), surface.heights.var()),
+        )
+        for scale in (1.0, 2.0, 3.0)
+    ]
+    ratios = band_ratios(xr.concat(maps, "map").band_force, whole_parts(3), 0.95)
+    np.testing.assert_allclose(ratios.band_force_ratio, [1 / 3, 2 / 3, 2 / 3], rtol=1e-6)
+    # Each map has the same ratios: the jackknife has nothing but rounding to vary.
+    assert ratios.band_force_ratio_interval.isnull().all() or np.ptp(
+        ratios.band_force_ratio_interval, axis=-1
+    ) == pytest.approx(0, abs=1e-5)
+
+
+def test_the_interval_of_a_ratio_is_that_of_student_on_linear_scatter():
+    # Nearly equal maps: the jackknife is Student's t of the relative scatter.
+    rng = np.random.default_rng(1)
+    scatter = 1 + 1e-4 * rng.standard_normal(5)
+    force = xr.DataArray(
+        np.stack([np.ones(5), scatter, np.ones(5), np.ones(5)], 1)[..., None, None],
+        {"band_part": ["all", "only the band", "no shorter waves", "no longer waves"]},
+        ("map", "band_part", "contact_y", "contact_x"),
+    )
+    low, high = band_ratios(force, whole_parts(5), 0.95).band_force_ratio_interval[0].values
+    quantile = 2.7764451051977934  # Student's t of four degrees of freedom
+    half = quantile * scatter.std(ddof=1) / np.sqrt(5)
+    assert (high - low) / 2 == pytest.approx(half, rel=1e-3)
