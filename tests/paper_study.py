@@ -38,7 +38,6 @@ def claims():
         accepted_low=0.8 * numbers,
         accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
         frequency=np.where(numbers % 3, 0.58, np.nan),
-        stability=np.where(numbers % 3, 0.9, np.nan),
         verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(STATEMENTS))],
         basis="substitute scans",
     )[list(COLUMNS)]

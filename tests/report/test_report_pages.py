@@ -33,7 +33,6 @@ def evaluated(**values):
             "accepted_low": [2.0, 1.0, -np.inf],
             "accepted_high": [4.0, np.inf, 0.2],
             "frequency": [0.87, np.nan, np.nan],
-            "stability": [0.68, np.nan, np.nan],
             "verdict": ["undecided", "not reproduced", "not testable"],
             "follows_from": ["", "first", ""],
             "basis": ["substitute scans", "no scan", "substitute scans"],
@@ -76,12 +75,6 @@ def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
     rows = claim_facts(evaluated(open_end=end))["claims"]
     assert interval in rows["first"]["computed_text"]
     assert "or " not in rows["second"]["computed_text"]
-
-
-@pytest.mark.parametrize(("stability", "count"), [(0.68, 1), (0.96, 0), (np.nan, 0)])
-def test_facts_count_verdicts_that_may_change_with_the_seed(stability, count):
-    facts = claim_facts(evaluated(stability=stability))
-    assert facts["unstable"] == facts["claims"]["first"]["may_change"] == count
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,6 @@ rule evaluate_claims:
             {
                 "datasets": DATASETS,
                 "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
             }
         ),
     script:

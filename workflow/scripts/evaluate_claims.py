@@ -13,6 +13,5 @@ with job(snakemake) as job:
         published.constants(job.input.published_constants),
         params["confidence"],
         read(job.input.sets),
-        params["seed"],
     )
     job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")

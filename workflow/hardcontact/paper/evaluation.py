@@ -14,7 +14,6 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.base.random import generator
 from hardcontact.base.statistics import bounds
 from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
 from hardcontact.paper.numbers import variable_as_number
@@ -31,7 +30,6 @@ from hardcontact.paper.verdicts import (
     accepted_range,
     interval_with_sets,
     replicas_vary,
-    stability,
 )
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
@@ -63,7 +61,7 @@ DATASETS = (
 )  # fmt: skip
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
-    "accepted_low", "accepted_high", "frequency", "verdict", "stability", "follows_from", "basis",
+    "accepted_low", "accepted_high", "frequency", "verdict", "follows_from", "basis",
     "note",
 )  # fmt: skip
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
@@ -107,16 +105,15 @@ def evaluate(
     constants: pd.DataFrame,
     confidence: float,
     sets: xr.Dataset,
-    seed: int,
 ) -> pd.DataFrame:
     """Compare every claim with its computed number; return one row per claim with `COLUMNS`.
 
-    ``value`` (set, claim) of sets.nc gives frequency, stability and, if it varies, the interval of
-    a replicated claim; the seed selects the random numbers of the stability. A claim about a
-    surface or a contact model that the study lacks is left out. Raises ValueError if a claim needs
-    a dataset, a variable or an attribute that is missing.
+    ``value`` (set, claim) of sets.nc gives the frequency of a replicated claim and, if it varies,
+    its interval and verdict. A claim about a surface or a contact model that the study lacks is
+    left out. Raises ValueError if a claim needs a dataset, a variable or an attribute that is
+    missing.
     """
-    common = _Common(datasets["topography"], constants, sets, confidence, seed)
+    common = _Common(datasets["topography"], constants, sets, confidence)
     rows = []
     for claim, claim_number in _compute_all(statements, datasets, constants, confidence):
         if claim_number is not None:
@@ -132,7 +129,6 @@ class _Common(NamedTuple):
     constants: pd.DataFrame
     sets: xr.Dataset
     confidence: float
-    seed: int
 
 
 class _ClaimNumber(NamedTuple):
@@ -215,16 +211,15 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
 
 
 def _judge(claim: Any, number: xr.Dataset, fixed: str, common: _Common) -> dict[str, Any]:
-    """Return number, interval, verdict and stability of a claim; a fixed verdict or ``""``."""
+    """Return number, interval, frequency and verdict of a claim; `fixed` is a verdict or ``""``."""
     value = float(number["value"])
     replicas = _claim_replicas(claim, common.sets)
     low, high = _claim_interval(claim, number, replicas, common.confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
-    judged = fixed or accepted.verdict(value, low, high)
-    share_kept = np.nan
-    if replicas_vary(replicas) and not fixed:
-        rng = generator(common.seed, claim.id, "stability")
-        share_kept = stability(accepted.verdict, judged, replicas, common.confidence, rng)
+    if replicas_vary(replicas):
+        verdict = accepted.verdict_of_sets(replicas)
+    else:
+        verdict = accepted.verdict(value, low, high)
     return {
         "computed": value,
         "low": low,
@@ -232,8 +227,7 @@ def _judge(claim: Any, number: xr.Dataset, fixed: str, common: _Common) -> dict[
         "accepted_low": accepted.low,
         "accepted_high": accepted.high,
         "frequency": accepted.accepts(replicas).mean() if len(replicas) else np.nan,
-        "verdict": judged,
-        "stability": share_kept,
+        "verdict": fixed or verdict,
     }
 
 

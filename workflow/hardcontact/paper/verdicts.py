@@ -1,9 +1,9 @@
 """Rules that turn a number, its interval and the published limits into a verdict.
 
-Many equally good sets of scans give the interval of a number and the stability of its verdict.
+If many equally good sets of scans have the number, the share of sets that agree decides.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,20 +15,19 @@ from numpy.typing import ArrayLike
 from hardcontact.base.statistics import percentile_interval
 from hardcontact.inference.edges import last_cutoff
 
+AGREES = "agrees"  # A number without an interval.
 BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable"
 EXPERIMENT = "model beside experiment"
 VERDICTS = (
-    "reproduced", "consistent", "undecided", "not reproduced", BY_CONSTRUCTION, UNTESTABLE,
+    "reproduced", AGREES, "undecided", "not reproduced", BY_CONSTRUCTION, UNTESTABLE,
     EXPERIMENT,
 )  # fmt: skip
 
 #: Rules with a single limit. They reject the limit itself; the other rules accept their limits.
 ONE_SIDED = ("below", "above", "order")
-#: Number of resamplings of all sets: a share near 0.9 has an error of 0.015.
-RESAMPLINGS = 400
-#: Smallest share of the resamplings that keeps a stable verdict.
-MIN_STABILITY = 0.95
+#: Share of the sets that must agree with a statement, or disagree: the usual level of significance.
+REPRODUCED_SHARE = 0.95
 
 
 @dataclass(frozen=True)
@@ -46,17 +45,27 @@ class AcceptedRange:
             return (self.low <= values) & (values <= self.high)
         return (self.low < values) & (values < self.high)
 
+    def verdict_of_sets(self, replicas: np.ndarray) -> str:
+        """Judge the numbers (set,) of equally good sets by the share of sets that agree.
+
+        A set without a number does not agree.
+        """
+        share = self.accepts(replicas).mean()
+        if share >= REPRODUCED_SHARE:
+            return "reproduced"
+        return "not reproduced" if share <= 1 - REPRODUCED_SHARE else "undecided"
+
     def verdict(self, computed: float, low: float, high: float) -> str:
         """Judge a number, NaN if none exists, and its interval, NaN if it has none.
 
         Reproduced: the whole interval is accepted. Undecided: it contains accepted and rejected
         numbers, or no number exists. Not reproduced: the whole interval is rejected. A number
-        without an interval is consistent if it is accepted, otherwise not reproduced.
+        without an interval agrees if it is accepted, otherwise it is not reproduced.
         """
         if np.isnan(computed):
             return "undecided"
         if np.isnan(low) or np.isnan(high):
-            return "consistent" if self.accepts(computed) else "not reproduced"
+            return AGREES if self.accepts(computed) else "not reproduced"
         if self.accepts([low, high]).all():
             return "reproduced"
         if self.with_limits:
@@ -127,26 +136,6 @@ def interval_with_sets(
     ends = sets_interval(replicas, confidence) if replicas_vary(replicas) else np.array(interval)
     low, high = stretch_interval(ends, value)
     return float(low), float(high)
-
-
-def stability(
-    judge: Callable[[float, float, float], str],
-    original_verdict: str,
-    replicas: np.ndarray,
-    confidence: float,
-    rng: np.random.Generator,
-) -> float:
-    """Return the share of `RESAMPLINGS` resamplings of all sets that keep the verdict.
-
-    Another seed gives other sets, and the study is another set. Both are simulated from the present
-    numbers (set,): all sets are sampled again with replacement, and one of them is taken for the
-    study (the bootstrap: B. Efron, The Annals of Statistics 7, 1979, 1).
-    """
-    resampled_sets = rng.choice(replicas, size=(len(replicas), RESAMPLINGS))
-    study_numbers = rng.choice(replicas, size=RESAMPLINGS)
-    low, high = stretch_interval(sets_interval(resampled_sets, confidence), study_numbers)
-    numbers_and_ends = zip(study_numbers.tolist(), low.tolist(), high.tolist(), strict=True)
-    return float(np.mean([judge(*ends) == original_verdict for ends in numbers_and_ends]))
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:

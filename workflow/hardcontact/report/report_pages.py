@@ -13,7 +13,7 @@ from markdown_it.token import Token
 
 from hardcontact.base.formatting import format_as_paper, is_boundless
 from hardcontact.paper.selection import LARGER_PIXELS, WITHOUT_SCAN
-from hardcontact.paper.verdicts import BY_CONSTRUCTION, MIN_STABILITY, summary
+from hardcontact.paper.verdicts import BY_CONSTRUCTION, REPRODUCED_SHARE, summary
 from hardcontact.report.quantities import NO_INTERVAL
 from hardcontact.report.templates import rendered
 
@@ -54,15 +54,15 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
     `claims` has rows by their ids, with printed numbers, and `counts` rows of `verdicts.summary`.
-    The numbers of findings: `unstable` with the seed, `without_scan` reproduced without any scan,
-    `larger_pixels` testable only with the paper's pixels.
+    The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
+    only with the paper's pixels.
     """
     pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
     return {
         "claims": facts,
         "counts": summary(claims).to_dict("records"),
-        "unstable": sum(row["may_change"] for row in facts.values()),
+        "decisive_share": REPRODUCED_SHARE,
         "without_scan": sum(
             (row["kind"], row["verdict"], row["basis"])
             == ("independent", "reproduced", WITHOUT_SCAN)
@@ -76,7 +76,7 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
 
 
 def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
-    """Return the numbers of a claim as printed, its kind, and whether its verdict may change."""
+    """Return the numbers of a claim as printed, and its kind."""
     unit = row["unit"]
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
@@ -87,7 +87,6 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
         "published_text": format_as_paper(row["published"], unit),
         "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
         "computed_text": computed_text,
-        "may_change": row["stability"] < MIN_STABILITY,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
 
