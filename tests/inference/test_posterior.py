@@ -1,0 +1,55 @@
+"""The posterior against closed forms: laws that are linear in the logarithms give normals."""
+
+import numpy as np
+import pytest
+
+from hardcontact.inference.posterior import describe_samples, log_mean_error, posterior_samples
+
+COUNT = 40_000
+LOG_RANGES = np.linspace(np.log(0.01), np.log(1000.0), 2001)
+
+
+def sample(exponents, log_targets, errors, draws=1, scatter=0.0):
+    """Samples of ln range and ln work if forces are powers of the range."""
+    rng = np.random.default_rng(1)
+    curves = np.multiply.outer(exponents, LOG_RANGES) + scatter * rng.standard_normal(
+        (draws, len(exponents), 1)
+    )
+    index, log_work = posterior_samples(curves, np.array(log_targets), np.array(errors), rng, COUNT)
+    return LOG_RANGES[index], log_work
+
+
+def test_two_powers_determine_range_and_work():
+    # ln F1 = ln W + ln rho, ln F2 = ln W - ln rho: half the difference, half the sum.
+    log_range, log_work = sample([1.0, -1.0], [3.0, 1.0], [0.2, 0.1])
+    deviation = np.hypot(0.2, 0.1) / 2
+    for samples, mean in ((log_range, 1.0), (log_work, 2.0)):
+        assert samples.mean() == pytest.approx(mean, abs=5 * deviation / np.sqrt(COUNT))
+        assert samples.std() == pytest.approx(deviation, rel=0.02)
+
+
+def test_an_even_error_of_the_draws_adds_to_that_of_the_forces():
+    log_range, _ = sample([1.0, -1.0], [3.0, 1.0], [0.1, 0.1], draws=4000, scatter=0.3)
+    assert log_range.std() == pytest.approx(np.sqrt(2 * (0.1**2 + 0.3**2)) / 2, rel=0.05)
+
+
+def test_equal_powers_leave_the_range_to_its_prior():
+    log_range, log_work = sample([0.0, 0.0], [1.0, 1.0], [0.1, 0.1])
+    middle, span = LOG_RANGES[[0, -1]].mean(), np.ptp(LOG_RANGES)
+    assert log_range.mean() == pytest.approx(middle, abs=0.01 * span)
+    assert log_range.std() == pytest.approx(span / np.sqrt(12), rel=0.02)
+    assert log_work.std() == pytest.approx(0.1 / np.sqrt(2), rel=0.02)
+
+
+def test_the_error_of_a_mean_is_that_of_a_log_normal():
+    forces = np.random.default_rng(2).lognormal(0, 0.7, (200_000, 6)).mean(axis=1)
+    relative = forces.std() / forces.mean()
+    assert log_mean_error(0.7, 6) == pytest.approx(np.sqrt(np.log1p(relative**2)), rel=0.01)
+    assert log_mean_error(0.7, 1) == pytest.approx(0.7)
+
+
+def test_samples_are_described_by_median_and_interval():
+    described = describe_samples(np.arange(1.0, 202.0), np.arange(201.0), 0.95)
+    assert described.range_of_adhesion == 101
+    np.testing.assert_allclose(described.work_of_adhesion_interval, [5, 195])
+    assert described.sampled_work_of_adhesion.attrs["units"] == "J m-2"
