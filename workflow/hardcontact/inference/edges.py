@@ -71,6 +71,12 @@ def edges_or_bounds(edges: xr.Dataset) -> xr.DataArray:
     return edges["edge"].fillna(edges["edge_bound"])
 
 
+def pooled_band(edges: xr.Dataset) -> tuple[float, float]:
+    """Return both edges (nm) of the mean change over all surfaces, or their bounds."""
+    pooled = edges_or_bounds(edges).sel(group=POOLED)
+    return float(pooled.sel(side="small")), float(pooled.sel(side="large"))
+
+
 def describe_edges(
     edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
 ) -> xr.Dataset:

@@ -4,25 +4,31 @@ The waves of one octave are amplified and attenuated on the same surface. Both f
 other waves, so that their ratio scatters little. F is the mean force over contacts.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
-from hardcontact.contact.contact import CONTACT_AXES
-from hardcontact.contact.pull_off import FORCE
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import FORCE, pull_off_forces
 from hardcontact.inference.scan_parts import (
     ScanParts,
     delete_one_logarithms,
     half_width,
     jackknife_variance,
+    parts_of_scans,
+    quarters_of_contacts,
 )
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.synthesis import SIDES
 
 Floats = NDArray[np.float64]
 #: Forces on one surface, of any shape.
@@ -44,6 +50,7 @@ SENSITIVITY = DIMENSIONLESS | {
     "long_name": "d ln F / d ln a: relative change of the mean pull-off force per relative change "
     "of the amplitude of one octave"
 }
+BAND_END = NM | {"long_name": "wavelength at which the band begins and ends"}
 BAND_RATIO = DIMENSIONLESS | {
     "long_name": "mean pull-off force with only a part of the roughness, relative to the force "
     "with all roughness"
@@ -137,6 +144,66 @@ def log_force_ratio(
     return np.log(ratio(xr.DataArray(True)).values), half
 
 
+def forces_with(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
+    """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
+
+    def forces(surface: HeightMap) -> Floats:
+        pair = bodies(surface, sphere, contact)
+        return np.asarray(pull_off_forces(pair, [contact], [contact.range])[0, 0])
+
+    return forces
+
+
+def join_maps(files: Mapping[tuple[Any, ...], xr.Dataset]) -> dict[str, xr.Dataset]:
+    """Return the forces on all maps of each surface; the surface is the first part of a key."""
+    surfaces: dict[str, list[xr.Dataset]] = {}
+    for (surface, *_), file in files.items():
+        surfaces.setdefault(surface, []).append(file)
+    return {surface: xr.concat(parts, "map") for surface, parts in surfaces.items()}
+
+
+def _parts_of_maps(forces: xr.Dataset, weight_deviation: float, places: float) -> ScanParts:
+    """Return the parts of the maps: the maps if there are three, otherwise their quarters."""
+    quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
+    size = float(forces.attrs["map_size"])
+    return parts_of_scans(np.arange(forces.sizes["map"]), quarters, size, weight_deviation, places)
+
+
+def all_sensitivities(
+    maps: Mapping[str, xr.Dataset],
+    radius: float,
+    rho: float,
+    places: Mapping[str, float],
+    confidence: float,
+) -> xr.Dataset:
+    """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
+
+    Radius and range are in nm; `places` comes from `mean_forces.fewest_places`.
+    """
+    deviation = float(np.sqrt(radius * rho))
+    surfaces = {}
+    for surface, forces in maps.items():
+        parts = _parts_of_maps(forces, deviation, places.get(surface, np.inf))
+        surfaces[(surface,)] = sensitivities(forces["octave_force"], parts, confidence)
+    return stack(surfaces, ["surface"]).sortby("octave")
+
+
+def all_band_ratios(
+    bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
+) -> xr.Dataset:
+    """Return ``band_force_ratio`` (surface, band, band_part) and ``band_end`` (band, side)."""
+    deviation = float(np.sqrt(radius * rho))
+    surfaces = {}
+    for surface, forces in bands.items():
+        parts = _parts_of_maps(forces, deviation, np.inf)
+        for name in forces["band"].values.tolist():
+            band_force = forces["band_force"].sel(band=name, drop=True)
+            surfaces[surface, name] = band_ratios(band_force, parts, confidence)
+    first = next(iter(bands.values()))
+    ends = first["band_end"].isel(map=0, drop=True)
+    return stack(surfaces, ["surface", "band"]).assign(band_end=ends)
+
+
 def sensitivities(octave_force: xr.DataArray, parts: ScanParts, confidence: float) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave), d ln F / d ln a, from forces on all maps.
 
@@ -170,7 +237,7 @@ def band_ratios(band_force: xr.DataArray, parts: ScanParts, confidence: float) -
 def band_of_surface(
     surface: HeightMap, shortest: float, longest: float, forces: ForcesOnSurface
 ) -> xr.Dataset:
-    """Return ``band_force`` (band_part, contact_y, contact_x) in N at 1 J/m².
+    """Return ``band_force`` (band_part, contact_y, contact_x) in N at 1 J/m², and ``band_end``.
 
     The band is from a shortest to a longest wavelength in nm.
     """
@@ -183,5 +250,9 @@ def band_of_surface(
     part_forces = [forces(surface_within(surface, *ends)) for ends in limits.values()]
     dimensions = ("band_part", *CONTACT_AXES)
     return xr.Dataset(
-        {"band_force": (dimensions, np.array(part_forces), FORCE)}, {"band_part": list(limits)}
+        {
+            "band_force": (dimensions, np.array(part_forces), FORCE),
+            "band_end": ("side", [shortest, longest], BAND_END),
+        },
+        {"band_part": list(limits), "side": list(SIDES)},
     )

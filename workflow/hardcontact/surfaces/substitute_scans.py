@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
 from hardcontact.surfaces.synthesis import random_surface
@@ -28,6 +29,20 @@ def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
     """Return the corner (pixels, pixels) of a periodic surface, with heights times a factor."""
     heights = factor * surface.heights[:pixels, :pixels].astype(float)
     return replace(surface, heights=heights, periodic=False)
+
+
+def whole_surface(
+    seed: int,
+    surface: str,
+    realization: int,
+    density: SpectrumFunction,
+    pixels: int,
+    pixel_size: float,
+) -> HeightMap:
+    """Return a periodic substitute surface (pixels, pixels), as large as a large-scale master."""
+    return random_surface(
+        generator(seed, surface, realization, "whole surface"), pixels, pixel_size, density
+    )
 
 
 def sample_scan(rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid) -> HeightMap:

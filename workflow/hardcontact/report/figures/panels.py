@@ -12,7 +12,9 @@ from matplotlib.axes import Axes
 from hardcontact.inference.edges import POOLED
 from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
+from hardcontact.report.figures.values import value_and_interval
 
+OCTAVE_SHARE = 0.84  # of an octave that its bars cover
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
 
 
@@ -68,6 +70,30 @@ def draw_edges(axes: Axes, edges: xr.Dataset, labels: xr.DataArray, end: float, 
             axes.plot(value, row, **look)
     axes.set_yticks(range(len(looks)), [*labels.values, "mean of all"])
     axes.set(ylim=(len(looks) - 0.4, -0.6))
+
+
+def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
+    """Draw d ln F / d ln a of each octave, a bar for each surface, with its interval.
+
+    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data.
+    """
+    octaves = sensitivity["octave"].values
+    surfaces = style.looks(sensitivity["surface"].values)
+    bars = value_and_interval(sensitivity, "octave_sensitivity")
+    width = OCTAVE_SHARE / len(surfaces)
+    for column, (surface, look) in enumerate(surfaces.items()):
+        positions = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
+        curve = bars.sel(surface=surface)
+        axes.bar(
+            positions, curve["value"], positions * (2**width - 1), align="edge", color=look["color"]
+        )
+        draw_bars(
+            axes, positions * 2 ** (width / 2), curve, fmt="none", ecolor="0.25", elinewidth=0.7
+        )
+    axes.axhline(0, color="0.3", lw=0.6)
+    axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="d ln F / d ln a")
+    axes.set_xlim(octaves[0], 2 * octaves[-1])
+    style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 
 
 def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:

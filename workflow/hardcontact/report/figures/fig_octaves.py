@@ -1,0 +1,62 @@
+"""Octaves: which wavelengths the force follows, and whether the published band suffices."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from hardcontact.base.formatting import format_share
+from hardcontact.report.figures import drawing, panels, style
+from hardcontact.report.figures.values import published_edge, value_and_interval
+
+PUBLISHED_BAND_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
+
+
+def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw the sensitivity to each octave, and the force with only a part of the roughness."""
+    figure, (top, bottom) = drawing.create_rows(5.4, sensitivity, (3, [1]), (2.2, [1, 1]))
+    band = [published_edge(published_constants, side) for side in ("small", "large")]
+    top[0].axvspan(*band, **PUBLISHED_BAND_LOOK)
+    panels.draw_octaves(top[0], sensitivity)
+    style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
+    tolerance = edges.attrs["tolerance"]
+    titles = {"published": "band {0[0]:g} to {0[1]:g} nm", "found": "band found here"}
+    for letter, axes, kind in zip("bc", bottom, titles, strict=True):
+        ratios = sensitivity.sel(band=kind)
+        _draw_band_ratios(axes, ratios, tolerance)
+        ends = ratios["band_end"].values
+        style.label_panel(axes, letter, f"{kind} band: {ends[0]:.3g} to {ends[1]:.4g} nm")
+    bottom[0].set_ylabel("force / force with all roughness")
+    style.legend_above(figure, _legend_handles(sensitivity, tolerance))
+    return figure
+
+
+def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
+    """Draw the force with a part of the roughness over the force with all of it."""
+    panels.draw_tolerance(axes, tolerance)
+    axes.axhline(1, color="0.6", lw=0.6, zorder=1)
+    parts = ratios["band_part"].values
+    positions = np.arange(len(parts))
+    values = value_and_interval(ratios, "band_force_ratio")
+    surfaces = style.looks(ratios["surface"].values)
+    shifts = np.linspace(-0.25, 0.25, len(surfaces))
+    for shift, (surface, look) in zip(shifts, surfaces.items(), strict=True):
+        curve = values.sel(surface=surface)
+        panels.draw_bars(axes, positions + shift, curve, ls="none", elinewidth=0.9, **look)
+    axes.set_xticks(positions, parts)
+    axes.set_xlim(-0.5, len(parts) - 0.5)
+
+
+def _legend_handles(sensitivity: xr.Dataset, tolerance: float) -> list[Artist]:
+    """Return one entry a surface and one for each kind of mark."""
+    confidence = format_share(sensitivity.attrs["confidence"])
+    return [
+        *style.surface_handles(sensitivity),
+        Line2D([], [], lw=1.0, color="0.25", label=f"{confidence} interval (bars)"),
+        Patch(label="published band", **PUBLISHED_BAND_LOOK),
+        Patch(label=f"change below {format_share(tolerance)}", **panels.UNCHANGED_LOOK),
+    ]

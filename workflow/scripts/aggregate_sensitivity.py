@@ -1,0 +1,23 @@
+"""How the force follows each octave, and the force on the band alone: sensitivity.nc."""
+
+import xarray as xr
+
+from hardcontact.base.dataset import read, read_all
+from hardcontact.base.job import job
+from hardcontact.contact.all_surfaces import with_names
+from hardcontact.inference.mean_forces import fewest_places
+from hardcontact.inference.octaves import all_band_ratios, all_sensitivities, join_maps
+
+with job(snakemake) as job:
+    params = job.parameters
+    maps = join_maps(read_all(params["maps"], job.input.maps))
+    bands = join_maps(read_all(params["bands"], job.input.bands))
+    places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
+    radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
+    results = [all_sensitivities(maps, radius, rho, places, confidence)]
+    if bands:  # Measured scans are too small for the long waves of the band.
+        results.append(all_band_ratios(bands, radius, rho, confidence))
+    job.write(
+        with_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
+        title="change of the pull-off force with the amplitude of each octave of wavelengths",
+    )

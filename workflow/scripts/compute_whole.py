@@ -1,0 +1,29 @@
+"""Forces on whole substitute surfaces: at all ranges, and with each octave amplified."""
+
+from hardcontact.base.dataset import stack
+from hardcontact.base.job import job, progress
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import mean_pull_off_of_pair
+from hardcontact.inference.octaves import forces_with, octave_limits, octaves_of_surface
+from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.substitute_scans import whole_surface
+
+with job(snakemake) as job:
+    params = job.parameters
+    contact = Contact(**params["contact"])
+    density = read_spectrum(job.input.spectrum)
+    realizations = params["realizations"]
+    surfaces = {}
+    for number in progress(realizations, len(realizations), "surfaces"):
+        surface = whole_surface(
+            params["seed"], params["surface"], number, density, **params["grid"]
+        )
+        limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
+        means = mean_pull_off_of_pair(bodies(surface, None, contact), contact, params["ranges"])
+        octaves = octaves_of_surface(surface, limits, forces_with(contact))
+        surfaces[(number,)] = octaves.merge(means)
+    job.write(
+        stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),
+        title=f"pull-off forces on whole surfaces of {params['surface']}",
+    )

@@ -1,0 +1,27 @@
+"""Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
+
+from hardcontact.base.dataset import read, stack
+from hardcontact.base.job import job, progress
+from hardcontact.contact.contact import Contact
+from hardcontact.inference.edges import pooled_band
+from hardcontact.inference.octaves import band_of_surface, forces_with
+from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.substitute_scans import whole_surface
+
+with job(snakemake) as job:
+    params = job.parameters
+    forces = forces_with(Contact(**params["contact"]))
+    density = read_spectrum(job.input.spectrum)
+    bands = {"published": params["published_band"], "found": pooled_band(read(job.input.edges))}
+    realizations = params["realizations"]
+    parts = {}
+    for number in progress(realizations, len(realizations), "surfaces"):
+        surface = whole_surface(
+            params["seed"], params["surface"], number, density, **params["grid"]
+        )
+        for name, (shortest, longest) in bands.items():
+            parts[number, name] = band_of_surface(surface, shortest, longest, forces)
+    job.write(
+        stack(parts, ["map", "band"]).assign_attrs(map_size=surface.size),
+        title=f"pull-off forces of {params['surface']} with a part of the roughness",
+    )
