@@ -14,6 +14,7 @@ include: "workflow/rules/scans.smk"
 include: "workflow/rules/topography.smk"
 include: "workflow/rules/adhesion.smk"
 include: "workflow/rules/scales.smk"
+include: "workflow/rules/octaves.smk"
 
 
 if COMPARED:

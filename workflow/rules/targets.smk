@@ -10,7 +10,7 @@ DATASETS_OF_TARGETS = {
     "elastic": ["elastic"],
     "plasticity": ["indent", "enhancement"],
     "asperities": ["asperities"],
-    "scales": ["scales", "edges", "scaling"] if COMPARED else ["scales", "edges"],
+    "scales": ["scales", "edges", "sensitivity", *(["scaling"] if COMPARED else [])],
     "classical": ["classical"],
     "sets": ["sets", "protruded", "protruded_sphere"],
     "force": ["force"],

@@ -1,5 +1,6 @@
 """Forces on whole substitute surfaces with a part of their roughness, by the limits of a band."""
 
+from hardcontact.base import published
 from hardcontact.base.dataset import read, stack
 from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
@@ -12,7 +13,11 @@ with job(snakemake) as job:
     params = job.parameters
     forces = forces_with(Contact(**params["contact"]))
     density = read_spectrum(job.input.spectrum)
-    bands = {"published": params["published_band"], "found": pooled_band(read(job.input.edges))}
+    constants = published.constants(job.input.published_constants)["value"]
+    bands = {
+        "published": (constants["edge_small"], constants["edge_large"]),
+        "found": pooled_band(read(job.input.edges)),
+    }
     realizations = params["realizations"]
     parts = {}
     for number in progress(realizations, len(realizations), "surfaces"):

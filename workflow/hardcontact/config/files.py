@@ -213,6 +213,30 @@ class Files:
             ProtrudedChunk(name, protruded_body, *chunk) for name in surfaces for chunk in chunks
         ]
 
+    @property
+    def whole_chunks(self) -> list[Chunk]:
+        """The whole surfaces of all substitute substrates, in chunks that are computed together."""
+        chunks = _chunks(self._configuration["scales"]["whole_surfaces"], MASTERS_CHUNK)
+        return [Chunk(surface, *chunk) for surface in self.substitutes for chunk in chunks]
+
+    @property
+    def substitutes(self) -> list[str]:
+        """The substitute substrates."""
+        basis = self._selection.basis
+        return [name for name in self._selection.substrates if basis[name] == "substitute"]
+
+    @property
+    def measured_scans(self) -> list[Scan]:
+        """Every scan of a measured substrate."""
+        return [scan for scan in self.substrate_scans if scan.surface not in self.substitutes]
+
+    @property
+    def whole_grid(self) -> dict[str, Any]:
+        """Pixels along a side of a whole surface, and their size (nm): those of a large master."""
+        scan = self._configuration["scan"]
+        tiles = self._configuration["scales"]["large"]["tiles"]
+        return {"pixels": 2 * tiles * scan["pixels"], "pixel_size": scan["size"] / scan["pixels"]}
+
     # Masters
 
     def contact_grid(self, purpose: str) -> dict[str, list[Any]]:

@@ -180,6 +180,9 @@ class ScalesKeys(Keys):
     realizations: Realizations = 5
     """Masters of each substrate on each side of the band. Realization k is built on scan k; after
     the last scan the first follows again."""
+    whole_surfaces: Realizations = 10
+    """Surfaces of each substitute as large as a large-scale master and not mirrored, on which
+    octaves are amplified and the band is isolated."""
     sphere_roughness: bool = key(False, "not stated")
     """`true`: the sphere has the roughness of its first scan."""
     small: SmallScaleKeys = SmallScaleKeys()

@@ -53,6 +53,10 @@ class Patterns:
 
         settings = "{radius}/{load}/{range}/{surface}"
         self.pool = f"{folder['pool']}/{settings}/scans-{{first}}-{{last}}.nc"
+        self.whole = f"{folder['whole']}/{settings}/surfaces-{{first}}-{{last}}.nc"
+        self.octaves = f"{folder['octaves']}/{sphere}/{settings}/scan-{{scan}}.nc"
+        # The band found here is the study's own.
+        self.band_forces = f"{results}/band/{{surface}}.nc"
         self.protruded = (
             f"{folder['protruded']}/{settings}/{{protruded_body}}/{{first}}-{{last}}.nc"
         )

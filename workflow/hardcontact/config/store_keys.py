@@ -35,6 +35,8 @@ STORE_KEYS = {
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
     "smooth_sphere": (*_CONTACTS, "adhesion.ranges"),
+    "whole": (*_CONTACTS, "adhesion.ranges", "scales.large.tiles"),
+    "octaves": _CONTACTS,
     "pool": _POOL,
     "protruded": (*_POOL, "sets.protruded_surface"),
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
