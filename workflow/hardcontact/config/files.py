@@ -101,7 +101,8 @@ class Files:
     def conditioning(self, surface: str, scan: int) -> str:
         """Return the gain and factors that a substitute scan shares with its group."""
         group = self._selection.group(surface, scan)
-        return self.path(self._patterns.conditioning, surface, group=group)
+        first_scan = self._selection.scans_of_group(surface, group)[0]
+        return self.path(self._patterns.conditioning, surface, scan=first_scan)
 
     @property
     def conditionings(self) -> dict[str, str]:
