@@ -61,5 +61,4 @@ rule all:
     default_target: True
     input:
         [getattr(rules, target).input for target in available_targets(STUDY)],
-        rules.keep_configuration.output,
-        rules.list_variables.output,
+        rules.keep_records.output,
