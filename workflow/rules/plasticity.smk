@@ -16,16 +16,12 @@ rule measure_indents:
     benchmark:
         PATTERNS.benchmark("measure_indents")
     params:
-        canonical=canonical(
-            {
-                "surface": INDENTED,
-                "label": SELECTION.labels[INDENTED],
-                "basis": SELECTION.basis[INDENTED],
-                "pairs": FILES.indent_pairs,
-                "preloads": STUDY["indent"]["preloads"],
-                "contact": {key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
-                "radius": STUDY["sphere"]["radius"],
-            }
+        canonical=parameters(
+            **named(INDENTED),
+            pairs=FILES.indent_pairs,
+            preloads=STUDY["indent"]["preloads"],
+            contact={key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
+            radius=STUDY["sphere"]["radius"],
         ),
     script:
         "../scripts/measure_indents.py"
@@ -43,14 +39,12 @@ rule compare_enhancement:
     benchmark:
         PATTERNS.benchmark("compare_enhancement")
     params:
-        canonical=canonical(
-            {
-                "masters": [row.surface for row in FILES.masters("enhancement")],
-                "realizations": STUDY["scaling"]["realizations"],
-                "tolerance": STUDY["scales"]["tolerance"],
-                **SAMPLING,
-                **NAMED_SURFACES,
-            }
+        canonical=parameters(
+            masters=[row.surface for row in FILES.masters("enhancement")],
+            realizations=STUDY["scaling"]["realizations"],
+            tolerance=STUDY["scales"]["tolerance"],
+            **SAMPLING,
+            **NAMED_SURFACES,
         ),
     script:
         "../scripts/compare_enhancement.py"

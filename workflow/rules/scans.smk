@@ -88,14 +88,12 @@ for scans, surfaces in FILES.scan_groups.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
-            canonical=lambda w, scans=scans: canonical(
-                {
-                    "surface": w.surface,
-                    "scans": scans,
-                    "scan": SCAN_GRID,
-                    "seed": STUDY["seed"],
-                    "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-                }
+            canonical=lambda w, scans=scans: parameters(
+                surface=w.surface,
+                scans=scans,
+                scan=SCAN_GRID,
+                seed=STUDY["seed"],
+                sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             ),
         script:
             "../scripts/make_scans.py"
