@@ -29,7 +29,6 @@ if COMPARED:
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/figures.smk"
-    include: "workflow/rules/report.smk"
     include: "workflow/rules/answer_paper.smk"
 
 else:
