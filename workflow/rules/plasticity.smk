@@ -6,8 +6,8 @@ INDENTED = STUDY["indent"]["surface"]
 rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
-        substrates=[FILES.stitched(INDENTED, scan) for scan, _ in FILES.indent_pairs],
-        spheres=[FILES.stitched(SPHERE, sphere_scan) for _, sphere_scan in FILES.indent_pairs],
+        substrates=[FILES.stitched(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
+        spheres=[FILES.stitched(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
         code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),
@@ -18,7 +18,8 @@ rule measure_indents:
     params:
         canonical=parameters(
             **named(INDENTED),
-            pairs=FILES.indent_pairs,
+            scans=SELECTION.scans(INDENTED),
+            sphere_scans=SELECTION.scans(SPHERE),
             preloads=STUDY["indent"]["preloads"],
             contact={key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
             radius=STUDY["sphere"]["radius"],
