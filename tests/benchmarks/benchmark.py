@@ -17,22 +17,17 @@ import time
 from pathlib import Path
 
 import numpy as np
-from Adhesion.Interactions import Exponential
-from Adhesion.System import BoundedSmoothContactSystem
-from ContactMechanics import PeriodicFFTElasticHalfSpace
-from ContactMechanics.Systems import NonSmoothContactSystem
 from scipy import fft
-from scipy.optimize import minimize_scalar
-from SurfaceTopography import Topography
 
 sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the modules of tests/
 
 from direct_sum import direct_total
+from elastic_libraries import library_pressure, library_pull_off
 
 from hardcontact.base.random import generator
-from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
 from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
 from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
@@ -156,60 +151,52 @@ def rough_sphere():
     yield "largest relative difference from the direct sum", f"{error:.1e}"
 
 
-def library_at_load(gap, pixel):
-    """Solve an elastic contact with the library alone, unchecked (nm, nN)."""
-    size = (gap.shape[0] * pixel,) * 2
-    half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
-    body = Topography(gap.mean() - gap, size, periodic=True)
-    system = NonSmoothContactSystem(half_space, body)
-    return system.minimize_proxy(
-        external_force=CONTACT.preload * 1e9, pentol=elastic_solvers.MAX_OVERLAP / 2
-    )
-
-
-def library_pull_off(gap, pixel):
-    """Solve an elastic pull-off with the library alone, unchecked."""
-    heights, size = gap.min() - gap, (gap.shape[0] * pixel,) * 2
-    attraction = WORK / RHO * pixel**2 * np.exp(heights / RHO)
-    half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
-    body = Topography(heights, size, periodic=True)
-    system = BoundedSmoothContactSystem(half_space, Exponential(WORK, RHO), body)
-    system.disp = half_space.evaluate_disp(attraction)
-    stretch = -system.disp.min()
-    options = {
-        "ftol": 0,
-        "gtol": elastic_solvers.RELATIVE_RESIDUAL * attraction.max(),
-        "maxiter": 5000,
-    }
-
-    def force(offset):
-        start = np.maximum(system.disp, heights + offset)
-        system.minimize_proxy(offset=offset, initial_displacements=start, options=options)
-        return system.interaction_force.sum() - system.force[system.gap <= 0].sum()
-
-    bounds = (-1.5 * stretch, 0)
-    return minimize_scalar(force, bounds=bounds, method="bounded", options={"xatol": stretch / 6})
+def tamaas_pressure(gap, pixel):
+    """Pressure (n, n) in Pa at the preload by tamaas; None if it is not installed."""
+    try:
+        import tamaas
+    except ImportError:
+        return None
+    size = len(gap) * pixel
+    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [size] * 2, gap.shape)
+    model.E, model.nu = MODULUS * 1e-9, 0.0
+    solver = tamaas.PolonskyKeerRey(model, gap.mean() - gap, 1e-8)
+    solver.solve(CONTACT.preload * 1e9 / size**2)
+    return model.traction * 1e9
 
 
 def elastic_contact(pixels=512):
-    pair, _ = pair_under_sphere(surface(1024))
+    pair, _ = pair_under_sphere(stitched(1, 1.0))
     pixel = pair.geometry.pixel_size
     gap = part_around_lowest(gap_map(pair, (3, 5)), pixels)
-    for calculation, ours, library in (
-        (
-            "elastic contact at the preload",
-            lambda: elastic_solvers.pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),
-            lambda: library_at_load(gap, pixel),
-        ),
-        (
-            "elastic pull-off",
-            lambda: elastic_solvers.adhesive_pull_off(gap, pixel, MODULUS, WORK, RHO),
-            lambda: library_pull_off(gap, pixel),
-        ),
-    ):
-        (checked_seconds, _), (library_seconds, _) = timed_in_turn(ours, library)
-        yield f"{calculation}, window of {pixels}² pixels", f"{checked_seconds:.2f} s"
-        yield "the library alone, unchecked", times_as_long(library_seconds / checked_seconds)
+    window = f"window of {pixels}² pixels"
+    (seconds, pressure), (library_seconds, expected), (tamaas_seconds, also_expected) = (
+        timed_in_turn(
+            lambda: pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),
+            lambda: library_pressure(gap, pixel, MODULUS, CONTACT.preload),
+            lambda: tamaas_pressure(gap, pixel),
+        )
+    )
+    yield f"elastic contact at the preload, {window}", f"{seconds:.2f} s"
+    yield "ContactMechanics", times_as_long(library_seconds / seconds)
+    yield (
+        "largest difference, of the peak",
+        f"{abs(pressure - expected).max() / expected.max():.1e}",
+    )
+    if also_expected is None:
+        yield "tamaas", "not installed"
+    else:
+        yield "tamaas", times_as_long(tamaas_seconds / seconds)
+        difference = abs(pressure - also_expected).max() / also_expected.max()
+        yield "largest difference, of the peak", f"{difference:.1e}"
+    (seconds, (_, force)), (library_seconds, expected) = timed_in_turn(
+        lambda: adhesive_pull_off(gap, pixel, MODULUS, WORK, RHO),
+        lambda: library_pull_off(gap, pixel, MODULUS, WORK, RHO),
+        repeats=1,
+    )
+    yield f"elastic pull-off, {window}", f"{seconds:.2f} s"
+    yield "Adhesion", times_as_long(library_seconds / seconds)
+    yield "relative difference of the force", f"{abs(force / expected - 1):.1e}"
 
 
 def filtered_job(pixels, answer):

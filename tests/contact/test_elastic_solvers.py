@@ -1,11 +1,17 @@
-"""Elastic contact against Hertz, the rigid limit and the transition between JKR and DMT."""
+"""Elastic contact against Hertz, the rigid limit, and two libraries."""
 
 import numpy as np
 import pytest
+from elastic_libraries import library_pressure, library_pull_off
+from periodic_maps import periodic_noise
 from published_contact import MODULUS, RADIUS
 
-from hardcontact.contact import elastic as elastic_solvers
+from hardcontact.contact import elastic
+from hardcontact.contact.elastic import adhesive_pull_off, half_space, press, pressure_at_load
 from hardcontact.contact.smooth_sphere import hertz_contact
+
+LOAD = 10e-6
+WORK, RHO = 46.3e-3, 5.6
 
 
 def sphere_gap(pixels, pixel_size, radius=RADIUS):
@@ -13,14 +19,18 @@ def sphere_gap(pixels, pixel_size, radius=RADIUS):
     return shape[:, None] + shape
 
 
+def rough_gap(rms, pixels=96, pixel_size=12.0):
+    return sphere_gap(pixels, pixel_size) - periodic_noise(pixels, rms, 4)
+
+
 @pytest.mark.parametrize("load", [1e-6, 10e-6])
 def test_a_smooth_sphere_follows_hertz(load):
-    pixels, pixel_size = 384, 4.0 * (load / 10e-6) ** (1 / 3)
+    pixels, pixel_size = 384, 12.0 * (load / LOAD) ** (1 / 3)
     radius, peak, approach = hertz_contact(load, RADIUS, MODULUS)
     gap = sphere_gap(pixels, pixel_size)
-    pressure = elastic_solvers.pressure_at_load(gap, pixel_size, MODULUS, load)
+    pressure = pressure_at_load(gap, pixel_size, MODULUS, load)
     area = np.count_nonzero(pressure) * pixel_size**2
-    assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.01)
+    assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.03)
     assert pressure.max() == pytest.approx(peak, rel=0.01)
     # Boussinesq: the pressure pushes the flat under the apex down by the approach.
     y, x = np.indices(pressure.shape) - pixels // 2
@@ -30,45 +40,75 @@ def test_a_smooth_sphere_follows_hertz(load):
     assert pushed == pytest.approx(approach, rel=0.01)
 
 
-def test_lifting_the_gap_changes_no_pressure():
-    # Heights that are all below zero make the solver report success after one iteration.
-    gap = sphere_gap(128, 12.0)
-    near, far = (
-        elastic_solvers.pressure_at_load(gap + lift, 12.0, MODULUS, 10e-6) for lift in (0.0, 300.0)
+@pytest.mark.parametrize("rms", [0.5, 5.0, 50.0])
+def test_pressures_are_those_of_conjugate_gradients(rms):
+    gap = rough_gap(rms)
+    pressure = pressure_at_load(gap, 12.0, MODULUS, LOAD)
+    expected = library_pressure(gap, 12.0, MODULUS, LOAD)
+    np.testing.assert_array_equal(pressure > 0, expected > 0)
+    np.testing.assert_allclose(pressure, expected, atol=1e-4 * expected.max())
+
+
+@pytest.mark.parametrize("rms", [0.5, 5.0])
+def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
+    gap = rough_gap(rms)
+    _, force = adhesive_pull_off(gap, 12.0, MODULUS / 10, WORK, RHO)
+    expected = library_pull_off(gap, 12.0, MODULUS / 10, WORK, RHO)
+    assert force == pytest.approx(expected, rel=1e-6)
+    # The search of the library misses the best approach, never exceeds it.
+    assert force >= expected * (1 - 1e-8)
+
+
+def test_the_wall_carries_the_load_and_nothing_overlaps():
+    gap = rough_gap(5.0)
+    wall = press(half_space(96, 12.0, MODULUS), gap, 1e4)
+    assert wall.forces.sum() == pytest.approx(1e4, rel=1e-12)
+    assert wall.forces.min() == 0
+    assert wall.gap.min() > -elastic.MAX_OVERLAP
+    touching = wall.forces > 0
+    np.testing.assert_allclose(wall.gap[touching], 0, atol=elastic.MAX_OVERLAP)
+    assert 1 < touching.sum() < touching.size
+
+
+def test_a_vanishing_load_touches_the_lowest_pixel_alone():
+    gap = rough_gap(5.0)
+    wall = press(half_space(96, 12.0, MODULUS), gap, 1e-9)
+    assert np.flatnonzero(wall.forces).tolist() == [gap.argmin()]
+
+
+def test_displacements_are_those_of_the_kernel_of_a_pixel():
+    body = half_space(64, 12.0, MODULUS)
+    pixels = np.array([[3, 60], [10, 2], [3, 61]])
+    forces = np.zeros((64, 64))
+    forces[tuple(pixels.T)] = [5.0, 7.0, 11.0]
+    displaced = body.displacement(forces)
+    np.testing.assert_allclose(
+        body.influence(pixels) @ [5.0, 7.0, 11.0], displaced[tuple(pixels.T)], rtol=1e-10
     )
+    assert displaced.mean() == pytest.approx(0, abs=1e-12)
+
+
+def test_lifting_the_gap_changes_no_pressure():
+    gap = sphere_gap(128, 12.0)
+    near, far = (pressure_at_load(gap + lift, 12.0, MODULUS, LOAD) for lift in (0.0, 300.0))
     np.testing.assert_allclose(near, far, rtol=1e-6, atol=1e-6 * near.max())
 
 
 def test_a_load_that_flattens_everything_is_refused():
-    with pytest.raises(ValueError, match="expected an elastic contact in equilibrium, found"):
-        elastic_solvers.pressure_at_load(sphere_gap(64, 1.0, 1e9), 1.0, MODULUS, 10e-6)
+    with pytest.raises(ValueError, match="found more than 4000 touching pixels"):
+        pressure_at_load(sphere_gap(96, 1.0, 1e9), 1.0, MODULUS, LOAD)
 
 
 def test_stiff_bodies_have_the_rigid_pull_off_force():
-    rng = np.random.default_rng(4)
-    gap = sphere_gap(96, 12.0) + rng.normal(0, 1.0, (96, 96))
+    gap = rough_gap(1.0)
     differences = []
     for stiffer in (1, 10):
-        rigid, pull_off = elastic_solvers.adhesive_pull_off(
-            gap, 12.0, stiffer * MODULUS, 46.3e-3, 5.6
-        )
-        assert pull_off <= rigid * (1 + 1e-6)
+        rigid, pull_off = adhesive_pull_off(gap, 12.0, stiffer * MODULUS, WORK, RHO)
         differences.append(1 - pull_off / rigid)
-    assert differences[0] < 0.01
-    assert differences[1] < 0.3 * differences[0] + 1e-5
+    assert 0 < differences[0] < 0.01
+    assert differences[1] == pytest.approx(differences[0] / 10, rel=0.1)
 
 
 def test_bodies_too_soft_are_refused():
     with pytest.raises(ValueError, match="found bodies stretched by"):
-        elastic_solvers.adhesive_pull_off(sphere_gap(64, 12.0), 12.0, 1e6, 46.3e-3, 5.6)
-
-
-def test_a_failing_solver_is_an_error(monkeypatch):
-    from scipy.optimize import OptimizeResult
-
-    def gives_up(self, **_):
-        return OptimizeResult(success=False, message="gave up", nit=7)
-
-    monkeypatch.setattr(elastic_solvers.NonSmoothContactSystem, "minimize_proxy", gives_up)
-    with pytest.raises(ValueError, match="gave up"):
-        elastic_solvers.pressure_at_load(sphere_gap(32, 12.0), 12.0, MODULUS, 10e-6)
+        adhesive_pull_off(sphere_gap(64, 12.0), 12.0, 1e6, WORK, RHO)

@@ -18,11 +18,6 @@ rule evaluate_claims:
     benchmark:
         PATTERNS.benchmark("evaluate_claims")
     params:
-        canonical=canonical(
-            {
-                "datasets": DATASETS,
-                "confidence": STUDY["inference"]["confidence"],
-            }
-        ),
+        canonical=parameters(datasets=DATASETS, confidence=STUDY["inference"]["confidence"]),
     script:
         "../scripts/evaluate_claims.py"

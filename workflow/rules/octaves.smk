@@ -22,15 +22,13 @@ rule compute_whole:
     benchmark:
         PATTERNS.benchmark("compute_whole", PATTERNS.whole)
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "realizations": list(range(int(w.first), int(w.last) + 1)),
-                "seed": STUDY["seed"],
-                "grid": FILES.whole_grid,
-                "contact": CONTACT,
-                "ranges": WHOLE_RANGES,
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            realizations=list(range(int(w.first), int(w.last) + 1)),
+            seed=STUDY["seed"],
+            grid=FILES.whole_grid,
+            contact=CONTACT,
+            ranges=WHOLE_RANGES,
         ),
     script:
         "../scripts/compute_whole.py"
@@ -49,7 +47,7 @@ rule amplify_octaves:
     benchmark:
         PATTERNS.benchmark("amplify_octaves", PATTERNS.octaves)
     params:
-        canonical=lambda w: canonical({"scan": int(w.scan), "contact": CONTACT}),
+        canonical=lambda w: parameters(scan=int(w.scan), contact=CONTACT),
     script:
         "../scripts/amplify_octaves.py"
 
@@ -68,14 +66,12 @@ rule isolate_band:
     benchmark:
         PATTERNS.benchmark("isolate_band_{surface}")
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "realizations": list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
-                "seed": STUDY["seed"],
-                "grid": FILES.whole_grid,
-                "contact": CONTACT,
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
+            seed=STUDY["seed"],
+            grid=FILES.whole_grid,
+            contact=CONTACT,
         ),
     script:
         "../scripts/isolate_band.py"
@@ -98,15 +94,13 @@ rule aggregate_sensitivity:
     benchmark:
         PATTERNS.benchmark("aggregate_sensitivity")
     params:
-        canonical=canonical(
-            {
-                "maps": [*FILES.whole_chunks, *FILES.measured_scans],
-                "bands": [[surface] for surface in BAND_SURFACES],
-                **NAMED_SURFACES,
-                "radius": STUDY["sphere"]["radius"],
-                "rho": STUDY["scales"]["range"],
-                "confidence": STUDY["inference"]["confidence"],
-            }
+        canonical=parameters(
+            maps=[*FILES.whole_chunks, *FILES.measured_scans],
+            bands=[[surface] for surface in BAND_SURFACES],
+            **NAMED_SURFACES,
+            radius=STUDY["sphere"]["radius"],
+            rho=STUDY["scales"]["range"],
+            confidence=STUDY["inference"]["confidence"],
         ),
     script:
         "../scripts/aggregate_sensitivity.py"

@@ -192,9 +192,8 @@ class ScalesKeys(Keys):
 class ElasticKeys(Keys):
     """Elastic contact.
 
-    Each scan of a substrate meets one scan of the sphere, in turn. A contact takes ten to twenty
-    seconds to solve; all 400 of all scans take some 20 to 45 core hours. The report's figure shows
-    medians over contacts, the claims take means.
+    Each scan of a substrate meets one scan of the sphere, in turn. A contact takes about a second.
+    The report's figure shows medians over contacts, the claims take means.
     """
 
     contacts: ContactCount = 2

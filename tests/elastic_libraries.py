@@ -1,0 +1,55 @@
+"""Elastic contact by ContactMechanics and Adhesion, the oracles of the dense problem."""
+
+import numpy as np
+from Adhesion.Interactions import Exponential
+from Adhesion.System import BoundedSmoothContactSystem
+from ContactMechanics import PeriodicFFTElasticHalfSpace
+from ContactMechanics.Systems import NonSmoothContactSystem
+from scipy.optimize import minimize_scalar
+from SurfaceTopography import Topography
+
+
+def half_space_and_body(heights, pixel_size, modulus):
+    """Half space of a modulus (Pa) and rigid body of heights (n, n) in nm, in nm and GPa."""
+    size = (len(heights) * pixel_size,) * 2
+    half_space = PeriodicFFTElasticHalfSpace(heights.shape, modulus * 1e-9, size)
+    return half_space, Topography(heights, size, periodic=True)
+
+
+def library_pressure(gap, pixel_size, modulus, load, overlap=1e-5):
+    """Pressure (n, n) in Pa at a load (N): constrained conjugate gradients."""
+    # The solver finds no contact if all heights are below zero.
+    system = NonSmoothContactSystem(*half_space_and_body(gap.mean() - gap, pixel_size, modulus))
+    solution = system.minimize_proxy(external_force=load * 1e9, pentol=overlap)
+    assert solution.success and solution.nit > 1
+    return solution.jac / pixel_size**2 * 1e9
+
+
+def library_pull_off(gap, pixel_size, modulus, work, rho, step=1e-3, residual=1e-5):
+    """Elastic pull-off force (N): L-BFGS-B outside a hard wall, searched over approaches.
+
+    The step of the search is relative to the elongation, the residual force on a pixel to the
+    largest attraction on one.
+    """
+    heights = gap.min() - gap
+    attraction = work / rho * pixel_size**2 * np.exp(heights / rho)
+    half_space, body = half_space_and_body(heights, pixel_size, modulus)
+    system = BoundedSmoothContactSystem(half_space, Exponential(work, rho), body)
+    displacement = half_space.evaluate_disp(attraction)
+    elongation = -displacement.min()
+    options = {"ftol": 0, "gtol": residual * attraction.max(), "maxiter": 5000}
+
+    def force(offset):
+        nonlocal displacement
+        start = np.maximum(displacement, heights + offset)
+        system.minimize_proxy(offset=offset, initial_displacements=start, options=options)
+        displacement = system.disp
+        return system.interaction_force.sum() - system.force[system.gap <= 0].sum()
+
+    optimum = minimize_scalar(
+        force,
+        bounds=(-1.5 * elongation, 3 * elongation),
+        method="bounded",
+        options={"xatol": step * elongation},
+    )
+    return -optimum.fun * 1e-9
