@@ -4,13 +4,14 @@ from pathlib import Path
 
 from hardcontact.config.configuration import omitted_targets
 
-#: The datasets that the rules above make in the results; a study without forces has no fit.
+#: The datasets that the rules above make in the results, whole; a study without forces has no fit.
 DATASETS = [
     path
     for stage in workflow.rules
     for path in stage.output
     if path.startswith(f"{PATTERNS.results}/")
     and path.endswith(".nc")
+    and "{" not in path
     and Path(path).stem not in omitted_targets(STUDY)
 ]
 

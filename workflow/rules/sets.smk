@@ -127,3 +127,22 @@ rule fit_protruded:
         canonical=parameters(**named(FILES.protruded_coating)),
     script:
         "../scripts/fit_protruded.py"
+
+
+rule fit_posterior:
+    """Weigh all pairs of range and work by the published forces: posterior.nc."""
+    input:
+        sets=rules.judge_sets.output[0],
+        whole=FILES.paths(PATTERNS.whole, FILES.whole_chunks),
+        published_pull_off=PUBLISHED_TABLES["published_pull_off"],
+        code=code_inputs("fit_posterior.py"),
+    output:
+        PATTERNS.dataset("posterior"),
+    log:
+        PATTERNS.log("fit_posterior"),
+    benchmark:
+        PATTERNS.benchmark("fit_posterior")
+    params:
+        canonical=parameters(whole=FILES.whole_chunks, **SAMPLING),
+    script:
+        "../scripts/fit_posterior.py"

@@ -4,18 +4,32 @@ A draw is one possible computation of the mean forces, such as a set of scans. A
 same prior weight, range and work a uniform prior of their logarithms.
 """
 
+from collections.abc import Mapping
+
 import numpy as np
+import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.base.statistics import percentile_interval, with_interval
+from hardcontact.base.dataset import stack
+from hardcontact.base.statistics import (
+    Sampling,
+    lognormal_shape,
+    percentile_interval,
+    student_log_samples,
+    with_interval,
+)
 from hardcontact.base.units import JOULE_PER_M2, NM
+from hardcontact.contact.force_curves import interpolate_to_ranges
+from hardcontact.inference.fit import fine_ranges
 
 Floats = NDArray[np.float64]
 
 #: Independent tests that a published mean averages: the paper used at least six spheres, and two
 #: tests with one sphere share its summits. Each sphere then scatters as much as a single test.
 SPHERE_COUNT = 6
+#: Label of the posterior of all surfaces.
+NONE_LEFT_OUT = "none"
 
 
 def log_mean_error(shape: ArrayLike, count: int) -> Floats:
@@ -51,6 +65,56 @@ def posterior_samples(
     work_deviation = 1 / np.sqrt(precision.sum())
     log_work = best_log_works.ravel()[pairs] + work_deviation * rng.standard_normal(count)
     return pairs % log_curves.shape[2], log_work
+
+
+def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling) -> xr.Dataset:
+    """Return samples of range (nm) and work (J/m²) over all draws, their medians and intervals.
+
+    mean_forces: (draw, surface, rho) in N at 1 J/m².
+    published: mean and median forces in N by surface; surfaces without a mean do not enter.
+    """
+    targets = published.reindex(mean_forces["surface"].values).dropna(subset="mean_force")
+    forces = mean_forces.sel(surface=targets.index).transpose("draw", "surface", "rho")
+    ranges = fine_ranges(forces["rho"].values)
+    curves = interpolate_to_ranges(forces.values, forces["rho"].values, ranges)
+    shapes = lognormal_shape(targets["mean_force"], targets["median_force"])
+    index, log_works = posterior_samples(
+        np.log(curves),
+        np.log(targets["mean_force"].to_numpy()),
+        log_mean_error(shapes, SPHERE_COUNT),
+        sampling.generator(*forces["surface"].values.tolist()),
+        sampling.samples,
+    )
+    return describe_samples(ranges[index], np.exp(log_works), sampling.confidence)
+
+
+def without_each_surface(
+    mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
+) -> xr.Dataset:
+    """Return the `posterior` of all surfaces and without one at a time: (left_out)."""
+    surfaces = mean_forces["surface"].values.tolist()
+    results = {(NONE_LEFT_OUT,): posterior(mean_forces, published, sampling)}
+    for name in surfaces:
+        results[(name,)] = posterior(mean_forces.drop_sel(surface=name), published, sampling)
+    return stack(results, ["left_out"])
+
+
+def sampled_means(maps: Mapping[str, xr.DataArray], sampling: Sampling) -> xr.DataArray:
+    """Return samples (draw, surface, rho) of mean forces over whole surfaces, (map, rho) each."""
+    samples = [
+        student_log_samples(
+            sampling.generator("whole surfaces", surface),
+            forces.transpose("map", "rho").values,
+            sampling.samples,
+        )
+        for surface, forces in maps.items()
+    ]
+    rho = next(iter(maps.values()))["rho"]
+    return xr.DataArray(
+        np.stack(samples, axis=1),
+        {"surface": list(maps), "rho": rho},
+        ("draw", "surface", "rho"),
+    )
 
 
 def describe_samples(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:

@@ -56,8 +56,8 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 
 #: Datasets that claims may name, besides `paper`.
 DATASETS = (
-    "topography", "adhesion", "scales", "edges", "fit", "scaling", "elastic",
-    "indent", "asperities", "classical", "enhancement", "protruded",
+    "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "scaling",
+    "elastic", "indent", "asperities", "classical", "enhancement", "protruded",
 )  # fmt: skip
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
@@ -200,7 +200,7 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
     """Return one row of the result, by COLUMNS and the other columns of the claim."""
     surfaces = claim_surfaces(claim, claim_number.datasets, claim_number.labels, common.topography)
     fixed, reason = fixed_verdict(claim, surfaces, common.topography, common.constants)
-    judgement = _judge(claim, claim_number.number, fixed, common)
+    judgement = _judge(claim, claim_number, fixed, common)
     no_value = "No value exists." if np.isnan(judgement["computed"]) else ""
     return {
         **claim._asdict(),
@@ -210,11 +210,11 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
     }
 
 
-def _judge(claim: Any, number: xr.Dataset, fixed: str, common: _Common) -> dict[str, Any]:
+def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) -> dict[str, Any]:
     """Return number, interval, frequency and verdict of a claim; `fixed` is a verdict or ``""``."""
-    value = float(number["value"])
-    replicas = _claim_replicas(claim, common.sets)
-    low, high = _claim_interval(claim, number, replicas, common.confidence)
+    value = float(claim_number.number["value"])
+    replicas = _claim_replicas(claim, claim_number, common.sets)
+    low, high = _claim_interval(claim, claim_number.number, replicas, common.confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
     if replicas_vary(replicas):
         verdict = accepted.verdict_of_sets(replicas)
@@ -231,8 +231,16 @@ def _judge(claim: Any, number: xr.Dataset, fixed: str, common: _Common) -> dict[
     }
 
 
-def _claim_replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
-    """Return the numbers (set,) of a claim; empty if the claim is not replicated."""
+def _claim_replicas(claim: Any, claim_number: _ClaimNumber, sets: xr.Dataset) -> np.ndarray:
+    """Return the numbers of a claim by set, or its samples; empty if it has neither.
+
+    The column `replicated` is ``"yes"`` if sets.nc has the numbers, and ``"samples"`` if the
+    claim's dataset has them in a variable ``sampled_`` and the quantity.
+    """
+    if claim.replicated == "samples":
+        samples = next(iter(claim_number.datasets.values()))[f"sampled_{claim.quantity}"]
+        labels = {dimension: groups[0][0] for dimension, groups in claim_number.labels.items()}
+        return np.asarray(samples.sel(labels))
     if claim.replicated != "yes":
         return np.empty(0)
     if claim.id not in sets["claim"]:

@@ -207,11 +207,25 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     return mean_over_scans(fraction, scales.attrs["confidence"], "realization")
 
 
+def mean_band_ratio(sensitivity: xr.Dataset) -> xr.Dataset:
+    """Return the mean over surfaces of the force on a part of the roughness (band, band_part).
+
+    The surfaces are independent: the half widths of their intervals add in squares.
+    """
+    ratio = sensitivity["band_force_ratio"]
+    low, high = bounds(sensitivity, "band_force_ratio")
+    mean = ratio.mean("surface")
+    count = ratio.sizes["surface"]
+    below = np.sqrt(((ratio - low) ** 2).sum("surface", skipna=False)) / count
+    above = np.sqrt(((high - ratio) ** 2).sum("surface", skipna=False)) / count
+    return number_with_interval(mean, mean - below, mean + above)
+
+
 #: The functions that claims name.
 QUANTITIES = (
     short_range_force, short_range_error, error_of_second_minimum,
     strength_over_casimir, least_ratio_error, half_width_of_range, half_width_of_work,
     interaction_radius, interaction_radius_at_fit, interaction_share, sinusoid_share, band_edge,
     first_edge, critical_over_interaction_radius, change_outside_band, change_inside_band,
-    small_scale_change, smoothest_ratio, stylus_change, flat_limit_fraction,
+    small_scale_change, smoothest_ratio, stylus_change, flat_limit_fraction, mean_band_ratio,
 )  # fmt: skip
