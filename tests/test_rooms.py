@@ -18,7 +18,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 BUDGET = {
     "base": 632,
     "surfaces": 2760,
-    "contact": 1237,
+    "contact": 1216,
     "inference": 1083,
     "theory": 647,
     "paper": 1515,
