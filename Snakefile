@@ -29,7 +29,6 @@ if COMPARED:
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/figures.smk"
-    include: "workflow/rules/report.smk"
     include: "workflow/rules/answer_paper.smk"
 
 else:
@@ -61,5 +60,4 @@ rule all:
     default_target: True
     input:
         [getattr(rules, target).input for target in available_targets(STUDY)],
-        rules.keep_configuration.output,
-        rules.list_variables.output,
+        rules.keep_records.output,

@@ -40,13 +40,13 @@ def quick(folder, name, *arguments, overlays=()):
     )
 
 
-def make_study(folder, name, *arguments):
-    """Make a study from files by both commands; return its results and the messages."""
+def make_study(folder, name, *arguments, overlays=()):
+    """Make a study from files by both commands; return its results."""
     done = new(folder, name, *arguments)
     assert done.returncode == 0, done.stderr
-    run = quick(folder, name)
+    run = quick(folder, name, overlays=overlays)
     assert run.returncode == 0, run.stdout[-3000:]
-    return folder / "results" / f"{name}-quick", done.stdout
+    return folder / "results" / f"{name}-quick"
 
 
 def numbers(results):

@@ -21,7 +21,6 @@ if COMPARED:
     report: "report/workflow.rst"
 
     include: "rules/figures.smk"
-    include: "rules/report.smk"
     include: "rules/answer_paper.smk"
 
 else:

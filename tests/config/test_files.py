@@ -57,9 +57,9 @@ def test_scans_are_made_in_groups_that_share_their_conditioning():
     study = files(measured_surfaces=["mcd"], scans=[1, 3], sets__realizations=5)
     substitutes = [surface for surface in SURFACES if surface != "mcd"]
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
-    for number, group in enumerate(study.scan_groups):
+    for group in study.scan_groups:
         for scan in group:
-            assert study.conditioning("uncd", scan).endswith(f"uncd/group-{number}.nc")
+            assert study.conditioning("uncd", scan).endswith(f"uncd/scan-{group[0]}-flat.nc")
 
 
 # Masters and pools

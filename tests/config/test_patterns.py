@@ -26,7 +26,6 @@ VALUES = {
     "first": ["1", "16"],
     "last": ["15", "27"],
     "shape": ["flat", "sphere-R250um"],
-    "group": ["0", "12"],
     "realization": ["1"],
     "side": ["small", "large"],
     "probe": ["smooth", "rough"],

@@ -119,7 +119,8 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
                     gap_map(pair_on_filtered, contact), count, 5.6, pixel_size
                 )
                 force = forces.sel(load=load.load).values[contact]
-                assert force == pytest.approx(direct_sum, rel=1e-9)
+                # Sums on a smooth sphere are in single precision.
+                assert force == pytest.approx(direct_sum, rel=1e-6 if sphere is None else 1e-9)
 
 
 def test_a_traced_contact_has_the_force_of_its_pair():

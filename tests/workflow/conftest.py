@@ -4,7 +4,6 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-import yaml
 from own_studies import forces_on, make_study, new, quick, rough, spm
 from repository import copy_repository
 from scan_files import container, scan, write_coordinates
@@ -15,9 +14,13 @@ from hardcontact.base.random import generator
 
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory):
-    """Copy the repository, with a folder of scans, for all studies of own surfaces."""
+    """Copy the repository, with a folder of scans, for all studies of own surfaces.
+
+    A single realization of the masters, of `few.yaml`, is enough for the files of a study.
+    """
     folder = copy_repository(tmp_path_factory.mktemp("own") / "study")
     (folder / "scans").mkdir()
+    (folder / "few.yaml").write_text("quick: {scales: {realizations: 1}}")
     return folder
 
 
@@ -38,10 +41,6 @@ def write_scans(scans):
         spm(scans / f"ball-{number}.001", ball, 2500.0)
 
 
-#: A single realization of the masters is enough for the files of a study.
-ONE_REALIZATION = {"quick": {"scales": {"realizations": 1}}}
-
-
 @pytest.fixture(scope="session")
 def own_study(folder):
     """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK.
@@ -52,27 +51,32 @@ def own_study(folder):
     choices = [
         "--surface", "My film", "scans/rectangle.001", "scans/line.txt",
         "--surface", "twin", "scans/twin.zip", "--tip", "5 nm",
-        "--sphere", "scans/ball-0.001", "scans/ball-1.001",
+        "--sphere", "scans/ball-0.001", "scans/ball-1.001", "--forces", "my.csv",
     ]  # fmt: skip
-    (folder / "few.yaml").write_text(yaml.safe_dump(ONE_REALIZATION))
-    assert new(folder, "several", *choices).returncode == 0
+    write_forces(folder, {"my_film": [1.0], "twin": [1.0]})
+    done = new(folder, "several", *choices)
+    assert done.returncode == 0, done.stderr
+    (folder / "said.txt").write_text(done.stdout)
     # Forces are known once the contacts are computed.
     run = quick(folder, "several", "adhesion", overlays=["few.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
     adhesion = xr.load_dataset(folder / "results/several-quick/adhesion.nc")
     rng = generator(8, "tests")
-    rows = [
-        {"surface": surface, "value": f"{force:.4f}", "unit": "uN"}
-        for surface in adhesion.surface.values
-        for force in forces_on(adhesion, surface, rng)
-    ]
-    pd.DataFrame(rows).to_csv(folder / "my.csv", index=False)
-    done = new(folder, "several", "--overwrite", *choices, "--forces", "my.csv")
-    assert done.returncode == 0, done.stderr
-    (folder / "said.txt").write_text(done.stdout)
+    surfaces = adhesion.surface.values
+    write_forces(folder, {surface: forces_on(adhesion, surface, rng) for surface in surfaces})
     run = quick(folder, "several", overlays=["few.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
     return folder
+
+
+def write_forces(folder, forces):
+    """Write a table of measured forces in µN, by surface."""
+    rows = [
+        {"surface": surface, "value": f"{force:.4f}", "unit": "uN"}
+        for surface, surface_forces in forces.items()
+        for force in surface_forces
+    ]
+    pd.DataFrame(rows).to_csv(folder / "my.csv", index=False)
 
 
 @pytest.fixture(scope="session")
@@ -80,4 +84,5 @@ def probe(folder):
     """Make a study of a small probe on one scan."""
     spm(folder / "scans/probe.001", rough(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]
-    return make_study(folder, "probe", "scans/probe.001", *options, "--work", "30 mJ/m2")[0]
+    options += ["--work", "30 mJ/m2"]
+    return make_study(folder, "probe", "scans/probe.001", *options, overlays=["few.yaml"])

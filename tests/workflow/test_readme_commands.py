@@ -178,7 +178,7 @@ def typed_in(folder, readme):
     # Overlays without a command: enough to see that they are accepted.
     run_words = {word for words in runs for word in words}
     unused_overlays = [name for name in overlays(text) if name not in run_words]
-    return [*runs, *(["keep_configuration", "--configfile", name] for name in unused_overlays)]
+    return [*runs, *(["topography", "--configfile", name] for name in unused_overlays)]
 
 
 @pytest.mark.usefixtures("loaded")

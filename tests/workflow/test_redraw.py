@@ -29,10 +29,7 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     run = snakemake(study, *REDRAW, *REPORT, "--verbose")
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
-    assert jobs == {f"draw_{name}" for name in DRAWN_AGAIN} | {
-        "write_pages",
-        "answer_paper",
-    }
+    assert jobs == {f"draw_{name}" for name in DRAWN_AGAIN} | {"answer_paper"}
     # Nothing is computed: no store, only the lists of packages.
     result_folders = {path.name for path in (study / "results").iterdir()}
     assert result_folders == {"quick", *packages}

@@ -183,7 +183,7 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
 # A key: the rules that it concerns, and all that is made from theirs
 
 #: Every value is in the configuration kept with the results and on pages.
-KEPT = {"keep_configuration", "write_pages", "answer_paper"}
+KEPT = {"keep_records", "answer_paper"}
 
 
 def overlay(key, value):

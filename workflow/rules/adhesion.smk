@@ -14,14 +14,12 @@ rule compute_pull_off:
     benchmark:
         PATTERNS.benchmark("compute_pull_off", PATTERNS.pull_off)
     params:
-        canonical=canonical(
-            {
-                "sphere_scans": SELECTION.sphere_scans,
-                "contact": STUDY["contact"],
-                "ranges": RANGES,
-                "reference_range": STUDY["scales"]["range"],
-                "radius": STUDY["sphere"]["radius"],
-            }
+        canonical=parameters(
+            sphere_scans=SELECTION.sphere_scans,
+            contact=STUDY["contact"],
+            ranges=RANGES,
+            reference_range=STUDY["scales"]["range"],
+            radius=STUDY["sphere"]["radius"],
         ),
     script:
         "../scripts/compute_pull_off.py"
@@ -39,13 +37,11 @@ rule aggregate_adhesion:
     benchmark:
         PATTERNS.benchmark("aggregate_adhesion")
     params:
-        canonical=canonical(
-            {
-                "scans": FILES.substrate_scans,
-                **NAMED_SURFACES,
-                "sphere_radius": STUDY["sphere"]["radius"],
-                "reference_rho": STUDY["scales"]["range"],
-            }
+        canonical=parameters(
+            scans=FILES.substrate_scans,
+            **NAMED_SURFACES,
+            sphere_radius=STUDY["sphere"]["radius"],
+            reference_rho=STUDY["scales"]["range"],
         ),
     script:
         "../scripts/aggregate_adhesion.py"

@@ -44,15 +44,13 @@ rule answer_surfaces:
     benchmark:
         PATTERNS.benchmark("answer_surfaces")
     params:
-        canonical=canonical(
-            {
-                "study": STUDY["study"],
-                "effort": STUDY["effort"],
-                "contact": contact_words(STUDY),
-                "of_paper": quantities_of_paper(STUDY),
-                "left_out": list(omitted_targets(STUDY).items()),
-                "version": read_yaml("CITATION.cff")["version"],
-            }
+        canonical=parameters(
+            study=STUDY["study"],
+            effort=STUDY["effort"],
+            contact=contact_words(STUDY),
+            of_paper=quantities_of_paper(STUDY),
+            left_out=list(omitted_targets(STUDY).items()),
+            version=read_yaml("CITATION.cff")["version"],
         ),
     script:
         "../scripts/answer_surfaces.py"

@@ -14,15 +14,13 @@ rule find_asperities:
     benchmark:
         PATTERNS.benchmark("find_asperities", PATTERNS.asperities)
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "scan": int(w.scan),
-                "contact": STUDY["contact"],
-                "asperities": STUDY["asperities"],
-                "radius": STUDY["sphere"]["radius"],
-                "seed": STUDY["seed"],
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            scan=int(w.scan),
+            contact=STUDY["contact"],
+            asperities=STUDY["asperities"],
+            radius=STUDY["sphere"]["radius"],
+            seed=STUDY["seed"],
         ),
     script:
         "../scripts/find_asperities.py"
@@ -40,11 +38,6 @@ rule aggregate_asperities:
     benchmark:
         PATTERNS.benchmark("aggregate_asperities")
     params:
-        canonical=canonical(
-            {
-                "scans": FILES.substrate_scans,
-                **NAMED_SURFACES,
-            }
-        ),
+        canonical=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
     script:
         "../scripts/aggregate_asperities.py"

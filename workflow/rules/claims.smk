@@ -18,12 +18,8 @@ rule evaluate_claims:
     benchmark:
         PATTERNS.benchmark("evaluate_claims")
     params:
-        canonical=canonical(
-            {
-                "datasets": DATASETS,
-                "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
-            }
+        canonical=parameters(
+            datasets=DATASETS, confidence=STUDY["inference"]["confidence"], seed=STUDY["seed"]
         ),
     script:
         "../scripts/evaluate_claims.py"

@@ -12,3 +12,8 @@ RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
 #: How intervals follow from random samples.
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
 COMPARED = STUDY["published"] == PAPER
+
+
+def parameters(**values):
+    """Return the parameters of a script, by their names, as one text."""
+    return canonical(values)

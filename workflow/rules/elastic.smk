@@ -15,15 +15,13 @@ rule solve_elastic_contact:
     benchmark:
         PATTERNS.benchmark("solve_elastic_contact", PATTERNS.elastic)
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "scan": int(w.scan),
-                "contact": STUDY["contact"],
-                "contacts": STUDY["elastic"]["contacts"],
-                "radius": STUDY["sphere"]["radius"],
-                "seed": STUDY["seed"],
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            scan=int(w.scan),
+            contact=STUDY["contact"],
+            contacts=STUDY["elastic"]["contacts"],
+            radius=STUDY["sphere"]["radius"],
+            seed=STUDY["seed"],
         ),
     script:
         "../scripts/solve_elastic_contact.py"
@@ -41,11 +39,6 @@ rule aggregate_elastic:
     benchmark:
         PATTERNS.benchmark("aggregate_elastic")
     params:
-        canonical=canonical(
-            {
-                "scans": FILES.substrate_scans,
-                **NAMED_SURFACES,
-            }
-        ),
+        canonical=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
     script:
         "../scripts/aggregate_elastic.py"

@@ -13,12 +13,7 @@ rule find_edges:
     benchmark:
         PATTERNS.benchmark("find_edges")
     params:
-        canonical=canonical(
-            {
-                "tolerance": STUDY["scales"]["tolerance"],
-                **SAMPLING,
-            }
-        ),
+        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], **SAMPLING),
     script:
         "../scripts/find_edges.py"
 
@@ -64,12 +59,6 @@ rule fit_published:
     benchmark:
         PATTERNS.benchmark("fit_published")
     params:
-        canonical=canonical(
-            {
-                **STUDY["inference"],
-                "reference_surface": STUDY["reference_surface"],
-                "seed": STUDY["seed"],
-            }
-        ),
+        canonical=parameters(reference_surface=STUDY["reference_surface"], **SAMPLING),
     script:
         "../scripts/fit_published.py"

@@ -17,14 +17,12 @@ rule aggregate_spectra:
     benchmark:
         PATTERNS.benchmark("aggregate_spectra")
     params:
-        canonical=canonical(
-            {
-                "surfaces": SELECTION.surfaces,  # the order of the inputs
-                "labels": SELECTION.labels,
-                "descriptions": {
-                    surface: SELECTION.description(surface) for surface in FILES.conditionings
-                },
-            }
+        canonical=parameters(
+            surfaces=SELECTION.surfaces,  # the order of the inputs
+            labels=SELECTION.labels,
+            descriptions={
+                surface: SELECTION.description(surface) for surface in FILES.conditionings
+            },
         ),
     script:
         "../scripts/aggregate_spectra.py"
@@ -46,13 +44,11 @@ rule sample_spectra:
     benchmark:
         PATTERNS.benchmark("sample_spectra", OF_ALL_REALIZATIONS)
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "seed": STUDY["seed"],
-                "contact_scan_indices": SELECTION.contact_scan_indices(w.surface),
-                **FILES.measuring(w.surface),
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            seed=STUDY["seed"],
+            contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
+            **FILES.measuring(w.surface),
         ),
     script:
         "../scripts/sample_spectra.py"
@@ -74,17 +70,15 @@ rule predict_force:
     benchmark:
         PATTERNS.benchmark("predict_force")
     params:
-        canonical=canonical(
-            {
-                "work": STUDY["adhesion"]["work"],
-                "rho": STUDY["scales"]["range"],
-                "radius": STUDY["sphere"]["radius"],
-                "contact": STUDY["contact"],
-                "scans": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
-                "tiles": STUDY["scales"]["large"]["tiles"],
-                "tolerance": STUDY["scales"]["tolerance"],
-                "confidence": STUDY["inference"]["confidence"],
-            }
+        canonical=parameters(
+            work=STUDY["adhesion"]["work"],
+            rho=STUDY["scales"]["range"],
+            radius=STUDY["sphere"]["radius"],
+            contact=STUDY["contact"],
+            scans={name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
+            tiles=STUDY["scales"]["large"]["tiles"],
+            tolerance=STUDY["scales"]["tolerance"],
+            confidence=STUDY["inference"]["confidence"],
         ),
     script:
         "../scripts/predict_force.py"

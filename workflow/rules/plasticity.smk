@@ -6,8 +6,8 @@ INDENTED = STUDY["indent"]["surface"]
 rule measure_indents:
     """Measure the indents that contacts on one surface leave in the sphere: indent.nc."""
     input:
-        substrates=[FILES.stitched(INDENTED, scan) for scan, _ in FILES.indent_pairs],
-        spheres=[FILES.stitched(SPHERE, sphere_scan) for _, sphere_scan in FILES.indent_pairs],
+        substrates=[FILES.stitched(INDENTED, scan) for scan in SELECTION.scans(INDENTED)],
+        spheres=[FILES.stitched(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
         code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),
@@ -16,16 +16,13 @@ rule measure_indents:
     benchmark:
         PATTERNS.benchmark("measure_indents")
     params:
-        canonical=canonical(
-            {
-                "surface": INDENTED,
-                "label": SELECTION.labels[INDENTED],
-                "basis": SELECTION.basis[INDENTED],
-                "pairs": FILES.indent_pairs,
-                "preloads": STUDY["indent"]["preloads"],
-                "contact": {key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
-                "radius": STUDY["sphere"]["radius"],
-            }
+        canonical=parameters(
+            **named(INDENTED),
+            scans=SELECTION.scans(INDENTED),
+            sphere_scans=SELECTION.scans(SPHERE),
+            preloads=STUDY["indent"]["preloads"],
+            contact={key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
+            radius=STUDY["sphere"]["radius"],
         ),
     script:
         "../scripts/measure_indents.py"
@@ -43,14 +40,12 @@ rule compare_enhancement:
     benchmark:
         PATTERNS.benchmark("compare_enhancement")
     params:
-        canonical=canonical(
-            {
-                "masters": [row.surface for row in FILES.masters("enhancement")],
-                "realizations": STUDY["scaling"]["realizations"],
-                "tolerance": STUDY["scales"]["tolerance"],
-                **SAMPLING,
-                **NAMED_SURFACES,
-            }
+        canonical=parameters(
+            masters=[row.surface for row in FILES.masters("enhancement")],
+            realizations=STUDY["scaling"]["realizations"],
+            tolerance=STUDY["scales"]["tolerance"],
+            **SAMPLING,
+            **NAMED_SURFACES,
         ),
     script:
         "../scripts/compare_enhancement.py"

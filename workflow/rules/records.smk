@@ -15,39 +15,24 @@ DATASETS = [
 ]
 
 
-rule keep_configuration:
-    """Keep the configuration and the table of surfaces with the results."""
+rule keep_records:
+    """Keep the configuration and the table of surfaces, and list the variables of all datasets."""
     input:
         surfaces=STUDY["surfaces"],
-        code=code_inputs("keep_configuration.py"),
+        datasets=sorted(DATASETS),
+        code=code_inputs("keep_records.py"),
     output:
         configuration=PATTERNS.result("configuration.yaml"),
         surfaces=PATTERNS.result("surfaces.tsv"),
+        variables=PATTERNS.result("datasets.md"),
     log:
-        PATTERNS.log("keep_configuration"),
+        PATTERNS.log("keep_records"),
     benchmark:
-        PATTERNS.benchmark("keep_configuration")
+        PATTERNS.benchmark("keep_records")
     params:
         canonical=canonical(config),
     script:
-        "../scripts/keep_configuration.py"
-
-
-rule list_variables:
-    """List every variable of the study's datasets, with dimensions, unit and meaning."""
-    input:
-        datasets=sorted(DATASETS),
-        code=code_inputs("list_variables.py"),
-    output:
-        PATTERNS.result("datasets.md"),
-    log:
-        PATTERNS.log("list_variables"),
-    benchmark:
-        PATTERNS.benchmark("list_variables")
-    params:
-        canonical=canonical({}),
-    script:
-        "../scripts/list_variables.py"
+        "../scripts/keep_records.py"
 
 
 rule verify:

@@ -24,20 +24,14 @@ rule synthesize_masters:
     resources:
         mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "realization": int(w.realization),
-                "seed": STUDY["seed"],
-                "sides": {
-                    "small": {
-                        key: STUDY["scales"]["small"][key] for key in ("pixels", "transition")
-                    },
-                    "large": {
-                        key: STUDY["scales"]["large"][key] for key in ("tiles", "transition")
-                    },
-                },
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            realization=int(w.realization),
+            seed=STUDY["seed"],
+            sides={
+                "small": {key: STUDY["scales"]["small"][key] for key in ("pixels", "transition")},
+                "large": {key: STUDY["scales"]["large"][key] for key in ("tiles", "transition")},
+            },
         ),
     script:
         "../scripts/synthesize_masters.py"
@@ -89,17 +83,15 @@ rule aggregate_scales:
     benchmark:
         PATTERNS.benchmark("aggregate_scales")
     params:
-        canonical=canonical(
-            {
-                "masters": [row.surface for row in FILES.masters()],
-                "sampled": [row.surface for row in SAMPLED],
-                "realizations": STUDY["scales"]["realizations"],
-                "load": FILES.contact.load,
-                **NAMED_SURFACES,
-                "rho": STUDY["scales"]["range"],
-                "sphere_radius": STUDY["sphere"]["radius"],
-                "transitions": {side: STUDY["scales"][side]["transition"] for side in SIDES},
-            }
+        canonical=parameters(
+            masters=[row.surface for row in FILES.masters()],
+            sampled=[row.surface for row in SAMPLED],
+            realizations=STUDY["scales"]["realizations"],
+            load=FILES.contact.load,
+            **NAMED_SURFACES,
+            rho=STUDY["scales"]["range"],
+            sphere_radius=STUDY["sphere"]["radius"],
+            transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
         ),
     script:
         "../scripts/aggregate_scales.py"

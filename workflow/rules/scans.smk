@@ -65,46 +65,22 @@ rule measure_spectrum:
         "../scripts/measure_spectrum.py"
 
 
-rule condition_scans:
-    """Find the gain and the factors that give a group of substitute scans what Table 1 says."""
-    input:
-        spectrum=PATTERNS.calibrated_spectrum,
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("condition_scans.py"),
-    output:
-        PATTERNS.conditioning,
-    log:
-        PATTERNS.log("condition_scans", PATTERNS.conditioning),
-    benchmark:
-        PATTERNS.benchmark("condition_scans", PATTERNS.conditioning)
-    params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "scans": SELECTION.scans_of_group(w.surface, int(w.group)),
-                "scan": SCAN_GRID,
-                "seed": STUDY["seed"],
-            }
-        ),
-    script:
-        "../scripts/condition_scans.py"
-
-
 for scans, surfaces in FILES.scan_groups.items():
 
     rule:
-        """Make substitute scans that are conditioned together, and prepare them."""
+        """Condition a group of substitute scans on Table 1, make them, and prepare them."""
         name:
             f"make_scans_{'_'.join(map(str, scans))}"
         input:
             spectrum=lambda w: FILES.spectrum(w.surface),
-            conditioning=lambda w, scan=scans[0]: FILES.conditioning(w.surface, scan),
+            published_table1=PUBLISHED_TABLES["published_table1"],
+            published_constants=PUBLISHED_TABLES["published_constants"],
             code=code_inputs("make_scans.py"),
         output:
             substitutes=expand(PATTERNS.substitute, scan=scans, allow_missing=True),
             scans=expand(PATTERNS.levelled, scan=scans, allow_missing=True),
             stitched=expand(PATTERNS.stitched, scan=scans, allow_missing=True),
+            conditioning=PATTERNS.conditioning.replace("{scan}", f"{scans[0]}"),
         log:
             PATTERNS.log("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}")),
         benchmark:
@@ -112,14 +88,12 @@ for scans, surfaces in FILES.scan_groups.items():
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
-            canonical=lambda w, scans=scans: canonical(
-                {
-                    "surface": w.surface,
-                    "scans": scans,
-                    "scan": SCAN_GRID,
-                    "seed": STUDY["seed"],
-                    "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-                }
+            canonical=lambda w, scans=scans: parameters(
+                surface=w.surface,
+                scans=scans,
+                scan=SCAN_GRID,
+                seed=STUDY["seed"],
+                sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             ),
         script:
             "../scripts/make_scans.py"

@@ -34,13 +34,11 @@ rule average_smooth_sphere:
     benchmark:
         PATTERNS.benchmark("average_smooth_sphere", PATTERNS.smooth_sphere)
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "scans": SELECTION.scans(w.surface),
-                "contact": STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]},
-                "ranges": RANGES,
-            }
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            scans=SELECTION.scans(w.surface),
+            contact=STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]},
+            ranges=RANGES,
         ),
     script:
         "../scripts/average_smooth_sphere.py"
@@ -60,14 +58,12 @@ rule compute_protruded:
     benchmark:
         PATTERNS.benchmark("compute_protruded", PATTERNS.protruded)
     params:
-        canonical=lambda w: canonical(
-            {
-                **pool_parameters(w),
-                # Of the other coatings the ratio of mean forces on the same scans is enough.
-                **({} if w.surface == FILES.protruded_coating else {"scans": 2}),
-                "protruded_body": w.protruded_body,
-                "coating": FILES.protruded_coating,
-            }
+        canonical=lambda w: parameters(
+            **pool_parameters(w)
+            # Of the other coatings the ratio of mean forces on the same scans is enough.
+            | ({} if w.surface == FILES.protruded_coating else {"scans": 2}),
+            protruded_body=w.protruded_body,
+            coating=FILES.protruded_coating,
         ),
     script:
         "../scripts/compute_protruded.py"
@@ -91,23 +87,21 @@ rule judge_sets:
     benchmark:
         PATTERNS.benchmark("judge_sets")
     params:
-        canonical=canonical(
-            {
-                "chunks": FILES.chunks,
-                "pooled": SELECTION.pooled,
-                "masters": [row.surface for row in FILES.masters("sets")],
-                "realizations": STUDY["sets"]["realizations"],
-                "load": FILES.contact.load,
-                "statements": replicated_statements("resources/paper/claims.csv"),
-                "settings": {
-                    "seed": STUDY["seed"],
-                    "replicates": STUDY["sets"]["replicates"],
-                    "realizations": STUDY["scales"]["realizations"],
-                    "reference_surface": STUDY["reference_surface"],
-                    "tolerance": STUDY["scales"]["tolerance"],
-                    "confidence": STUDY["inference"]["confidence"],
-                },
-            }
+        canonical=parameters(
+            chunks=FILES.chunks,
+            pooled=SELECTION.pooled,
+            masters=[row.surface for row in FILES.masters("sets")],
+            realizations=STUDY["sets"]["realizations"],
+            load=FILES.contact.load,
+            statements=replicated_statements("resources/paper/claims.csv"),
+            settings={
+                "seed": STUDY["seed"],
+                "replicates": STUDY["sets"]["replicates"],
+                "realizations": STUDY["scales"]["realizations"],
+                "reference_surface": STUDY["reference_surface"],
+                "tolerance": STUDY["scales"]["tolerance"],
+                "confidence": STUDY["inference"]["confidence"],
+            },
         ),
     script:
         "../scripts/judge_sets.py"
@@ -130,12 +124,6 @@ rule fit_protruded:
     benchmark:
         PATTERNS.benchmark("fit_protruded")
     params:
-        canonical=canonical(
-            {
-                "surface": FILES.protruded_coating,
-                "label": SELECTION.labels[FILES.protruded_coating],
-                "basis": SELECTION.basis[FILES.protruded_coating],
-            }
-        ),
+        canonical=parameters(**named(FILES.protruded_coating)),
     script:
         "../scripts/fit_protruded.py"

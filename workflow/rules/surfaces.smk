@@ -14,6 +14,15 @@ wildcard_constraints:
     **constraints(SELECTION.surfaces),
 
 
+def named(surface):
+    """Return the name of a surface, its label, and whether it was measured or is a substitute."""
+    return {
+        "surface": surface,
+        "label": SELECTION.labels[surface],
+        "basis": SELECTION.basis[surface],
+    }
+
+
 def pool_parameters(wildcards):
     """Return the parameters of scans of a pool, or of surfaces with protrusions, and of their contacts."""
     return {

@@ -16,7 +16,6 @@ DATASETS_OF_TARGETS = {
     "force": ["force"],
     "fit": ["fit"],
 }
-PAGES_OF_STUDY = [PATTERNS.page(page) for page in PAGES] if COMPARED else []
 FIGURE_FILES = {
     figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS] for figure in PAPER_FIGURES
 }
@@ -27,11 +26,8 @@ FILES_OF_TARGETS = {
     },
     "claims": [PATTERNS.result("claims.csv")],
     "figures": list(FIGURE_FILES.values()),
-    "pages": PAGES_OF_STUDY,
-    "answer": [
-        *(rules.answer_paper.output if COMPARED else rules.answer_surfaces.output),
-        *PAGES_OF_STUDY,
-    ],
+    "pages": [PATTERNS.page(page) for page in PAGES],
+    "answer": (rules.answer_paper if COMPARED else rules.answer_surfaces).output,
 }
 
 

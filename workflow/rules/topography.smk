@@ -15,15 +15,13 @@ rule aggregate_topography:
     benchmark:
         PATTERNS.benchmark("aggregate_topography")
     params:
-        canonical=canonical(
-            {
-                "scans": FILES.scans,
-                "conditioned": list(FILES.conditionings),
-                **NAMED_SURFACES,
-                "sphere_surface": SPHERE,
-                "reference_surface": STUDY["reference_surface"],
-                "confidence": STUDY["inference"]["confidence"],
-            }
+        canonical=parameters(
+            scans=FILES.scans,
+            conditioned=list(FILES.conditionings),
+            **NAMED_SURFACES,
+            sphere_surface=SPHERE,
+            reference_surface=STUDY["reference_surface"],
+            confidence=STUDY["inference"]["confidence"],
         ),
     script:
         "../scripts/aggregate_topography.py"

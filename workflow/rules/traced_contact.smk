@@ -2,7 +2,7 @@
 
 # The paper does not say which: it is in the middle of the first scans of the reference surface.
 TRACED = {
-    "surface": STUDY["reference_surface"],
+    **named(STUDY["reference_surface"]),
     "scan": SELECTION.scans(STUDY["reference_surface"])[0],
     "sphere_scan": SELECTION.scans(SPHERE)[0],
     "contact_index": [STUDY["contact"]["count"] // 2] * 2,
@@ -23,14 +23,10 @@ rule trace_contact:
     benchmark:
         PATTERNS.benchmark("trace_contact")
     params:
-        canonical=canonical(
-            {
-                **TRACED,
-                "contact_section": STUDY["contact"],
-                "radius": STUDY["sphere"]["radius"],
-                "label": SELECTION.labels[TRACED["surface"]],
-                "basis": SELECTION.basis[TRACED["surface"]],
-            }
+        canonical=parameters(
+            **TRACED,
+            contact_section=STUDY["contact"],
+            radius=STUDY["sphere"]["radius"],
         ),
     script:
         "../scripts/trace_contact.py"

@@ -1,4 +1,4 @@
-"""The answer of the paper's study: answer.json, and the page that shows it."""
+"""The answer of the paper's study: answer.json, the page that shows it, and the report."""
 
 from pathlib import Path
 
@@ -7,16 +7,17 @@ import yaml
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
+from hardcontact.base.origin import pinned_versions
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_answer import paper_answer
 from hardcontact.report.paper_page import paper_page
 from hardcontact.report.quantities import answer_text
+from hardcontact.report.report_pages import pages
 from hardcontact.report.table1 import table1_rows
 
 DATASETS = (
-    "topography", "scales", "edges", "sets", "protruded", "protruded_sphere",
-    "scan_size",
+    "topography", "scales", "edges", "sets", "protruded", "protruded_sphere", "scan_size",
 )  # fmt: skip
 
 with job(snakemake) as job:
@@ -31,3 +32,7 @@ with job(snakemake) as job:
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
     job.write_text(paper_page(answer, claims, table1, figures, captions, citation), "page")
+    chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}
+    versions = pinned_versions(job.input.environment)
+    for name, page in pages(claims, chapters, job.parameters, versions).items():
+        job.write_text(page, name)

@@ -3,25 +3,15 @@
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.indents import indents_of_scans
-from hardcontact.surfaces.height_map import HeightMap, read_height_map
-
-
-def read_scans(numbers: tuple[int, ...], paths: list[str]) -> dict[int, HeightMap]:
-    """Return height maps by the number of the scan.
-
-    There is one number and path for each pair of scans: a file that occurs several times is read
-    once.
-    """
-    path_by_number = dict(zip(numbers, paths, strict=True))
-    return {number: read_height_map(path) for number, path in path_by_number.items()}
-
+from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as job:
     params = job.parameters
-    scan_numbers, sphere_numbers = zip(*params["pairs"], strict=True)
+    substrate_paths = zip(params["scans"], job.input.substrates, strict=True)
+    sphere_paths = zip(params["sphere_scans"], job.input.spheres, strict=True)
     indents = indents_of_scans(
-        read_scans(scan_numbers, job.input.substrates),
-        read_scans(sphere_numbers, job.input.spheres),
+        {scan: read_height_map(path) for scan, path in substrate_paths},
+        {scan: read_height_map(path) for scan, path in sphere_paths},
         Contact(radius=params["radius"], preload=max(params["preloads"]), **params["contact"]),
         params["preloads"],
     )

@@ -3,7 +3,7 @@
 from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from itertools import cycle, product
+from itertools import cycle
 from typing import Any
 
 from hardcontact.base.units import path_token
@@ -101,7 +101,8 @@ class Files:
     def conditioning(self, surface: str, scan: int) -> str:
         """Return the gain and factors that a substitute scan shares with its group."""
         group = self._selection.group(surface, scan)
-        return self.path(self._patterns.conditioning, surface, group=group)
+        first_scan = self._selection.scans_of_group(surface, group)[0]
+        return self.path(self._patterns.conditioning, surface, scan=first_scan)
 
     @property
     def conditionings(self) -> dict[str, str]:
@@ -177,12 +178,6 @@ class Files:
                 self._selection.scans(surface), cycle(self._selection.sphere_scans), strict=False
             )
         ]
-
-    @property
-    def indent_pairs(self) -> list[tuple[int, int]]:
-        """Scan of the indented surface and of the sphere, every pair."""
-        scans = self._selection.scans(self._configuration["indent"]["surface"])
-        return list(product(scans, self._selection.sphere_scans))
 
     @property
     def chunks(self) -> list[Chunk]:

@@ -37,7 +37,7 @@ class Patterns:
 
         self.calibrated_spectrum = f"{store}/spectra/{{surface}}/calibrated.nc"
         self.measured_spectrum = f"{folder['measured_spectra']}/{{surface}}/measured-{{shape}}.nc"
-        self.conditioning = f"{folder['conditioning']}/{{surface}}/group-{{group}}.nc"
+        self.conditioning = f"{folder['conditioning']}/{_SCAN}"  # scan: the first of its group
         self.substitute = f"{folder['substitutes']}/{_SCAN}"
         self.measurement = f"{folder['measurements']}/{{surface}}/scan-{{scan}}.nc"
         self.levelled = f"{folder['scans']}/{_SCAN}"
@@ -127,7 +127,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     rho = f"rho{_NUMBER}nm"
     return {
         **dict.fromkeys(("surface", "protruded_body"), any_name_pattern(surfaces)),
-        **dict.fromkeys(("group", "scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
+        **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",
         "probe": "smooth|rough",

@@ -27,8 +27,8 @@ STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,
     "sampled_spectra": (*_MEASURED, "seed"),
-    "conditioning": _SUBSTITUTES,
-    "substitutes": SCAN_KEYS,  # which are made with the scans
+    "conditioning": SCAN_KEYS,  # which is made with the scans, as are the substitutes
+    "substitutes": SCAN_KEYS,
     "scans": SCAN_KEYS,
     "stitched": SCAN_KEYS,
     "pull_off": (*_CONTACTS, "adhesion.ranges"),

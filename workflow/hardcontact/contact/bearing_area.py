@@ -1,8 +1,8 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
 The gap of a contact is g = s - t - h in nm: sphere s, its roughness t (growing out of the sphere)
-and substrate h. The highest points of the tiles of a map bound its gaps, so that most tiles are
-never read.
+and substrate h. The highest points of groups of tiles bound its gaps, then those of the tiles, so
+that most tiles are never read.
 """
 
 from dataclasses import dataclass
@@ -16,8 +16,9 @@ from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
 
-#: Pixels along a side of a tile, and tiles that are read at once.
+#: Pixels along a side of a tile, tiles along a side of a group, and tiles that are read at once.
 TILE = 64
+GROUP = 8
 BATCH = 64
 
 
@@ -28,6 +29,8 @@ class Tiles:
     pixels: int  #: The period n.
     blocks: NDArray[np.floating]  #: (tiles, TILE, tiles, TILE), padded with minus infinity.
     maxima: NDArray[np.floating]  #: (tiles, tiles), the highest point of each.
+    #: (tiles, tiles), the highest point of the GROUP x GROUP tiles that begin at each tile.
+    group_maxima: NDArray[np.floating]
 
     def in_window(
         self, positions: NDArray[np.int_], window: int
@@ -55,14 +58,19 @@ class Tiles:
 
         Such a square meets at most three tiles along an axis where the last one is not full.
         """
-        rows = np.maximum.reduce([np.roll(self.maxima, -i, axis=0) for i in range(3)])
-        columns = np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(3)])
-        return np.asarray(columns[y % self.pixels // TILE, x % self.pixels // TILE])
+        highest = _maxima_of_squares(self.maxima, 3)
+        return np.asarray(highest[y % self.pixels // TILE, x % self.pixels // TILE])
 
     def heights_at(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
         """Return the heights (nm) at any offsets from the origin of the map."""
         width = self.maxima.shape[1] * TILE
         return np.asarray(self.blocks.ravel().take(y % self.pixels * width + x % self.pixels))
+
+
+def _maxima_of_squares(maxima: NDArray[np.floating], count: int) -> NDArray[np.floating]:
+    """Return the maxima (tiles, tiles) of the count x count tiles that begin at each, periodic."""
+    rows = np.maximum.reduce([np.roll(maxima, -i, axis=0) for i in range(count)])
+    return np.asarray(np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(count)]))
 
 
 def as_tiles(surface: HeightMap) -> Tiles:
@@ -73,7 +81,8 @@ def as_tiles(surface: HeightMap) -> Tiles:
     if extra:
         heights = np.pad(heights, ((0, extra), (0, extra)), constant_values=-np.inf)
     blocks = heights.reshape(count, TILE, count, TILE)
-    return Tiles(surface.pixels, blocks, blocks.max(axis=1).max(axis=2))
+    maxima = blocks.max(axis=1).max(axis=2)
+    return Tiles(surface.pixels, blocks, maxima, _maxima_of_squares(maxima, GROUP))
 
 
 class LowestGaps(NamedTuple):
@@ -85,11 +94,29 @@ class LowestGaps(NamedTuple):
     offsets: NDArray[np.int_]  #: (contact_pixel_count, 2) pixels from the apex: row, column.
 
 
+class WindowTiles(NamedTuple):
+    """Tiles in the windows of contacts, in the order of these."""
+
+    contact: NDArray[np.int_]  #: (k,)
+    row: NDArray[np.int_]  #: (k,) within the window.
+    column: NDArray[np.int_]
+    bounds: Floats  #: (k,) nm, at most the smallest gap of each.
+
+    def select(self, index: slice | NDArray[np.int_] | NDArray[np.bool_]) -> "WindowTiles":
+        """Return some of the tiles."""
+        contact, row, column, bounds = self
+        return WindowTiles(contact[index], row[index], column[index], bounds[index])
+
+    def up_to(self, limits: Floats) -> "WindowTiles":
+        """Return the tiles whose bounds are at most the limits (contact,) in nm."""
+        return self.select(self.bounds <= limits[self.contact])
+
+
 class _Windows:
     """The tiles of the substrate in the windows of contacts, with bounds below their gaps.
 
-    A tile is numbered by rows within the window of its contact; `bounds` (contact, tile) in nm are
-    infinite for those outside it.
+    Tiles are numbered along each axis of the window of their contact; bounds in nm are infinite for
+    those outside it.
     """
 
     def __init__(
@@ -102,25 +129,48 @@ class _Windows:
         self.substrate = substrate
         self.roughness = roughness
         self.geometry = geometry
-        #: (contact, axis, tiles along the axis)
-        self.offset, self.index, meets = substrate.in_window(positions, geometry.window)
+        offset, index, meets = substrate.in_window(positions, geometry.window)
         # The lowest point of the sphere over the TILE pixels that begin at each offset.
-        nearest = np.maximum(np.maximum(self.offset, -(self.offset + TILE - 1)), 0)
+        nearest = np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0)
         low = np.where(meets, geometry.paraboloid(nearest), np.inf)
-        bounds = low[:, 0, :, None] + low[:, 1, None, :]
-        bounds -= substrate.maxima[self.index[:, 0, :, None], self.index[:, 1, None, :]]
-        if roughness is not None:
-            bounds -= roughness.upper_bound(self.offset[:, 0, :, None], self.offset[:, 1, None, :])
-        self.bounds = bounds.reshape(len(positions), -1)
+        padding = ((0, 0), (0, 0), (0, -low.shape[-1] % GROUP))
+        #: (contact, axis, tiles along the axis), whole groups.
+        self.offset = np.pad(offset, padding, constant_values=geometry.window)  # outside it
+        self.index = np.pad(index, padding)
+        self.low = np.pad(low, padding, constant_values=np.inf)
 
-    def gaps(
-        self, contact: NDArray[np.int_], tile: NDArray[np.int_]
-    ) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
+    def group_bounds(self) -> Floats:
+        """Return the bounds (contact, group), groups numbered by rows within the window."""
+        contacts, axes, tiles = self.low.shape
+        low = self.low.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
+        first = self.index[:, :, ::GROUP]
+        bounds = low[:, 0, :, None] + low[:, 1, None, :]
+        bounds -= self.substrate.group_maxima[first[:, 0, :, None], first[:, 1, None, :]]
+        if self.roughness is not None:
+            bounds -= self.roughness.maxima.max()
+        return np.asarray(bounds.reshape(contacts, -1))
+
+    def tiles_of_groups(self, contact: NDArray[np.int_], group: NDArray[np.int_]) -> WindowTiles:
+        """Return the tiles of groups (k,), ordered as these."""
+        group_row, group_column = np.divmod(group, self.low.shape[-1] // GROUP)
+        row = (group_row[:, None] * GROUP + np.arange(GROUP))[:, :, None]
+        column = (group_column[:, None] * GROUP + np.arange(GROUP))[:, None, :]
+        number = contact[:, None, None]
+        bounds = self.low[number, 0, row] + self.low[number, 1, column]
+        bounds -= self.substrate.maxima[self.index[number, 0, row], self.index[number, 1, column]]
+        if self.roughness is not None:
+            bounds -= self.roughness.upper_bound(
+                self.offset[number, 0, row], self.offset[number, 1, column]
+            )
+        number, row, column = np.broadcast_arrays(number, row, column)
+        return WindowTiles(number.ravel(), row.ravel(), column.ravel(), bounds.ravel())
+
+    def gaps(self, tiles: WindowTiles) -> tuple[Floats, NDArray[np.int_], NDArray[np.int_]]:
         """Return the gaps (k, TILE, TILE) in nm of tiles (k,), infinite outside the window.
 
         With them come the offsets from the apex of their rows and of their columns: (k, TILE).
         """
-        row, column = np.divmod(tile, self.offset.shape[-1])
+        contact, row, column, _ = tiles
         y = self.offset[contact, 0, row][:, None] + np.arange(TILE)
         x = self.offset[contact, 1, column][:, None] + np.arange(TILE)
         tile_y, tile_x = self.index[contact, 0, row], self.index[contact, 1, column]
@@ -150,10 +200,18 @@ def lowest_gaps(
     their offsets.
     """
     windows = _Windows(substrate, roughness, geometry, positions)
-    limits = _limits_of_gaps(windows, contact_pixel_count)
-    contact, tile = np.nonzero(windows.bounds <= limits[:, None])
-    batches = [slice(start, start + BATCH) for start in range(0, len(tile), BATCH)]
-    low = [_gaps_up_to(windows, contact[batch], tile[batch], limits) for batch in batches]
+    group_bounds = windows.group_bounds()
+    tile_count = -(-contact_pixel_count // TILE**2)
+    best_groups = _lowest_columns(group_bounds, -(-tile_count // GROUP**2))
+    contact = np.repeat(np.arange(len(positions)), best_groups.shape[1])
+    tiles = windows.tiles_of_groups(contact, best_groups.ravel())
+    limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
+    tiles = windows.tiles_of_groups(*np.nonzero(group_bounds <= limits[:, None])).up_to(limits)
+    # The lowest bounds of all tiles that are left give a lower limit.
+    limits = _limits_of_gaps(windows, tiles, contact_pixel_count)
+    tiles = tiles.up_to(limits)
+    batches = [slice(start, start + BATCH) for start in range(0, len(tiles.contact), BATCH)]
+    low = [_gaps_up_to(windows, tiles.select(batch), limits) for batch in batches]
     contact, gaps, offsets = (np.concatenate(parts) for parts in zip(*low, strict=True))
     ends = np.searchsorted(contact, np.arange(1, len(positions)))
     return [
@@ -162,36 +220,46 @@ def lowest_gaps(
     ]
 
 
-def _limits_of_gaps(windows: _Windows, contact_pixel_count: int) -> Floats:
-    """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels."""
-    # The N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
-    contacts, tiles = windows.bounds.shape
-    count = min(-(-contact_pixel_count // TILE**2), tiles)
-    if count == 1:
-        best = windows.bounds.argmin(axis=1)[:, None]
-    else:
-        best = np.argpartition(windows.bounds, count - 1, axis=1)[:, :count]
-    gaps, _, _ = windows.gaps(np.repeat(np.arange(contacts), count), best.ravel())
-    gaps = gaps.reshape(contacts, -1)
+def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: int) -> Floats:
+    """Return an upper bound (contact,) on the N-th smallest gap (nm), N the contact pixels.
+
+    It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
+    """
+    tile_count = -(-contact_pixel_count // TILE**2)
+    ends = np.searchsorted(tiles.contact, np.arange(1, tiles.contact[-1] + 1))
+    best = [
+        start + _lowest_columns(bounds[None], tile_count)[0]
+        for start, bounds in zip([0, *ends], np.split(tiles.bounds, ends), strict=True)
+    ]
+    gaps, _, _ = windows.gaps(tiles.select(np.concatenate(best)))
+    gaps = gaps.reshape(len(best), -1)
     if gaps.shape[1] < contact_pixel_count:
-        return np.full(contacts, np.inf)
+        return np.full(len(best), np.inf)
     if contact_pixel_count == 1:
         return np.asarray(gaps.min(axis=1))
     return np.partition(gaps, contact_pixel_count - 1, axis=1)[:, contact_pixel_count - 1]
 
 
+def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
+    """Return the indices (row, count) of the lowest bounds (row, column), at most all."""
+    if count == 1:
+        return np.asarray(bounds.argmin(axis=1)[:, None])
+    count = min(count, bounds.shape[1])
+    return np.argpartition(bounds, count - 1, axis=1)[:, :count]
+
+
 def _gaps_up_to(
-    windows: _Windows, contact: NDArray[np.int_], tile: NDArray[np.int_], limits: Floats
+    windows: _Windows, tiles: WindowTiles, limits: Floats
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
     """Return the gaps of tiles that are at most the limit (nm) of their contact.
 
     Beside them, the number of the contact before and the offsets (gap, 2) after them.
     """
-    gaps, rows, columns = windows.gaps(contact, tile)
-    low = np.flatnonzero(gaps <= limits[contact, None, None])
+    gaps, rows, columns = windows.gaps(tiles)
+    low = np.flatnonzero(gaps <= limits[tiles.contact, None, None])
     number, y, x = np.unravel_index(low, gaps.shape)
     offsets = np.stack([rows[number, y], columns[number, x]], axis=1)
-    return contact[number], gaps.ravel()[low], offsets
+    return tiles.contact[number], gaps.ravel()[low], offsets
 
 
 def _lowest(gaps: Floats, offsets: NDArray[np.int_], contact_pixel_count: int) -> LowestGaps:

@@ -1,11 +1,12 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
 The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums of all contacts are
-a product over both axes, of a rough one a correlation with a kernel. Contact pixels are left out
-beforehand: subtracting them afterwards would cost as many digits as exp(penetration/rho) has.
+a product over both axes, of a rough one a correlation with a kernel. Contact pixels are subtracted
+from the sum over all pixels. That costs as many digits as exp(penetration/rho) has, so that short
+ranges leave them out beforehand, in double precision.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
 
 import numpy as np
@@ -94,38 +95,74 @@ SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 ROWS = 64  # in a block: small enough for the cache
 
+#: Largest penetration of a contact, and its largest depth below the highest point of the surface,
+#: relative to the range, at which single precision suffices: exp(2) of its 7 digits are lost, and
+#: pixels that it rounds to zero are exp(-47) of those in contact.
+MAX_PENETRATION, MAX_DEPTH = 2.0, 40.0
+
 
 def _products(
+    blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
+    folds: Sequence[NDArray[np.floating]],
+) -> Floats:
+    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
+
+    A block has its rows and the exponentials (rows, n) at each range; the folds G are `folded`.
+    """
+    columns = [np.ascontiguousarray(fold.T) for fold in folds]
+    sums = np.zeros((len(folds), *[len(folds[0])] * 2))
+    for rows, attractions in blocks:
+        for index, attraction in enumerate(attractions):
+            sums[index] += folds[index][:, rows] @ (attraction @ columns[index])
+    return sums
+
+
+def _blocks_without_contacts(
     heights: NDArray[np.floating],
     contact_pixels: ContactPixels,
     highest: float,
-    folds: Sequence[Floats],
     rhos: Sequence[float],
-) -> Floats:
-    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), without the contact pixels."""
-    columns = [np.ascontiguousarray(fold.T) for fold in folds]
-
-    def block(start: int) -> Floats:
+) -> Iterator[tuple[slice, list[Floats]]]:
+    """Yield the rows of each block and its exponentials, zero at contact pixels."""
+    for start in range(0, len(heights), ROWS):
         rows = slice(start, start + ROWS)
         attractions = _attractions(heights[rows], highest, rhos)
-        products = []
-        for rho, fold, column in zip(rhos, folds, columns, strict=True):
-            contact_pixels.leave_out(attractions[rho], start)
-            products.append(fold[:, rows] @ (attractions[rho] @ column))
-        return np.array(products)
-
-    return np.asarray(sum(block(start) for start in range(0, len(heights), ROWS)))
+        for attraction in attractions:
+            contact_pixels.leave_out(attraction, start)
+        yield rows, attractions
 
 
 def _attractions(
     heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
-) -> dict[float, Floats]:
+) -> list[Floats]:
     """Return `exponential` at every range: at half of another one it is the square of that."""
     attractions: dict[float, Floats] = {}
     for rho in sorted(rhos, reverse=True):
         longer = attractions.get(2 * rho)
         attractions[rho] = exponential(heights, highest, rho) if longer is None else longer**2
-    return attractions
+    return [attractions[rho] for rho in rhos]
+
+
+def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
+    """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
+    heights = bodies.substrate.heights
+    highest = heights.max()
+    folds = [folded(len(heights), bodies.geometry, rho).astype(np.float32) for rho in rhos]
+    rows = (slice(start, start + ROWS) for start in range(0, len(heights), ROWS))
+    whole = _products(
+        (
+            (block, [np.exp((heights[block] - highest) * np.float32(1 / rho)) for rho in rhos])
+            for block in rows
+        ),
+        folds,
+    )
+    sums_outside = np.empty_like(whole)
+    for contact, (gaps, _) in contacts.items():
+        for index, rho in enumerate(rhos):
+            in_contact = np.exp((gaps[-1] - gaps) / rho).sum()
+            scale = np.exp((gaps[-1] + highest) / rho)
+            sums_outside[index][contact] = scale * whole[index][contact] - in_contact
+    return sums_outside
 
 
 def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
@@ -152,23 +189,46 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     m is the height of the apex at closest approach. The contacts are `LowestGaps` by place (i, j)
     of the array.
     """
+    ranges = np.asarray(rhos, float)
+    sums_outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
+    subtract = _are_shallow(bodies, contacts, ranges)
+    with LIBRARIES.limit(limits=1, user_api="blas"):
+        for is_chosen, method in ((subtract, _sums_by_subtraction), (~subtract, _sums_left_out)):
+            if is_chosen.any():
+                sums_outside[is_chosen] = method(bodies, contacts, ranges[is_chosen].tolist())
+    return sums_outside
+
+
+def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np.bool_]:
+    """Return at which ranges (rho,) contact pixels can be subtracted in single precision.
+
+    A rough sphere has a kernel for each range, and its maps are small: its sums stay exact.
+    """
+    if bodies.roughness is not None:
+        return np.zeros(len(rhos), bool)
+    lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in contacts.values()]).T
+    penetration = (largest - lowest).max()
+    depth = (largest + bodies.substrate.heights.max()).max()
+    return np.asarray((penetration <= MAX_PENETRATION * rhos) & (depth <= MAX_DEPTH * rhos))
+
+
+def _sums_left_out(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
+    """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
     roughness = bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
     touching = substrate.heights[contact_pixels.row, contact_pixels.column]
     h_max = float(substrate.heights.max())
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
-    ranges = [float(rho) for rho in rhos]
-    sums_outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
-    with LIBRARIES.limit(limits=1, user_api="blas"):
-        sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
-        sums = sphere_terms(bodies, contact_pixels, h_max, ranges)
-        for k, (rho, (total, factor)) in enumerate(zip(ranges, sums, strict=True)):
-            attraction = exponential(touching, h_max, rho)
-            for contact in contacts:
-                sums_outside[k][contact] = contact_pixels.outside_sum(
-                    contact, total[contact], attraction * factor(contact), h_max + t_max, rho
-                )
+    sums_outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
+    sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
+    sums = sphere_terms(bodies, contact_pixels, h_max, rhos)
+    for k, (rho, (total, factor)) in enumerate(zip(rhos, sums, strict=True)):
+        attraction = exponential(touching, h_max, rho)
+        for contact in contacts:
+            sums_outside[k][contact] = contact_pixels.outside_sum(
+                contact, total[contact], attraction * factor(contact), h_max + t_max, rho
+            )
     return sums_outside
 
 
@@ -181,7 +241,8 @@ def _smooth_sphere_terms(
     column = contact_pixels.column
     # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
-    totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos)
+    blocks = _blocks_without_contacts(bodies.substrate.heights, contact_pixels, h_max, rhos)
+    totals = _products(blocks, folds)
     for total, fold in zip(totals, folds, strict=True):
 
         def factor(contact: tuple[int, int], fold: Floats = fold) -> Floats:

@@ -1,18 +1,22 @@
 """Fourier interpolation and cutoff filters of periodic surfaces.
 
-A filtered surface is held on the coarsest grid that represents it exactly.
+A filtered surface is held on the coarsest grid that represents it exactly. Transforms to a finer
+grid are in single precision, that of its heights.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-#: Fourier transform over orders (y, x).
+#: Fourier transform over orders (y, x), in double precision, or in single precision.
 Transform = NDArray[np.complex128]
+SingleTransform = NDArray[np.complex64]
+AnyTransform = TypeVar("AnyTransform", Transform, SingleTransform)
 
 BLOCK_ROWS = 64  # rows a block: no step holds a second full-size array, and a block fits the cache
 
@@ -63,7 +67,7 @@ def _orders(highest: int) -> NDArray[np.int_]:
     return np.append(np.arange(highest + 1), np.arange(-highest, 0))
 
 
-def _drop_higher_orders(transform: Transform, limit: float) -> Transform:
+def _drop_higher_orders(transform: AnyTransform, limit: float) -> AnyTransform:
     """Return the part of a transform up to a limit of the order in any direction."""
     orders = _orders(int(limit))
     band = transform[orders, : int(limit) + 1]
@@ -71,9 +75,9 @@ def _drop_higher_orders(transform: Transform, limit: float) -> Transform:
     return band
 
 
-def _pad_orders(transform: Transform, pixels: int) -> Transform:
+def _pad_orders(transform: AnyTransform, pixels: int) -> AnyTransform:
     """Return the transform from `_lowest_orders`, padded with zeros to more orders along y."""
-    padded = np.zeros((pixels, transform.shape[1]), complex)
+    padded = np.zeros((pixels, transform.shape[1]), transform.dtype)
     padded[_orders(transform.shape[1] - 1)] = transform
     return padded
 
@@ -88,7 +92,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     coarse = surface.pixels
     _check_finer(coarse, pixels)
     transform = fft.rfft2(surface.heights.astype(float))
-    padded = np.zeros((pixels, transform.shape[1]), complex)
+    padded = np.zeros((pixels, transform.shape[1]), np.complex64)
     half = coarse // 2
     padded[: coarse - half] = transform[: coarse - half]
     padded[-half:] += transform[-half:]
@@ -99,7 +103,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
         padded[:, -1] /= 2
     fine = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):
-        fine[rows] = heights * (pixels / coarse) ** 2
+        fine[rows] = heights * np.float32((pixels / coarse) ** 2)
     return replace(surface, heights=fine, pixel_size=surface.size / pixels)
 
 
@@ -108,7 +112,7 @@ def _check_finer(coarse: int, pixels: int) -> None:
         raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
 
 
-def _inverse_blocks(padded: Transform) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+def _inverse_blocks(padded: SingleTransform) -> Iterator[tuple[slice, NDArray[np.float32]]]:
     """Yield blocks of rows of the inverse transform of orders (pixels, k), which is overwritten."""
     from scipy import fft
 
@@ -141,15 +145,13 @@ def filtered_series(
     unfiltered = replace(unfiltered, pixel_size=size / pixels)
     if highest is not None:
         transform = _lowest_orders(master, highest)
-        transform *= (pixels / master.pixels) ** 2
+        waves = (transform * (pixels / master.pixels) ** 2).astype(np.complex64)
         heights = np.empty((pixels, pixels), np.float32)
     for limit in limits:
         if limit is None:
             yield unfiltered
             continue
-        for rows, band in _inverse_blocks(
-            _pad_orders(_drop_higher_orders(transform, limit), pixels)
-        ):
+        for rows, band in _inverse_blocks(_pad_orders(_drop_higher_orders(waves, limit), pixels)):
             heights[rows] = band
             if side == "large":
                 np.subtract(unfiltered.heights[rows], heights[rows], out=heights[rows])

@@ -1,0 +1,15 @@
+"""The configuration of a study and its table of surfaces, and the list of all its variables."""
+
+from pathlib import Path
+
+import yaml
+
+from hardcontact.base.dataset import read
+from hardcontact.base.job import job
+from hardcontact.report.dataset_dictionary import page
+
+with job(snakemake) as job:
+    job.write_text(yaml.safe_dump(job.parameters, allow_unicode=True), "configuration")
+    job.copy(job.input.surfaces, "surfaces")
+    datasets = {Path(path).stem: read(path) for path in job.input.datasets}
+    job.write_text(page(datasets), "variables")
