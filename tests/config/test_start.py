@@ -19,6 +19,7 @@ from repository import (
     environment,
     snakemake,
 )
+from small_study import QUICK_PATTERNS
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
@@ -120,8 +121,10 @@ def listen_to_ctrl_c():
 @pytest.mark.study
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
+    # Three jobs, one after the other: the first ends before the others begin.
+    master = QUICK_PATTERNS.small_master.format(surface="uncd", realization=1)
     with subprocess.Popen(
-        [sys.executable, "-m", "snakemake", "--configfile", QUICK],
+        [sys.executable, "-m", "snakemake", master, "--configfile", QUICK],
         cwd=study, env=environment(study), text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, preexec_fn=listen_to_ctrl_c,
     ) as run:  # fmt: skip

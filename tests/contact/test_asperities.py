@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from periodic_maps import RADIUS, make_bodies
 
-from hardcontact.contact.asperities import asperities, asperities_of_pair
+from hardcontact.contact.asperities import _weakest_carrier, asperities, asperities_of_pair
 from hardcontact.contact.contact import Contact
 
 
@@ -31,6 +31,17 @@ def test_two_peaks_share_the_force():
     assert largest == pytest.approx(12 / 15, rel=1e-3)
     assert two_largest == pytest.approx(14 / 15, rel=1e-3)
     assert asperities(attraction, 0.99, 4.0)[2] == 3
+
+
+def test_the_weakest_carrier_is_that_of_sorted_attractions():
+    rng = np.random.default_rng(5)
+    for attraction in (rng.random((90, 70)), np.exp(-40 * rng.random((50, 60))), np.ones((9, 9))):
+        carried = np.cumsum(np.sort(attraction, axis=None)[::-1])
+        for share in (0.1, 0.5, 0.9):
+            weakest = _weakest_carrier(attraction, share, attraction.sum())
+            count = (attraction > weakest).sum()
+            assert carried[count] >= share * carried[-1] * (1 - 1e-12) or weakest == 1
+            assert count == 0 or carried[count - 1] < share * carried[-1]
 
 
 def test_a_single_peak_carries_the_force_of_every_contact():

@@ -87,9 +87,9 @@ def files_made(study):
     return len(list((study / STORE).rglob("*.nc")))
 
 
-def kill_after(study, count):
+def kill_after(study, count, target):
     """Start a run and kill it when it has made a number of files."""
-    process = start(study, "adhesion")
+    process = start(study, target)
     try:
         until(lambda: files_made(study) >= count or process.poll() is not None, f"{count} files")
         assert process.poll() is None, (study / "output").read_text()
@@ -104,12 +104,14 @@ def kill_after(study, count):
 
 
 def test_a_killed_study_continues(empty, own_study):
-    kill_after(empty, 3)
-    done = run(empty, "adhesion")
+    (forces,) = (own_study / STORE / "pull_off").glob("*/sphere/*/*/*/twin/scan-1.nc")
+    target = str(forces.relative_to(own_study))
+    kill_after(empty, 2, target)
+    done = run(empty, target)
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
     lines = differences(empty / "results", own_study / "results")
     assert [line for line in lines if "several-quick" in line and "missing" not in line] == []
-    assert (empty / RESULTS / "adhesion.nc").is_file()
+    assert (empty / target).is_file()
     assert list((empty / "results").rglob(f"{PART}*")) == []
 
 
@@ -203,7 +205,8 @@ def read_only(folder):
 
 def test_a_read_only_folder_is_named(copy):
     # Snakemake itself refuses to replace existing files, before the study can.
-    (copy / RESULTS / "datasets.md").unlink()
+    for name in ("configuration.yaml", "surfaces.tsv", "datasets.md"):
+        (copy / RESULTS / name).unlink()
     with read_only(copy / RESULTS):
         failed_run = run(copy)
     assert failed_run.returncode != 0
@@ -222,32 +225,26 @@ def flip_a_bit(path):
     os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
 
-def assert_refused(study, *altered_files):
-    """Expect a run to refuse files that the study did not write."""
-    failed_run = run(study, "--keep-going")
-    assert failed_run.returncode == 1
-    messages = "\n".join(errors(failed_run.stdout))
-    for path in altered_files:
-        assert_says(messages, f"{path.relative_to(study)}: expected the file that the study wrote")
-
-
 def test_altered_files_are_refused_and_made_again(copy, own_study):
-    scales, spectra = (copy / RESULTS / f"{name}.nc" for name in ("scales", "spectra"))
-    (stitched,) = (copy / STORE / "stitched").glob("*/twin/scan-1-flat.nc")
-    flip_a_bit(scales)
-    truncate_file(spectra, 0.7)
-    (copy / RESULTS / "edges.nc").unlink()  # made from the scales and the spectra
-    assert_refused(copy, scales, spectra)
-    flip_a_bit(stitched)
+    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/scan-1.nc")
+    (filtered,) = (copy / STORE / "filtered/scales").glob("*/*/*/*/twin/*.nc")
+    spectra = copy / RESULTS / "spectra.nc"
+    altered_files = (forces, filtered, spectra)
+    flip_a_bit(forces)
+    truncate_file(filtered, 0.7)
+    flip_a_bit(spectra)
     verified = run(copy, "verify")
     assert verified.returncode == 1 and "goes on from here" not in verified.stdout
-    for path in (scales, spectra, stitched):
+    for path in altered_files:
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
-    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/scan-1.nc")
-    forces.unlink()  # made from the stitched scan
-    (copy / RESULTS / "adhesion.nc").unlink()
-    assert_refused(copy, stitched)
-    for path in (scales, spectra, stitched):
+    for name in ("adhesion", "scales"):  # made from the forces, and from the filtered masters
+        (copy / RESULTS / f"{name}.nc").unlink()
+    failed_run = run(copy, "--keep-going")
+    assert failed_run.returncode == 1
+    messages = "\n".join(errors(failed_run.stdout))
+    for path in (forces, filtered):
+        assert_says(messages, f"{path.relative_to(copy)}: expected the file that the study wrote")
+    for path in altered_files:
         path.unlink()
     done = run(copy)
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout

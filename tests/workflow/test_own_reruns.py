@@ -1,20 +1,29 @@
 """A changed key or column repeats exactly its dependents in a study of own surfaces."""
 
+import importlib
 import re
 
 import pandas as pd
 import pytest
 import yaml
-from own_studies import change_file, quick
+from forked_runs import forked, run_here
+from own_studies import change_file
 
 pytestmark = pytest.mark.study
 
 
+def run_dry(folder, *overlays):
+    """Return the output of a dry run of the study that all tests share."""
+    importlib.import_module("snakemake.cli")  # once, and not in the process of every dry run
+    files = ["config/several.yaml", "few.yaml", *overlays]
+    words = ["-n", "--configfile", *files, "--config", "effort=quick"]
+    return forked(run_here, folder, *words)
+
+
 def planned(folder, *overlays):
-    """Return the rules of a dry run of the study that all tests share."""
-    run = quick(folder, "several", "-n", overlays=["few.yaml", *overlays])
-    assert run.returncode == 0, run.stdout
-    return set(re.findall(r"^(?:local)?rule (\w+):\n", run.stdout, re.M)) - {"all"}
+    """Return the rules of a dry run."""
+    output = run_dry(folder, *overlays)
+    return set(re.findall(r"^(?:local)?rule (\w+):\n", output, re.M)) - {"all"}
 
 
 def test_a_second_run_has_nothing_to_do(own_study):
@@ -52,9 +61,9 @@ def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rul
 )
 def test_another_study_replaces_no_file_of_the_first(own_study, key, value):
     (own_study / "other.yaml").write_text(yaml.safe_dump({"study": "other", "scan": {key: value}}))
-    run = quick(own_study, "several", "-n", overlays=["few.yaml", "other.yaml"])
+    output = run_dry(own_study, "other.yaml")
     outputs = [
-        path for line in re.findall("^    output: (.*)$", run.stdout, re.M)
+        path for line in re.findall("^    output: (.*)$", output, re.M)
         for path in line.split(", ")
     ]  # fmt: skip
     assert outputs and not any((own_study / path).exists() for path in outputs)

@@ -76,6 +76,7 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
         "snakemake_logger_plugin_stages.read_stages",
         lambda effort: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
     )
+    monkeypatch.setattr("snakemake_logger_plugin_stages.os.cpu_count", lambda: 1)
     monkeypatch.setattr("snakemake_logger_plugin_stages.threading.Thread", MagicMock())
     clock = SimpleNamespace(monotonic=lambda: 10.0)
     monkeypatch.setattr("snakemake_logger_plugin_stages.time", clock)
@@ -88,7 +89,8 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
 
     line = show(capsys, twenty_seconds())[-1]
     assert line.startswith("flat scans")
-    assert "2 of 3 jobs done, about 0:01:20 left" in line  # 2 of 10 took 20 s
+    # 10 s were planned, and the table weighs as much as 2 s: 8 s at (20 + 2) / (2 + 2) of the cost.
+    assert "2 of 3 jobs done, about 0:00:44 left" in line
 
 
 def test_a_long_job_is_reported(capsys, monkeypatch):

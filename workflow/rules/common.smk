@@ -1,4 +1,4 @@
-# What every rule needs: the configuration, the paths, the code that a script really uses.
+# The configuration and the paths of all rules, and the code that a script really uses.
 
 from hardcontact.base.code import PINS, code_inputs, template_inputs
 from hardcontact.base.origin import canonical

@@ -25,6 +25,8 @@ from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 STUDY_LOGGER = "snakemake.logging.study"
 #: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
 MAX_SILENCE_SECONDS = 30
+#: Share of a run in whose time the table of costs weighs as much as the finished jobs.
+PRIOR_SHARE = 0.2
 #: Exceptions, and the end of a message, that repeat the failure of a job.
 JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
 INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
@@ -97,23 +99,28 @@ class LogHandler(LogHandlerBase):
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
         self._run_begin = time.monotonic()
-        minutes = math.ceil(self._cost(self._planned) / (os.cpu_count() or 1) / 60)
+        minutes = math.ceil(self._cost(self._planned) / 60)
         how_long = f"about {minutes} minutes" if minutes > 1 else "about a minute or less"
         self._say(f"{_jobs(self._total)}, {how_long}")
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
-        """Return the processor time (s) of numbers of jobs by rule."""
-        return sum(self._stages[rule].seconds * count for rule, count in jobs.items())
+        """Return the time (s) that numbers of jobs by rule take on all processors."""
+        seconds = sum(self._stages[rule].seconds * count for rule, count in jobs.items())
+        return seconds / (os.cpu_count() or 1)
 
     def _position(self) -> str:
-        """Return the number of finished jobs, and the remaining time from the costs of jobs."""
-        done = f"{self._done.total()} of {_jobs(self._total)} done"
-        if not (spent := self._cost(self._done)):
-            return done
+        """Return the number of finished jobs, and the remaining time from the costs of jobs.
+
+        The table of costs weighs as much as a PRIOR_SHARE of the run: finished jobs alone leave out
+        what the unfinished ones have done, which is most of the work at first.
+        """
+        planned, finished = self._cost(self._planned), self._cost(self._done)
+        prior = PRIOR_SHARE * planned
         elapsed = time.monotonic() - self._run_begin
-        remaining = elapsed * (self._cost(self._planned) / spent - 1)
-        return f"{done}, about {timedelta(seconds=round(max(remaining, 0)))} left"
+        remaining = (planned - finished) * (elapsed + prior) / (finished + prior)
+        left = timedelta(seconds=round(max(remaining, 0)))
+        return f"{self._done.total()} of {_jobs(self._total)} done, about {left} left"
 
     def _break_silence(self) -> None:
         """Show the progress if there was no line for a while."""

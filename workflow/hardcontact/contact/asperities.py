@@ -3,6 +3,7 @@
 Pixels that share an edge or a corner belong to one patch.
 """
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -24,6 +25,8 @@ ASPERITY_UNITS = {
 }
 #: Share of the force that the patches of the fewest pixels carry.
 SHARE = 0.9
+#: Bins of the histogram of attractions.
+BIN_COUNT = 4096
 
 
 def asperities(
@@ -36,34 +39,59 @@ def asperities(
     share. The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
-    # Pixels of less attraction than the mean of the rest of the force together carry at most the
-    # rest: they are not among the fewest pixels that carry the share.
-    least_attraction = (1 - share) * total / attraction.size
-    values = np.sort(attraction[attraction > least_attraction])[::-1]
-    weakest = values[np.searchsorted(np.cumsum(values), share * total)]
-    (box,) = ndimage.find_objects((attraction >= weakest).astype(np.int8))
-    box_attraction = attraction[box]
-    label, count = ndimage.label(box_attraction >= weakest, structure=np.ones((3, 3)))
-    forces = np.sort(np.bincount(label.ravel(), box_attraction.ravel())[1:])[::-1] / total
+    is_carrier = attraction >= _weakest_carrier(attraction, share, total)
+    rows = np.flatnonzero(is_carrier.any(axis=1))
+    columns = np.flatnonzero(is_carrier.any(axis=0))
+    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    label, count = ndimage.label(is_carrier[box], structure=np.ones((3, 3)))
+    forces = np.sort(np.bincount(label.ravel(), attraction[box].ravel())[1:])[::-1] / total
     extent = _diameter(attraction, share, total) * pixel_size
     return forces[0], forces[:2].sum(), count, extent
 
 
+def _weakest_carrier(attraction: Floats, share: float, total: float) -> float:
+    """Return the smallest attraction of the fewest pixels that carry a share of the total.
+
+    A histogram finds the few attractions to sort: those of the bin in which the share is reached.
+    """
+    # Pixels of less attraction than the mean of the rest of the force together carry at most the
+    # rest: they are not among the fewest pixels that carry the share.
+    least_attraction = (1 - share) * total / attraction.size
+    values = attraction[attraction > least_attraction]
+    bins = (values * (BIN_COUNT / values.max())).astype(np.intp)
+    carried = np.cumsum(np.bincount(bins, values)[::-1])  # from the strongest bin on
+    place = int(np.searchsorted(carried, share * total))
+    in_bin = np.sort(values[bins == len(carried) - 1 - place])[::-1]
+    carried_by_stronger = carried[place - 1] if place else 0.0
+    last = int(np.searchsorted(carried_by_stronger + np.cumsum(in_bin), share * total))
+    return float(in_bin[min(last, len(in_bin) - 1)])
+
+
 def _diameter(attraction: Floats, share: float, total: float) -> int:
     """Return the diameter in pixels of the circle about the centre of force that holds a share."""
-    from_y = _distance_from_centre(attraction.sum(axis=1))
-    from_x = _distance_from_centre(attraction.sum(axis=0))
-    half_width = 32
+    profile_y, profile_x = attraction.sum(axis=1), attraction.sum(axis=0)
+    from_y, from_x = _distance_from_centre(profile_y), _distance_from_centre(profile_x)
+    half_width = max(_half_width(from_y, profile_y, share), _half_width(from_x, profile_x, share))
     carried = np.zeros(1)
-    # Squares about the centre, each twice as wide, until a circle in one holds the share.
+    # Squares about the centre, each wider, until a circle in one holds the share.
     while carried[-1] < share * total and half_width < 2 * max(attraction.shape):
-        half_width *= 2
+        half_width = math.ceil(1.5 * half_width)
         rows = np.flatnonzero(abs(from_y) <= half_width)
         columns = np.flatnonzero(abs(from_x) <= half_width)
         near = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
-        distance = np.rint(np.hypot(from_y[near[0], None], from_x[near[1]])).astype(int)
-        carried = np.cumsum(np.bincount(distance.ravel(), attraction[near].ravel())[:half_width])
+        distance = np.sqrt(from_y[near[0], None] ** 2 + from_x[near[1]] ** 2)
+        rings = np.rint(distance, out=distance).astype(np.intp)
+        carried = np.cumsum(np.bincount(rings.ravel(), attraction[near].ravel())[:half_width])
     return 2 * int(np.searchsorted(carried, share * total))
+
+
+def _half_width(distance: Floats, profile: Floats, share: float) -> int:
+    """Return half the width in pixels of the strip that holds a share of a profile of force (n,).
+
+    The circle that holds the share is at least as wide.
+    """
+    carried = np.cumsum(np.bincount(abs(distance).astype(np.intp), profile))
+    return 1 + int(np.searchsorted(carried, share * carried[-1]))
 
 
 def _distance_from_centre(profile: Floats) -> Floats:
@@ -86,11 +114,16 @@ def asperities_of_pair(
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixel_count = contact.pixel_count(pixel_size)
+    offset = bodies.geometry.offsets()
+    sphere = bodies.sphere(offset, offset)
+    attraction = np.empty_like(sphere)
     carriers = []
     for index in progress(contact_indices, len(contact_indices), "contacts"):
-        gap = flattened_gaps(gap_map(bodies, index), contact_pixel_count)
-        carriers.append([asperities(np.exp(-gap / rho), share, pixel_size) for rho in ranges])
-    values = np.array(carriers)
+        gap = flattened_gaps(gap_map(bodies, index, sphere), contact_pixel_count)
+        for rho in ranges:
+            np.exp(np.divide(gap, -rho, out=attraction), out=attraction)
+            carriers.append(asperities(attraction, share, pixel_size))
+    values = np.reshape(carriers, (len(contact_indices), len(ranges), -1))
     return xr.Dataset(
         {
             name: (("contact", "rho"), values[..., k], {"units": unit})

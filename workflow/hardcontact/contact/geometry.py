@@ -134,28 +134,36 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
     return np.asarray(gaps)
 
 
-def gap_map(bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_]) -> Floats:
+def gap_map(
+    bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_], sphere: Floats | None = None
+) -> Floats:
     """Return the gap (window, window) in nm of one contact of the array, at the apex height 0.
 
-    The apex stands at the pixel (window/2, window/2).
+    The apex stands at the pixel (window/2, window/2). The `sphere` is the same for all contacts;
+    None computes it.
     """
     geometry = bodies.geometry
     offset = geometry.offsets()
+    if sphere is None:
+        sphere = bodies.sphere(offset, offset)
     apex = geometry.positions[list(contact)]
     rows, columns = (apex[:, None] + offset) % bodies.substrate.pixels
-    gap = bodies.sphere(offset, offset)
-    gap -= bodies.substrate.heights[np.ix_(rows, columns)]
-    return gap
+    return np.asarray(sphere - bodies.substrate.heights[rows].take(columns, axis=1))
 
 
 def largest_contact_gap(gap: Floats, contact_pixel_count: int) -> float:
     """Return the largest gap (nm) of the contact pixels: minus the height m of the apex."""
+    if gap.ndim == 2 and contact_pixel_count <= len(gap):
+        # As many rows as pixels touch have their lowest gap at or below this bound.
+        row_minima = gap.min(axis=1)
+        gap = gap[gap <= np.partition(row_minima, contact_pixel_count - 1)[contact_pixel_count - 1]]
     return float(np.partition(gap.ravel(), contact_pixel_count - 1)[contact_pixel_count - 1])
 
 
 def flattened_gaps(gap: Floats, contact_pixel_count: int) -> Floats:
     """Return the gap (n, n) in nm at plastic closest approach, zero at the contact pixels."""
-    return np.maximum(gap - largest_contact_gap(gap, contact_pixel_count), 0)
+    closed = gap - largest_contact_gap(gap, contact_pixel_count)
+    return np.maximum(closed, 0, out=closed)
 
 
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:

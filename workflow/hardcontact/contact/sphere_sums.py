@@ -2,8 +2,8 @@
 
 The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums of all contacts are
 a product over both axes, of a rough one a correlation with a kernel. Contact pixels are subtracted
-from the sum over all pixels. That costs as many digits as exp(penetration/rho) has, so that short
-ranges leave them out beforehand, in double precision.
+from the sum over all pixels, in the precision of the heights. That costs as many digits as
+exp(penetration/rho) has, so that short ranges leave them out beforehand, in double precision.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -147,11 +147,12 @@ def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[floa
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
     highest = heights.max()
-    folds = [folded(len(heights), bodies.geometry, rho).astype(np.float32) for rho in rhos]
+    number = heights.dtype.type  # Sums have the precision of the heights.
+    folds = [folded(len(heights), bodies.geometry, rho).astype(number) for rho in rhos]
     rows = (slice(start, start + ROWS) for start in range(0, len(heights), ROWS))
     whole = _products(
         (
-            (block, [np.exp((heights[block] - highest) * np.float32(1 / rho)) for rho in rhos])
+            (block, [np.exp((heights[block] - highest) * number(1 / rho)) for rho in rhos])
             for block in rows
         ),
         folds,

@@ -22,8 +22,9 @@ from hardcontact.surfaces.spectrum import (
     SpectrumFunction,
     spectrum_of_dataset,
 )
-from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid, scan_of_noise
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
+from hardcontact.surfaces.synthesis import white_noise
 
 #: Number of components of the gain, as many as rows of Table 1 are met. The amplitudes of the
 #: second and the third relative to the first are fitted.
@@ -202,8 +203,9 @@ def condition_group(
         component_spectra = [multiply_amplitudes(spectrum, share) for share in shares]
         matrices = []
         for make_generator in generator_functions.values():
+            noise = white_noise(make_generator(), grid.realization_pixels)
             components = [
-                level(sample_scan(make_generator(), component_spectrum, grid))
+                level(scan_of_noise(noise, component_spectrum, grid))
                 for component_spectrum in component_spectra
             ]
             matrices.append(metric_matrices(components, list(targets.means)))

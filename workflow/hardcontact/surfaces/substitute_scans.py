@@ -9,7 +9,12 @@ import xarray as xr
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import (
+    Transform,
+    random_corner,
+    random_surface,
+    white_noise,
+)
 
 
 class ScanGrid(NamedTuple):
@@ -45,10 +50,19 @@ def whole_surface(
     )
 
 
-def sample_scan(rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid) -> HeightMap:
-    """Sample a scan: the corner of a random surface with C_iso `density` in nm⁴."""
-    surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
-    return cut_scan(surface, grid.pixels)
+def sample_scan(
+    rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+) -> HeightMap:
+    """Sample a scan with C_iso `density` in nm⁴, its heights times a factor."""
+    return scan_of_noise(white_noise(rng, grid.realization_pixels), density, grid, factor)
+
+
+def scan_of_noise(
+    noise: Transform, density: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+) -> HeightMap:
+    """Return the scan of the transform of white noise: the corner of a random surface."""
+    surface = random_corner(noise, grid.pixels, grid.pixel_size, density)
+    return cut_scan(surface, grid.pixels, factor)
 
 
 def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
@@ -73,8 +87,7 @@ def synthesize_scan(
     `sphere_radius` in nm is that of a sphere that the scan shows; None for a flat surface.
     `heights` (x, y) in nm are float64, for netCDF's classic format.
     """
-    surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
-    scan = cut_scan(surface, grid.pixels, factor)
+    scan = sample_scan(rng, density, grid, factor)
     if sphere_radius is not None:
         scan = add_sphere(rng, scan, sphere_radius)
     position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size

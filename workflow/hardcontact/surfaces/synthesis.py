@@ -8,32 +8,68 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
 
+#: Fourier transform of a real map, one half of it.
+Transform = NDArray[np.complex64]
+
+
+def white_noise(rng: np.random.Generator, pixels: int) -> Transform:
+    """Return the transform (pixels, pixels/2 + 1) of white noise of unit variance, in complex64."""
+    from scipy import fft
+
+    return np.asarray(fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32)))
+
+
+def scale_noise(noise: Transform, pixel_size: float, density: SpectrumFunction) -> None:
+    """Scale the transform of white noise, in place, to that of a surface with a C_iso.
+
+    White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
+    ratio. Wavevectors of opposite y have the same density.
+    """
+    pixels = len(noise)
+    half = pixels // 2 + 1
+    wave_y = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
+    wave_x = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
+    for start in range(0, half, BLOCK_ROWS):
+        rows = np.arange(start, min(start + BLOCK_ROWS, half))
+        amplitudes = np.sqrt(density(np.hypot(wave_y[rows, None], wave_x))) / pixel_size
+        noise[rows] *= amplitudes
+        is_paired = (rows > 0) & (2 * rows < pixels)
+        noise[pixels - rows[is_paired]] *= amplitudes[is_paired]
+    noise[0, 0] = 0
+
 
 def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, density: SpectrumFunction
 ) -> HeightMap:
-    """Return a Gaussian random surface with a power spectral density, of mean zero, in float32.
+    """Return a Gaussian random surface with a power spectral density, of mean zero, in float32."""
+    from scipy import fft
 
-    White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
-    ratio.
+    transform = white_noise(rng, pixels)
+    scale_noise(transform, pixel_size, density)
+    heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
+    return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+
+
+def random_corner(
+    noise: Transform, corner_pixels: int, pixel_size: float, density: SpectrumFunction
+) -> HeightMap:
+    """Return the corner of the random surface of the transform of white noise, in float32.
+
+    Only the rows of the corner are transformed along x.
     """
     from scipy import fft
 
-    transform = fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32))
-    wave_y = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
-    wave_x = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
-    for start in range(0, pixels, BLOCK_ROWS):
-        rows = slice(start, start + BLOCK_ROWS)
-        wavevector = np.hypot(wave_y[rows, None], wave_x)
-        transform[rows] *= np.sqrt(density(wavevector)) / pixel_size
-    transform[0, 0] = 0
-    heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
-    return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+    transform = noise.copy()
+    scale_noise(transform, pixel_size, density)
+    rows = fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
+    heights = fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
+    return HeightMap(heights, pixel_size, basis="substitute")
 
 
 def small_scale_master(

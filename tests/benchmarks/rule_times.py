@@ -1,10 +1,11 @@
-"""Processor time of a finished study by rule, and the minimum for its transforms and sums.
+"""Processor time of a finished study by rule, and what of it transforms and sums take.
 
-    python tests/benchmarks/floor.py [--study paper]
+    python tests/benchmarks/rule_times.py [--study paper]
 
-The floor of a rule is composed of kernels that this run times: random numbers, Fourier transforms
-and exponentials of arrays as large as those of the rule, each as often as its result needs it.
-Reading, writing, start-up and contact pixels are not in it. Rules without a floor do other things.
+The second time is composed of kernels that this run times: random numbers, Fourier transforms and
+exponentials of arrays as large as those of the rule, each as often as its result needs it. It is no
+bound that a rule could reach: the search for contact pixels, reading, writing and the start of jobs
+are not in it. Rules without it do other things.
 """
 
 import argparse
@@ -53,8 +54,8 @@ def surface_seconds(pixels):
     return kernels(pixels)["draw"] + kernels(pixels)["inverse"]
 
 
-def floors(configuration, store):
-    """Return the floor of each rule that has one, in seconds."""
+def kernel_seconds(configuration, store):
+    """Return the processor seconds of the kernels of each rule that consists of them."""
     sides = {
         side: len(list((store / "masters").rglob(f"{side}.nc"))) for side in ("small", "large")
     }
@@ -85,11 +86,10 @@ if __name__ == "__main__":
     configuration = yaml.safe_load((results / "configuration.yaml").read_text())
     store = Path(configuration["store"])
     rule_times = jobs([store, results]).groupby("rule").seconds.agg(["count", "sum"])
-    rule_floors = floors(configuration, store)
-    print("| rule | jobs | processor minutes | floor | times |\n|---|---|---|---|---|")
+    rule_kernels = kernel_seconds(configuration, store)
+    print("| rule | jobs | processor minutes | of it kernels |\n|---|---|---|---|")
     for rule, row in rule_times.sort_values("sum", ascending=False).iterrows():
-        floor = rule_floors.get(rule)
-        floor_cells = f"{floor / 60:.2f} | {row['sum'] / floor:.1f}" if floor else "|"
-        print(f"| {rule} | {row['count']:.0f} | {row['sum'] / 60:.2f} | {floor_cells} |")
-    floor_minutes = sum(rule_floors.values()) / 60
-    print(f"{rule_times['sum'].sum() / 60:.0f} processor minutes, floors {floor_minutes:.0f}")
+        kernel_cell = f"{rule_kernels[rule] / 60:.2f}" if rule in rule_kernels else ""
+        print(f"| {rule} | {row['count']:.0f} | {row['sum'] / 60:.2f} | {kernel_cell} |")
+    kernel_minutes = sum(rule_kernels.values()) / 60
+    print(f"{rule_times['sum'].sum() / 60:.0f} processor minutes, kernels {kernel_minutes:.0f}")
