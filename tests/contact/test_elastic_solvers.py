@@ -7,7 +7,7 @@ from periodic_maps import periodic_noise
 from published_contact import MODULUS, RADIUS
 
 from hardcontact.contact import elastic
-from hardcontact.contact.elastic import adhesive_pull_off, half_space, press, pressure_at_load
+from hardcontact.contact.elastic import HalfSpace, adhesive_pull_off, press, pressure_at_load
 from hardcontact.contact.smooth_sphere import hertz_contact
 
 LOAD = 10e-6
@@ -61,7 +61,7 @@ def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
 
 def test_the_wall_carries_the_load_and_nothing_overlaps():
     gap = rough_gap(5.0)
-    wall = press(half_space(96, 12.0, MODULUS), gap, 1e4)
+    wall = press(HalfSpace(96, 12.0, MODULUS), gap, 1e4)
     assert wall.forces.sum() == pytest.approx(1e4, rel=1e-12)
     assert wall.forces.min() == 0
     assert wall.gap.min() > -elastic.MAX_OVERLAP
@@ -72,12 +72,19 @@ def test_the_wall_carries_the_load_and_nothing_overlaps():
 
 def test_a_vanishing_load_touches_the_lowest_pixel_alone():
     gap = rough_gap(5.0)
-    wall = press(half_space(96, 12.0, MODULUS), gap, 1e-9)
+    wall = press(HalfSpace(96, 12.0, MODULUS), gap, 1e-9)
     assert np.flatnonzero(wall.forces).tolist() == [gap.argmin()]
 
 
+def test_without_a_load_the_lowest_pixel_touches_without_a_force():
+    gap = rough_gap(5.0)
+    wall = press(HalfSpace(96, 12.0, MODULUS), gap, 0.0)
+    assert not wall.forces.any()
+    np.testing.assert_allclose(wall.gap, gap - gap.min())
+
+
 def test_displacements_are_those_of_the_kernel_of_a_pixel():
-    body = half_space(64, 12.0, MODULUS)
+    body = HalfSpace(64, 12.0, MODULUS)
     pixels = np.array([[3, 60], [10, 2], [3, 61]])
     forces = np.zeros((64, 64))
     forces[tuple(pixels.T)] = [5.0, 7.0, 11.0]
@@ -107,6 +114,44 @@ def test_stiff_bodies_have_the_rigid_pull_off_force():
         differences.append(1 - pull_off / rigid)
     assert 0 < differences[0] < 0.01
     assert differences[1] == pytest.approx(differences[0] / 10, rel=0.1)
+
+
+def test_a_stiff_smooth_sphere_has_the_force_of_dmt():
+    radius = 5000.0
+    _, pull_off = adhesive_pull_off(sphere_gap(128, 12.0, radius), 12.0, 100 * MODULUS, WORK, RHO)
+    assert pull_off == pytest.approx(2 * np.pi * radius * 1e-9 * WORK, rel=1e-4)
+
+
+@pytest.mark.parametrize("scale", [0.1, 3.0])
+def test_lengths_scale_forces_with_their_square(scale):
+    gap = rough_gap(5.0)
+    pressure = pressure_at_load(gap, 12.0, MODULUS, LOAD)
+    scaled = pressure_at_load(scale * gap, scale * 12.0, MODULUS, scale**2 * LOAD)
+    np.testing.assert_allclose(scaled, pressure, rtol=1e-8, atol=1e-8 * pressure.max())
+    forces = np.array(adhesive_pull_off(gap, 12.0, MODULUS / 10, WORK, RHO))
+    scaled = adhesive_pull_off(scale * gap, scale * 12.0, MODULUS / 10, scale * WORK, scale * RHO)
+    np.testing.assert_allclose(scaled, scale**2 * forces, rtol=1e-6)
+
+
+def pull_off_at_wall_load(gap, modulus, wall_load):
+    """Pull-off force (N) where the wall carries a load (N): twenty steps of the attraction."""
+    body = HalfSpace(len(gap), 12.0, modulus)
+    attraction = np.zeros_like(gap)
+    for _ in range(20):
+        wall = press(body, gap - body.displacement(attraction), wall_load * 1e9)
+        attraction = WORK / RHO * 12.0**2 * np.exp(-np.maximum(wall.gap, 0) / RHO)
+    return attraction.sum() * 1e-9 - wall_load
+
+
+@pytest.mark.parametrize(("softer", "wall_carries"), [(1, False), (10, True)])
+def test_pull_off_is_the_best_of_all_loads_of_the_wall(softer, wall_carries):
+    gap = rough_gap(0.5)
+    rigid, pull_off = adhesive_pull_off(gap, 12.0, MODULUS / softer, WORK, RHO)
+    loads = rigid * np.append(0, np.geomspace(1e-6, 0.3, 60))
+    forces = [pull_off_at_wall_load(gap, MODULUS / softer, load) for load in loads]
+    assert pull_off >= max(forces) * (1 - 1e-8)
+    assert pull_off == pytest.approx(max(forces), rel=1e-4)
+    assert (np.argmax(forces) > 0) == wall_carries
 
 
 def test_bodies_too_soft_are_refused():

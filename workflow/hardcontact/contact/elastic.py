@@ -5,13 +5,12 @@ all pixels. The half space is flat and periodic and has the effective modulus. L
 forces in nN, pressures in GPa, energies per area in J/m².
 """
 
-from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
+from scipy import fft
 from scipy.optimize import minimize_scalar
 from threadpoolctl import threadpool_limits
 
@@ -33,8 +32,6 @@ NEWTON_PER_NN = 1e-9
 
 #: Side in nm of the window about a contact in which elastic and rigid pull-off are compared.
 PULL_OFF_WINDOW = 2500.0
-#: Smallest number of pixels along this window.
-MIN_WINDOW_PIXELS = 16
 #: Largest number of pixels along a side of the map of the pressure in one contact.
 PRESSURE_MAP_PIXELS = 64
 #: Overlap (nm) that pixels may have: far below the range of adhesion.
@@ -42,6 +39,7 @@ MAX_OVERLAP = 1e-6
 #: Pixels that may touch first, and at most: the dense matrix then takes 128 MB.
 FIRST_PIXELS = 32
 MAX_CONTACT_PIXELS = 4000
+EXPECTED = "expected an elastic contact in equilibrium"
 #: Steps of the active set, which needs about ten.
 MAX_ITERATIONS = 200
 #: Change of the attraction at which it counts as converged, and step of the load of the wall in the
@@ -50,44 +48,30 @@ RELATIVE_RESIDUAL = 1e-9
 LOAD_STEP = 1e-6
 
 
-@dataclass(frozen=True, eq=False)
 class HalfSpace:
-    """A flat elastic half space with the period of n x n pixels, on whose pixels forces act."""
+    """A flat elastic half space with the period of n x n pixels, on whose pixels forces act.
 
-    #: (n, n // 2 + 1), displacement in nm of a wave of forces of 1 nN a pixel: 2/(E* q) a pressure.
-    compliance: Floats
+    Pixels have a size (nm), the effective modulus is in Pa. The mean displacement is left out.
+    """
+
+    def __init__(self, pixels: int, pixel_size: float, modulus: float) -> None:
+        wave_y = 2 * np.pi * fft.fftfreq(pixels, pixel_size)
+        wave_x = 2 * np.pi * fft.rfftfreq(pixels, pixel_size)
+        wavevector = np.hypot(wave_y[:, None], wave_x)
+        wavevector[0, 0] = np.inf
+        self._shape = (pixels, pixels)
+        # A wave of forces of 1 nN a pixel displaces by 2/(E* q) of its pressure.
+        self._compliance = 2 * PASCAL_PER_GPA / (modulus * wavevector * pixel_size**2)
+        self._response = fft.irfft2(self._compliance, s=self._shape)  # to 1 nN on the first pixel
 
     def displacement(self, forces: Floats) -> Floats:
-        """Return the displacement (n, n) in nm into the half space by forces (n, n) in nN.
-
-        Its mean is zero.
-        """
-        from scipy import fft
-
-        pixels = len(forces)
-        return np.asarray(fft.irfft2(self.compliance * fft.rfft2(forces), s=(pixels, pixels)))
+        """Return the displacement (n, n) in nm into the half space by forces (n, n) in nN."""
+        return np.asarray(fft.irfft2(self._compliance * fft.rfft2(forces), s=self._shape))
 
     def influence(self, pixels: NDArray[np.int_]) -> Floats:
         """Return the displacements (k, k) in nm of pixels (k, 2) by 1 nN on each of them."""
-        rows, columns = (pixels[:, None] - pixels).transpose(2, 0, 1) % len(self.compliance)
+        rows, columns = (pixels[:, None] - pixels).transpose(2, 0, 1) % len(self._response)
         return np.asarray(self._response[rows, columns])
-
-    @cached_property
-    def _response(self) -> Floats:
-        """Displacement (n, n) in nm by 1 nN on the first pixel."""
-        count = len(self.compliance)
-        force = np.zeros((count, count))
-        force[0, 0] = 1.0
-        return self.displacement(force)
-
-
-def half_space(pixels: int, pixel_size: float, modulus: float) -> HalfSpace:
-    """Return the half space of an effective modulus (Pa) on pixels x pixels of a size (nm)."""
-    wave_y = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
-    wave_x = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
-    wavevector = np.hypot(wave_y[:, None], wave_x)
-    wavevector[0, 0] = np.inf  # The mean displacement is left out.
-    return HalfSpace(2 * PASCAL_PER_GPA / (modulus * wavevector * pixel_size**2))
 
 
 def wall_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, float]:
@@ -98,7 +82,6 @@ def wall_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, f
     """
     touching = np.ones(len(gaps), bool)
     for _ in range(MAX_ITERATIONS):
-        count = np.count_nonzero(touching)
         system = np.pad(influence[np.ix_(touching, touching)], (0, 1), constant_values=1.0)
         system[-1, -1] = 0.0
         *solution, approach = np.linalg.solve(system, np.append(-gaps[touching], load))
@@ -110,14 +93,14 @@ def wall_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, f
         if np.array_equal(now_touching, touching):
             return forces, -approach
         touching = now_touching if now_touching.any() else gaps == gaps.min()
-    raise ValueError(f"expected an elastic contact in equilibrium, found none of {count} pixels")
+    raise ValueError(f"{EXPECTED}, found none")
 
 
 class Wall(NamedTuple):
-    """The forces in nN with which one body keeps another from overlapping."""
+    """The forces (n, n) in nN that keep bodies from overlapping, and the gap (n, n) in nm left."""
 
-    forces: Floats  #: (n, n)
-    gap: Floats  #: (n, n) in nm that is left.
+    forces: Floats
+    gap: Floats
 
 
 def press(body: HalfSpace, gap: Floats, load: float) -> Wall:
@@ -126,10 +109,13 @@ def press(body: HalfSpace, gap: Floats, load: float) -> Wall:
     The lowest pixels touch first; pixels that would overlap join them. Raises ValueError if more
     than MAX_CONTACT_PIXELS do.
     """
+    if load == 0:  # The lowest pixel touches without a force.
+        return Wall(np.zeros_like(gap), gap - gap.min())
     is_candidate = gap <= largest_contact_gap(gap, FIRST_PIXELS)
     while True:
         pixels = np.argwhere(is_candidate)
-        _refuse(len(pixels) > MAX_CONTACT_PIXELS, f"more than {MAX_CONTACT_PIXELS} touching pixels")
+        if len(pixels) > MAX_CONTACT_PIXELS:
+            raise ValueError(f"{EXPECTED}, found more than {MAX_CONTACT_PIXELS} touching pixels")
         forces, approach = wall_forces(body.influence(pixels), gap[is_candidate], load)
         all_forces = np.zeros_like(gap)
         all_forces[is_candidate] = forces
@@ -149,7 +135,7 @@ def pressure_at_load(gap: Floats, pixel_size: float, modulus: float, load: float
     The gap (n, n) at any approach and the pixel size are in nm, the effective modulus in Pa and the
     load in N. Raises ValueError if too many pixels touch.
     """
-    body = half_space(len(gap), pixel_size, modulus)
+    body = HalfSpace(len(gap), pixel_size, modulus)
     return press(body, gap, load / NEWTON_PER_NN).forces / pixel_size**2 * PASCAL_PER_GPA
 
 
@@ -164,11 +150,12 @@ def adhesive_pull_off(
     """
     rigid_gap = gap - gap.min()
     strength = work_of_adhesion / rho * pixel_size**2
-    rigid_attraction = strength * np.exp(-rigid_gap / rho)
-    body = half_space(len(gap), pixel_size, modulus)
-    elongation = body.displacement(rigid_attraction).max()
-    _refuse(elongation > rho / 10, f"bodies stretched by {elongation:.2g} nm")
-    attraction = rigid_attraction
+    attraction = strength * np.exp(-rigid_gap / rho)
+    rigid = float(attraction.sum())
+    body = HalfSpace(len(gap), pixel_size, modulus)
+    elongation = body.displacement(attraction).max()
+    if elongation > rho / 10:
+        raise ValueError(f"{EXPECTED}, found bodies stretched by {elongation:.2g} nm")
 
     def force(wall_load: float) -> float:
         """Return minus the total attraction (nN) where the wall carries a load (nN)."""
@@ -181,17 +168,12 @@ def adhesive_pull_off(
             if np.abs(attraction - last).sum() < RELATIVE_RESIDUAL * attraction.sum():
                 return wall_load - float(attraction.sum())
 
-    rigid = float(rigid_attraction.sum())
-    optimum = minimize_scalar(
-        force, bounds=(0, rigid), method="bounded", options={"xatol": LOAD_STEP * rigid}
-    )
-    return rigid * NEWTON_PER_NN, -optimum.fun * NEWTON_PER_NN
-
-
-def _refuse(failed: bool, reason: str) -> None:
-    """Raise ValueError with the reason if `failed`."""
-    if failed:
-        raise ValueError(f"expected an elastic contact in equilibrium, found {reason}")
+    step = LOAD_STEP * rigid
+    elastic = force(0.0)
+    # A contact stiffens under its load: if the first step gains nothing, no later one does.
+    if force(step) < elastic:
+        elastic = minimize_scalar(force, bounds=(0, rigid), options={"xatol": step}).fun
+    return rigid * NEWTON_PER_NN, -elastic * NEWTON_PER_NN
 
 
 ELASTIC_UNITS = {
@@ -202,6 +184,13 @@ ELASTIC_UNITS = {
     "rigid_pull_off_force": "N",
     "elastic_pull_off_force": "N",
 }
+
+
+def _pressure_metrics(pressure: Floats, pixel_size: float, hardness: float) -> tuple[float, ...]:
+    """Return area in nm², share above the hardness, peak and mean of a pressure (n, n) in Pa."""
+    touching = pressure[pressure > 0]
+    share = float(np.mean(touching > hardness))
+    return touching.size * pixel_size**2, share, touching.max(), touching.mean()
 
 
 def elastic_contacts_of_pair(
@@ -218,12 +207,11 @@ def elastic_contacts_of_pair(
     ``pressure`` (y, x) in Pa of the first. Raises ValueError if no equilibrium is found.
     """
     geometry = bodies.geometry
-    pixel_size = bodies.geometry.pixel_size
+    pixel_size = geometry.pixel_size
     period_pixels = min(bodies.substrate.pixels, geometry.window)
-    pull_off_pixels = window_pixels(pull_off_window, pixel_size)
-    pull_off_pixels = min(max(pull_off_pixels, MIN_WINDOW_PIXELS), period_pixels)
-    contact_rows: list[tuple[float, ...]] = []
-    pressure_maps = []
+    pull_off_pixels = min(window_pixels(pull_off_window, pixel_size), period_pixels)
+    solved: list[dict[str, float]] = []
+    pressures = []
     # More threads take twice the processor time and give the same numbers.
     with threadpool_limits(1, "blas"):
         for index in progress(contact_indices, len(contact_indices), "elastic contacts"):
@@ -231,36 +219,23 @@ def elastic_contacts_of_pair(
             period_gap = part_around_lowest(gap, period_pixels)
             window_gap = part_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
-            rigid, elastic = adhesive_pull_off(
-                window_gap, pixel_size, modulus, contact.work, contact.range
-            )
-            contact_pressure = pressure[pressure > 0]
-            contact_rows.append(
-                (
-                    contact_pressure.size * pixel_size**2,
-                    float(np.mean(contact_pressure > contact.hardness)),
-                    contact_pressure.max(),
-                    contact_pressure.mean(),
-                    rigid,
-                    elastic,
-                )
-            )
-            # The highest pressure is the lowest negative pressure.
-            pressure_maps.append(
-                -part_around_lowest(-pressure, min(PRESSURE_MAP_PIXELS, period_pixels))
-            )
+            forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.range)
+            metrics = _pressure_metrics(pressure, pixel_size, contact.hardness)
+            solved.append(dict(zip(ELASTIC_UNITS, (*metrics, *forces), strict=True)))
+            pressures.append(pressure)
     variables: dict[str, Any] = {
-        name: ("contact", list(values), {"units": unit})
-        for (name, unit), values in zip(
-            ELASTIC_UNITS.items(), zip(*contact_rows, strict=True), strict=True
-        )
+        name: ("contact", [values[name] for values in solved], {"units": unit})
+        for name, unit in ELASTIC_UNITS.items()
     }
+    pixels = min(PRESSURE_MAP_PIXELS, period_pixels)
+    # The highest pressure is the lowest negative pressure.
+    map_of_peak = -part_around_lowest(-pressures[0], pixels)
     pressure_attributes = {"units": "Pa", "long_name": "pressure in one contact"}
-    pixels = len(pressure_maps[0])
     position = (np.arange(pixels) - pixels // 2) * pixel_size
     from_peak = {"units": "nm", "long_name": "position from the peak"}
+    hertz = hertz_contact(contact.preload, geometry.radius, modulus)
     return xr.Dataset(
-        variables | {"pressure": (("y", "x"), pressure_maps[0], pressure_attributes)},
+        variables | {"pressure": (("y", "x"), map_of_peak, pressure_attributes)},
         {
             "contact_y": ("contact", contact_indices[:, 0]),
             "contact_x": ("contact", contact_indices[:, 1]),
@@ -275,8 +250,6 @@ def elastic_contacts_of_pair(
             "work_of_adhesion": contact.work,
             "window": pull_off_pixels * pixel_size,
             "sphere_radius": geometry.radius,
-            "hertz_peak_pressure": hertz_contact(
-                contact.preload, geometry.radius, modulus
-            ).peak_pressure,
+            "hertz_peak_pressure": hertz.peak_pressure,
         },
     )
