@@ -9,7 +9,15 @@ rule answer_paper:
     input:
         **{
             name: PATTERNS.dataset(name)
-            for name in ("topography", "scales", "edges", "sets", "protruded", "protruded_sphere")
+            for name in (
+                "topography",
+                "scales",
+                "edges",
+                "sensitivity",
+                "sets",
+                "protruded",
+                "protruded_sphere",
+            )
         },
         scan_size="resources/validation/scan_size.nc",
         claims=PATTERNS.result("claims.csv"),
