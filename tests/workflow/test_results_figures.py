@@ -174,6 +174,8 @@ NUMBERS = [
     ("fig_elastic", 4, "elastic", lambda data: data.share_above_hardness),
     ("fig_elastic", 5, "elastic", lambda data: data.peak_pressure / GIGA),
     ("fig_enhancement", 0, "enhancement", lambda data: data.filtered_force_ratio.sel(RIGID)),
+    ("fig_octaves", 0, "sensitivity", lambda data: data.octave_sensitivity),
+    ("fig_octaves", 1, "sensitivity", lambda data: data.band_force_ratio.sel(band="published")),
     ("fig_protruded", 0, "protruded", lambda data: data.median_force_at_published / MICRO),
     ("fig_protruded", 1, "protruded", lambda data: data.work_of_adhesion / MILLI),
 ]
