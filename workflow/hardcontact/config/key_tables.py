@@ -31,7 +31,7 @@ KEY_COLUMNS = ("key", "meaning", "values", "default", "paper")
 MAX_LISTED_VALUES = 4
 #: Accepted values, in words, of keys whose types have no bounds.
 VALUES_IN_WORDS = {
-    "scans": "`all` or a list: 1 to 9999",
+    "scans": "`all` or a list of numbers",
     "quick": "a mapping",
     "scan.map_size": "`none` or 0.01 to 1e+09 nm",
 }

@@ -13,12 +13,12 @@ from hardcontact.config.key_types import (
     UNIT,
     ContactCount,
     Count,
+    FilePath,
     Folder,
     Force,
     Forces,
     Fraction,
     Length,
-    LengthOrNone,
     Lengths,
     MasterPixels,
     Pixels,
@@ -28,13 +28,12 @@ from hardcontact.config.key_types import (
     Range,
     Ranges,
     Realizations,
-    ScanNumbers,
     ScanPixels,
     StudyName,
     SurfaceId,
-    TablePath,
     TileCount,
     Work,
+    or_word,
 )
 
 
@@ -88,7 +87,7 @@ class ScanKeys(Keys):
     unit: Annotated[str, UNIT] = "none"
     """Unit of length of all measured scans whose files state none; two, such as `mm,nm`, for
     positions and for heights; `none`: such files are refused."""
-    map_size: LengthOrNone = key("none")
+    map_size: Annotated[Length, or_word("none")] = key("none")
     """The longer side of all measured scans whose files state no size; `none`: such files are
     refused."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
@@ -194,8 +193,7 @@ class ElasticKeys(Keys):
     """
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, sampled at random; at most `contact.count` squared, all
-    contacts."""
+    """Contacts solved on each scan, sampled at random; all of them if the array has fewer."""
 
 
 class IndentKeys(Keys):
@@ -211,7 +209,7 @@ class AsperitiesKeys(Keys):
     """Asperities."""
 
     contacts: ContactCount = 16
-    """Contacts examined on each scan, sampled at random; at most `contact.count` squared."""
+    """Contacts examined on each scan, sampled at random; all of them if the array has fewer."""
     ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
     """Ranges of adhesion, ascending."""
 
@@ -311,14 +309,14 @@ class StudyKeys(Keys):
     """Name; results go to `results/<study>/`."""
     store: Folder = "results/store"
     """Folder of the intermediates, which studies may share."""
-    surfaces: TablePath = "config/surfaces.tsv"
+    surfaces: FilePath = "config/surfaces.tsv"
     """Path of the table of surfaces."""
-    scans: ScanNumbers = key("all")
+    scans: Annotated[list[int], Field(min_length=1), or_word("all")] = key("all")
     """Numbers of the scans used, e.g. `[1, 2]`."""
     published: Literal["paper", "none"] = "paper"
     """Published numbers that the study is compared with: those of the `paper`, or `none` for own
     surfaces. Such a study makes what its scans and forces allow."""
-    forces: TablePath = "none"
+    forces: FilePath = "none"
     """With `published: none`: path of a table of pull-off forces measured on these surfaces, or
     `none`."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")

@@ -11,7 +11,7 @@ from pydantic import WrapValidator
 
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import validate
-from hardcontact.config.key_types import Matching, Quantity
+from hardcontact.config.key_types import FilePath, Matching, Quantity
 from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.tables import user_table
@@ -44,8 +44,8 @@ class SurfaceRow(Keys):
         # pooled is the mean over surfaces, smooth a sphere
         Matching(
             "(?!(pooled|smooth)$)[a-z][a-z0-9_]{0,39}",
-            "the id of the surface, up to 40 lower-case letters, digits and underscores, a letter "
-            "first, neither pooled nor smooth",
+            "up to 40 lower-case letters, digits and underscores, a letter first, neither pooled "
+            "nor smooth",
         ),
     ]
     """Id of the surface, which names it everywhere."""
@@ -55,13 +55,7 @@ class SurfaceRow(Keys):
     """Number of the scan, each once for a surface."""
     source: Literal["measured", "substitute"]
     """Whether the scans are measured, the same in all rows of a surface."""
-    path: Annotated[
-        str,
-        Matching(
-            "[^{}<>]{1,1000}",
-            "the path of a scan, or of the description of a substitute, without {, }, < and >",
-        ),
-    ]
+    path: FilePath
     """Path from the top folder: for `measured` the file of the scan, for `substitute` the
     description of the surface (`resources/README.md`), the same in all rows."""
     dataset: Annotated[

@@ -28,9 +28,6 @@ from hardcontact.surfaces.spectrum import (
 
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
-#: The largest table in bytes, some hundred thousand rows: nobody measures more forces, and larger
-#: files are other data.
-TABLE_LIMIT = 2**22
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
@@ -104,8 +101,6 @@ def user_table(
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
-    if os.path.getsize(path) > TABLE_LIMIT:
-        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
     try:
         text = Path(path).read_bytes().decode("utf-8-sig")
         head = text.partition("\n")[0]
