@@ -48,28 +48,24 @@ class SurfaceRow(Keys):
             "nor smooth",
         ),
     ]
-    """Id of the surface, which names it everywhere."""
+    """Id of the surface."""
     label: Annotated[str, LABEL]
     """Name of the surface in figures, the same in all rows of a surface."""
     scan: Annotated[str, Matching("[1-9][0-9]{0,3}", "the number of the scan, 1 to 9999")]
     """Number of the scan, each once for a surface."""
     source: Literal["measured", "substitute"]
-    """Whether the scans are measured, the same in all rows of a surface."""
+    """Origin of the scans, the same in all rows of a surface."""
     path: FilePath
-    """Path from the top folder: for `measured` the file of the scan, for `substitute` the
-    description of the surface (`resources/README.md`), the same in all rows."""
-    dataset: Annotated[
-        str, Matching(".{0,1000}", "the name of one scan of a container, of a channel, or nothing")
-    ]
-    """For a contact.engineering container (`.zip`): one of its scans, by name or data file. For any
-    other file: the channel, or nothing for the file's own choice."""
+    """File of a measured scan, or description of a substitute (`resources/README.md`), the same in
+    all its rows; from the top folder."""
+    dataset: Annotated[str, Matching(".{0,1000}", "a name, or nothing")]
+    """Scan of a container (`.zip`), by name or data file; channel of another file, or nothing for
+    the file's own choice."""
     use: Literal["", "contact", "spectrum"] = ""
-    """Optional, for measured scans. `contact` (also if empty): height maps on which contacts are
-    made, all of a surface on the same pixels. `spectrum`: scans of other sizes and line scans,
-    which only enter the spectrum."""
+    """Optional. `contact`, also if empty: a height map on which contacts are made. `spectrum`: a
+    measured scan that only enters the spectrum."""
     tip_radius: Annotated[str, TIP_RADIUS, WrapValidator(_keep_text)] = ""
-    """Optional; radius of the tip that measured the scan, such as `10 nm`. It replaces what the
-    file states."""
+    """Optional; radius of the tip of the scan, in place of what the file states."""
 
 
 class Selection:
