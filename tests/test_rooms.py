@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1083,
     "theory": 647,
     "paper": 1515,
-    "config": 1988,
+    "config": 1976,
     "own": 1544,
     "report": 2751,
     "api": 199,

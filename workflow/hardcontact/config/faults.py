@@ -63,8 +63,8 @@ def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
 
 
 def quote_key(key: object) -> str:
-    """Return a key as a file has it, or escaped and shortened if it would not fit a line."""
-    text = str(key)
+    """Return a key or a cell as a file has it, or escaped and shortened to fit a line."""
+    text = str(key) or "nothing"
     return text if text.strip() and text.isprintable() and len(text) < 80 else shorten(key)
 
 

@@ -2,16 +2,13 @@
 
 import os
 import reprlib
-from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import pandas as pd
-from pydantic import WrapValidator
 
-from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import validate
-from hardcontact.config.key_types import FilePath, Matching, Quantity
+from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.tables import user_table
@@ -27,13 +24,6 @@ CONTACT = "contact"
 #: The radius of the tip that measured a scan, from a sharp one to that of a blunt stylus.
 TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
-
-
-def _keep_text(text: Any, validate_quantity: Callable[[Any], float]) -> Any:
-    """Return the text of a quantity as it is, or an empty text."""
-    if text:
-        validate_quantity(text)
-    return text
 
 
 class SurfaceRow(Keys):
@@ -64,7 +54,7 @@ class SurfaceRow(Keys):
     use: Literal["", "contact", "spectrum"] = ""
     """Optional. `contact`, also if empty: a height map on which contacts are made. `spectrum`: a
     measured scan that only enters the spectrum."""
-    tip_radius: Annotated[str, TIP_RADIUS, WrapValidator(_keep_text)] = ""
+    tip_radius: Annotated[float | str, TIP_RADIUS, or_word("")] = ""
     """Optional; radius of the tip of the scan, in place of what the file states."""
 
 
@@ -102,7 +92,7 @@ class Selection:
     def tip_radii(self, surface: str) -> list[float | None]:
         """Return the tip radius (nm) of all scans of a surface; None if the table has no radius."""
         texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
-        return [parse_quantity(text, "nm") if text else None for text in texts]
+        return [float(text) if text else None for text in texts]
 
     def contact_scan_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""
@@ -165,7 +155,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     """Read the table of surfaces, which is tab-separated, and check that its rows agree.
 
     Returns one row a scan, indexed by the line of the file, with the columns of `SurfaceRow`;
-        `scan` is an int. Missing optional columns are empty, and an empty `use` becomes CONTACT.
+    `scan` is an int, `tip_radius` a number in nm as text or empty, an empty `use` CONTACT.
     Raises ValueError with a line for each fault, which names the file and the line or the surface.
     """
     if not os.path.isfile(path):
