@@ -22,8 +22,8 @@ BUDGET = {
     "inference": 1083,
     "theory": 647,
     "paper": 1515,
-    "config": 1976,
-    "own": 1544,
+    "config": 1938,
+    "own": 1542,
     "report": 2751,
     "api": 199,
 }
