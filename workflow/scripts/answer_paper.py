@@ -16,9 +16,7 @@ from hardcontact.report.quantities import answer_text
 from hardcontact.report.report_pages import pages
 from hardcontact.report.table1 import table1_rows
 
-DATASETS = (
-    "topography", "scales", "edges", "sets", "protruded", "protruded_sphere", "scan_size",
-)  # fmt: skip
+DATASETS = ("topography", "scales", "edges", "sets", "features", "scan_size")
 
 with job(snakemake) as job:
     datasets = {name: read(job.input[name]) for name in DATASETS}

@@ -82,6 +82,9 @@ class ScanKeys(Keys):
     """Pixels along a side of a substitute scan."""
     size: Length = key("2500 nm", "Methods")
     """Side of a substitute scan."""
+    featured_surface: SurfaceId = "polished_uncd"
+    """Substrate whose substitute scans have features, bumps or pits, on a Gaussian base; `none`: no
+    substrate."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """Measured scans with undefined pixels: `refuse` them, or fill the pixels with a `harmonic`
     function."""
@@ -252,11 +255,6 @@ class SetsKeys(Keys):
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
     """Number of rms heights at which the forces of each scan of the pool are computed; between
     them forces are interpolated."""
-    protrusion_draws: Annotated[int, Field(ge=2, le=1000)] = 24
-    """Number of draws of rare protrusions, on `sets.protruded_surface` or on the sphere. Every set
-    is fitted with each draw. A quarter of the draws have no protrusions."""
-    protruded_surface: SurfaceId = "polished_uncd"
-    """Substrate that has the protrusions."""
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20

@@ -1,0 +1,151 @@
+"""Groups of scans with features: of one surface, with the roughness that Table 1 publishes."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base.published import rows_met
+from hardcontact.base.random import generator
+from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.surfaces.conditioning import scan_targets
+from hardcontact.surfaces.features import (
+    GAUSSIAN,
+    SIGNS,
+    Features,
+    ScanStatistics,
+    add_features,
+    deviations_from_published,
+    no_features,
+    published_statistics,
+    sample_features,
+)
+from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
+from hardcontact.surfaces.spectrum import AFM_ROWS, Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan, whole_surface
+from hardcontact.surfaces.substitute_spectra import rows_of_surface
+
+#: Groups among which the scans of the study are the nearest to Table 1. A trade: each group takes
+#: the time of its scans.
+CANDIDATES = 20
+
+
+class FeaturedSurface(NamedTuple):
+    """Everything from which scans with features are made."""
+
+    surface: str  #: Name of the surface.
+    spectrum: Spectrum  #: C_iso of the base, before its factor.
+    statistics: ScanStatistics
+    grid: ScanGrid
+    seed: int  #: Seed of the study.
+
+    @property
+    def mean_rms_height(self) -> float:
+        """The published mean rms height of scans in nm."""
+        return float(self.statistics.means[0])
+
+    def sample_features(self, kind: str, scans: int, *names: object) -> Features:
+        """Sample the features of a surface of a kind: bumps, pits or gaussian."""
+        if kind == GAUSSIAN:
+            return no_features(self.statistics, scans)
+        rng = generator(self.seed, self.surface, kind, *names, "features")
+        size, pixel_size = self.grid.size, self.grid.pixel_size
+        return sample_features(rng, self.statistics, scans, size, pixel_size, SIGNS[kind])
+
+    def scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
+        """Return a scan with a number of features."""
+        base = sample_scan(rng, self.spectrum, self.grid, features.base_factor)
+        return add_features(rng, base, features, count)
+
+    def whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
+        """Return a periodic surface; odd realizations have bumps, even ones pits."""
+        kind = list(SIGNS)[(realization - 1) % len(SIGNS)]
+        features = self.sample_features(kind, self.statistics.scans, realization, "whole surface")
+        base = whole_surface(
+            self.seed, self.surface, realization, self.spectrum, pixels, pixel_size
+        )
+        base = replace(base, heights=np.float32(features.base_factor) * base.heights)
+        rng = generator(self.seed, self.surface, realization, "whole surface", "features")
+        count = rng.poisson(features.density * (base.size / 1e3) ** 2)
+        return add_features(rng, base, features, count)
+
+
+def featured_surface(
+    surface: str,
+    spectrum_data: xr.Dataset,
+    table1: pd.DataFrame,
+    constants: pd.DataFrame,
+    grid: ScanGrid,
+    seed: int,
+) -> FeaturedSurface:
+    """Return the source of scans with features; raises ValueError without a published height."""
+    rows = rows_of_surface(table1, surface)
+    targets = scan_targets(spectrum_data, rows, constants, grid)
+    if targets is None:
+        raise ValueError(f"{surface}: expected a published rms height, found none")
+    scan_count = int(constants["value"]["scans_per_surface"])
+    statistics = published_statistics(targets.means, rows, scan_count)
+    return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
+
+
+def sample_group(
+    source: FeaturedSurface, kind: str, scans: Sequence[int], *names: object
+) -> tuple[Features, list[HeightMap]]:
+    """Sample features of a kind, and scans with these features; names tell groups apart."""
+    features = source.sample_features(kind, len(scans), *names)
+    group = []
+    for number, count in zip(scans, features.counts, strict=True):
+        rng = generator(source.seed, source.surface, kind, *names, number, "featured scan")
+        group.append(source.scan(rng, features, count))
+    return features, group
+
+
+def nearest_group(
+    source: FeaturedSurface, scans: Sequence[int]
+) -> tuple[Features, list[HeightMap]]:
+    """Return the group of scans that is nearest to Table 1 among CANDIDATES groups.
+
+    Bumps and pits alternate among them. No force enters.
+    """
+    kinds = list(SIGNS)
+    groups = [
+        sample_group(source, kinds[candidate % len(kinds)], scans, scans[0], candidate)
+        for candidate in range(CANDIDATES)
+    ]
+    distances = [_distance_from_table1(group, source.statistics) for _, group in groups]
+    return groups[int(np.argmin(distances))]
+
+
+def _distance_from_table1(group: Sequence[HeightMap], statistics: ScanStatistics) -> float:
+    """Return the root sum of squares of the `deviations_from_published` of scans."""
+    scan_metrics = [metrics(level(scan)) for scan in group]
+    rms_values = [[values[name] for name in TABLE1_METRICS.values()] for values in scan_metrics]
+    return float(np.linalg.norm(deviations_from_published(np.array(rms_values), statistics)))
+
+
+def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:
+    """Return the numbers of features as variables; `base_rms_height` (nm) is that of factor 1."""
+    return {
+        "feature_density": xr.Variable((), features.density, {"units": "um-2"}),
+        "feature_height": xr.Variable((), features.height, NM),
+        "feature_width": xr.Variable((), features.width, NM),
+        "base_rms_height": xr.Variable((), features.base_factor * base_rms_height, NM),
+    }
+
+
+def describe_group(
+    features: Features, scans: Sequence[int], spectrum_data: xr.Dataset, base_rms_height: float
+) -> xr.Dataset:
+    """Return the features of a group of scans, and the rows of Table 1 met by construction.
+
+    Scans with features meet no row for AFM scans by construction.
+    """
+    met_rows = set(rows_met(spectrum_data.attrs["table1_rows_met"])) - set(AFM_ROWS)
+    variables = describe_features(features, base_rms_height) | {
+        "feature_count": xr.Variable("scan", list(features.counts), DIMENSIONLESS)
+    }
+    attributes = {"basis": "substitute", "table1_rows_met": ",".join(sorted(met_rows))}
+    return xr.Dataset(variables, {"scan": list(scans)}, attributes)
