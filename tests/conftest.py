@@ -58,7 +58,7 @@ def repository(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory):
-    """Run the quick study in a copy of the repository; not to be changed.
+    """Run the tiny study in a copy of the repository; not to be changed.
 
     Processes that share the tests also share the run, and each has a copy.
     """
@@ -71,12 +71,12 @@ def finished(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def results(finished):
-    """Return the results of the quick study; not to be changed."""
+    """Return the results of the tiny study; not to be changed."""
     return finished / "results" / "quick"
 
 
 def quick_study(folder):
-    """Run the quick study in a copy of the repository inside a folder; return the copy."""
+    """Run the tiny study in a copy of the repository inside a folder; return the copy."""
     copy = copy_repository(folder / "study")
     run = run_snakemake(copy)
     assert run.returncode == 0, run.stdout[-3000:]

@@ -12,9 +12,10 @@ ROOT = Path(__file__).parents[1]
 #: Files and folders that a study needs.
 PARTS = [
     "Snakefile", "environment.txt", "README.md", "CITATION.cff", "workflow", "config", "resources",
-    "profiles",
+    "profiles", "tests/tiny.yaml",
 ]  # fmt: skip
-QUICK = "config/quick.yaml"
+#: The paper's study on grids so small that its numbers test nothing but the code.
+TINY = "tests/tiny.yaml"
 PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
 #: Folders that tools leave in the repository.
@@ -23,7 +24,7 @@ CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")
 
 def copy_repository(target):
     """Copy the files that a study needs, without results; return `target`."""
-    target.mkdir()
+    (target / "tests").mkdir(parents=True)
     for name in PARTS:
         if (ROOT / name).is_dir():
             shutil.copytree(ROOT / name, target / name, ignore=CACHES)
@@ -57,8 +58,8 @@ def snakemake(folder, *arguments):
 
 
 def run_snakemake(folder, *arguments, overlays=()):
-    """Run the quick study in a copy of the repository, with further overlays (dicts)."""
-    files = [QUICK]
+    """Run the tiny study in a copy of the repository, with further overlays (dicts)."""
+    files = [TINY]
     for number, overlay in enumerate(overlays):
         files.append(f"overlay-{number}.yaml")
         Path(folder, files[-1]).write_text(yaml.safe_dump(overlay))

@@ -4,7 +4,7 @@ import copy
 
 import pandas as pd
 import yaml
-from repository import PAPER, QUICK, ROOT, merged
+from repository import PAPER, ROOT, TINY, merged
 
 from hardcontact.config import model
 from hardcontact.config.files import Files
@@ -14,13 +14,9 @@ from hardcontact.config.store_keys import STORE_KEYS, store_digests
 
 DIGESTS = {kind: "digest" for kind in STORE_KEYS}
 PATTERNS = Patterns("results/paper", "results/store", "ruby", DIGESTS)
-#: The paths of the quick study.
-QUICK_NUMBERS = model.numeric_configuration(
-    merged(PAPER, yaml.safe_load((ROOT / QUICK).read_text()))
-)
-QUICK_PATTERNS = Patterns(
-    "results/quick", "results/store-quick", "ruby", store_digests(QUICK_NUMBERS)
-)
+#: The paths of the tiny study.
+TINY_NUMBERS = model.numeric_configuration(merged(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
+TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
 
 
 def selection(scans=(1, 2), measured_surfaces=()):

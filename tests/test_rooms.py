@@ -18,7 +18,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 BUDGET = {
     "base": 632,
     "surfaces": 2788,
-    "contact": 1329,
+    "contact": 1349,
     "inference": 1083,
     "theory": 647,
     "paper": 1515,

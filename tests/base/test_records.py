@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from refusals import assert_says, refusal
 from repository import run_snakemake
-from small_study import QUICK_PATTERNS
+from small_study import TINY_PATTERNS
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, check, digest, digests, keep_records, traced_records
@@ -84,12 +84,12 @@ def test_a_finished_study_has_no_faults(finished):
     checked, faults, absent = map(
         int, re.search(r"(\d+) files checked, (\d+) faults, (\d+) inputs not", run.stdout).groups()
     )
-    store_count = len(list((finished / "results/store-quick").rglob("*.nc")))
+    store_count = len(list((finished / "results/store-tiny").rglob("*.nc")))
     assert faults == absent == 0 and checked > store_count  # all of the store, and the results
 
 
-FINAL = "results/quick"
-STITCHED = QUICK_PATTERNS.stitched.format(surface="ncd", scan=2, shape="flat")
+FINAL = "results/tiny"
+STITCHED = TINY_PATTERNS.stitched.format(surface="ncd", scan=2, shape="flat")
 #: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],
@@ -125,8 +125,8 @@ def test_changed_and_missing_files_are_named_with_all_their_outputs(finished_cop
 @pytest.mark.study
 def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch):
     monkeypatch.chdir(finished)
-    records = traced_records("results/quick")
-    results = Path("results/quick")
+    records = traced_records("results/tiny")
+    results = Path("results/tiny")
     made = {
         path.as_posix()
         for path in results.rglob("*.*")
@@ -134,7 +134,7 @@ def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch)
         and path.relative_to(results).parts[0] not in ("logs", "benchmarks")
         and ".origin" not in path.parts
     }
-    assert made == {path for path in records if path.startswith("results/quick/")}
+    assert made == {path for path in records if path.startswith("results/tiny/")}
     for path, record in records.items():
         inputs = record["input_digests"]
         assert inputs and all(digest(name) == value for name, value in inputs.items())

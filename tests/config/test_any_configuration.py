@@ -9,7 +9,7 @@ import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, QUICK, ROOT, leaves, merged
+from repository import PAPER, ROOT, TINY, leaves, merged
 from studies import replace_value
 
 from hardcontact.config import checks
@@ -96,7 +96,7 @@ def outcome(config):
     return message
 
 
-@pytest.mark.parametrize("overlay", [{}, yaml.safe_load((ROOT / QUICK).read_text())])
+@pytest.mark.parametrize("overlay", [{}, yaml.safe_load((ROOT / TINY).read_text())])
 def test_the_study_of_the_paper_and_the_quick_one_are_valid(overlay):
     assert outcome(merged(PAPER, overlay)) is None
 

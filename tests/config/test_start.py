@@ -13,13 +13,13 @@ import pytest
 from refusals import assert_says
 from repository import (
     PAPER,
-    QUICK,
     ROOT,
+    TINY,
     copy_repository,
     environment,
     snakemake,
 )
-from small_study import QUICK_PATTERNS
+from small_study import TINY_PATTERNS
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
@@ -83,7 +83,7 @@ def test_a_quick_study_has_its_own_folders():
     quick = {"quick": {"contact": {"count": 6}}}
     for overlays, study in (({}, "own-quick"), (harder, "harder-quick")):
         configured = start.apply_effort(own_configuration | quick | overlays)
-        assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
+        assert (configured["study"], configured["store"]) == (study, "results/own-store-tiny")
         assert start.apply_effort(configured) == configured
         assert configured["contact"]["count"] == 6
 
@@ -122,9 +122,9 @@ def listen_to_ctrl_c():
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
-    master = QUICK_PATTERNS.small_master.format(surface="uncd", realization=1)
+    master = TINY_PATTERNS.small_master.format(surface="uncd", realization=1)
     with subprocess.Popen(
-        [sys.executable, "-m", "snakemake", master, "--configfile", QUICK],
+        [sys.executable, "-m", "snakemake", master, "--configfile", TINY],
         cwd=study, env=environment(study), text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, preexec_fn=listen_to_ctrl_c,
     ) as run:  # fmt: skip

@@ -60,21 +60,39 @@ def test_the_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
 
 
 @pytest.mark.parametrize(("raised", "penetration"), [(0.99, 0.5), (0.5, 0.99), (0.99, 0.99)])
-def test_single_precision_is_exact_at_the_ends_of_its_use(raised, penetration):
+@pytest.mark.parametrize(("number", "error"), [(np.float32, SINGLE), (float, 1e-9)])
+def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
+    number, error, raised, penetration
+):
     # A spike outside the window of the contact, and one in it that sinks in.
     rho, pixel_size = 2.0, 50.0
-    heights = periodic_noise(96, 0.1, 5).astype(np.float32)
-    heights[60, 60] = heights.max() + np.float32(raised * MAX_DEPTH * rho)
-    heights[12, 12] = heights[8:16, 8:16].max() + np.float32(penetration * MAX_PENETRATION * rho)
+    max_depth, max_penetration = MAX_DEPTH[np.dtype(number)], MAX_PENETRATION[np.dtype(number)]
+    heights = periodic_noise(96, 0.1, 5).astype(number)
+    heights[60, 60] = heights.max() + number(raised * max_depth * rho)
+    heights[12, 12] = heights[8:16, 8:16].max() + number(penetration * max_penetration * rho)
     bodies = make_bodies(heights, None, pixel_size, 40, 1)
     (position,) = bodies.geometry.positions
     heights[:] = np.roll(heights, position - 12, axis=(0, 1))
     contacts = all_lowest_gaps(bodies, 4)
     gaps, _ = contacts[0, 0]
-    assert gaps[-1] - gaps[0] > 0.9 * penetration * MAX_PENETRATION * rho
-    assert gaps[-1] + heights.max() > 0.9 * raised * MAX_DEPTH * rho
+    assert gaps[-1] - gaps[0] > 0.9 * penetration * max_penetration * rho
+    assert gaps[-1] + heights.max() > 0.9 * raised * max_depth * rho
     total = attraction_totals(bodies, contacts, [4], [rho]).item()
-    assert total == pytest.approx(direct_total(gap_map(bodies, (0, 0)), 4, rho), rel=SINGLE)
+    assert total == pytest.approx(direct_total(gap_map(bodies, (0, 0)), 4, rho), rel=error)
+
+
+@pytest.mark.parametrize("axes", [(0, 1), (0,), (1,)])
+def test_the_force_on_mirrored_heights_is_the_direct_sum(axes):
+    # Mirrored along one axis alone, the map is no mirror-stitched scan.
+    heights = periodic_noise(96, 1.0, 5)
+    for axis in axes:
+        heights = (heights + np.flip(heights, axis)) / 2
+    bodies = make_bodies(heights, None, 50.0, 140, 3)
+    contacts = all_lowest_gaps(bodies, 4)
+    totals = attraction_totals(bodies, contacts, [4], [5.6])
+    for contact in contacts:
+        direct = direct_total(gap_map(bodies, contact), 4, 5.6)
+        assert totals[..., *contact].item() == pytest.approx(direct, rel=1e-9)
 
 
 def test_a_smooth_sphere_on_a_flat_has_derjaguin_s_force():

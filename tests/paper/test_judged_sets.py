@@ -61,7 +61,6 @@ def test_numbers_are_those_of_each_set(sets):
         )
         ranges = sets["range_of_adhesion"].sel(set=number, contact_model=models)
         np.testing.assert_allclose(inference["range_of_adhesion"].sel(contact_model=models), ranges)
-        assert numbers.sel(claim="range_of_adhesion") == ranges.sel(contact_model="plastic")
         gradient = sampled_scans["ncd"]["rms_gradient"].mean().item()
         assert numbers.sel(claim="afm_rms_slope_ncd").item() == pytest.approx(gradient)
 

@@ -81,7 +81,7 @@ def test_conditioned_scans_have_the_given_statistics(spectrum, numbers):
 PAPER_GRID = ScanGrid(PAPER["scan"]["pixels"], 2500.0, realization_pixels(PAPER["scan"]["pixels"]))
 
 
-# Plain runs look at the smaller scans of the quick study.
+# Plain runs look at the smaller scans of the tiny study.
 @pytest.mark.parametrize(
     ("count", "grid", "rows"),
     [

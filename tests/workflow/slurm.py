@@ -11,7 +11,7 @@ import sys
 import time
 from collections import defaultdict
 
-from repository import QUICK, environment
+from repository import TINY, environment
 
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
@@ -170,12 +170,12 @@ def computing(study):
 
 
 def run_and_cancel(study, log, targets):
-    """Run targets of the quick study through SLURM and cancel one job; return its number."""
+    """Run targets of the tiny study through SLURM and cancel one job; return its number."""
     command = [sys.executable, "-m", "snakemake", *targets, "--verbose"]
     command += ["--workflow-profile", PROFILE]
     with open(log, "w") as out:
         run = subprocess.Popen(
-            [*command, "--configfile", QUICK, *LOCAL_OPTIONS],
+            [*command, "--configfile", TINY, *LOCAL_OPTIONS],
             cwd=study, env=environment(study), stdout=out, stderr=subprocess.STDOUT,
         )  # fmt: skip
     try:

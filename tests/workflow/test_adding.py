@@ -3,7 +3,7 @@
 import pandas as pd
 import xarray as xr
 import yaml
-from repository import QUICK, snakemake
+from repository import TINY, snakemake
 
 CLAIM = (
     "largest_force_uncd,Results,The largest force on UNCD exceeds 1 nN.,1e-9,1e-9,,N,above,assumed,"
@@ -59,9 +59,9 @@ def test_a_claim_a_figure_and_a_key_are_added_in_two_files_each(finished_copy):
     insert(library / "config/keys.py", '"""Inference."""\n\n', KEY)
     overlay = finished_copy / "mine.yaml"
     overlay.write_text(yaml.safe_dump({"inference": {"percentile": 0.8}}), "utf-8")
-    results = finished_copy / "results/quick"
+    results = finished_copy / "results/tiny"
 
-    run = snakemake(finished_copy, "claims", "fig_mine", "--configfile", QUICK, str(overlay))
+    run = snakemake(finished_copy, "claims", "fig_mine", "--configfile", TINY, str(overlay))
 
     assert run.returncode == 0, run.stdout[-3000:]
     claims = pd.read_csv(results / "claims.csv").set_index("id")

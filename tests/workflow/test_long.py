@@ -22,7 +22,7 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(finished, tmp_
     monkeypatch.setenv("SLURM_CONF", "")
     if reason := slurm.obstacle():
         pytest.skip(reason)
-    filtered = (finished / "results/store-quick/filtered/scales").rglob("uncd/**/*.nc")
+    filtered = (finished / "results/store-tiny/filtered/scales").rglob("uncd/**/*.nc")
     targets = [path.relative_to(finished).as_posix() for path in filtered]
     study, log = copy_repository(tmp_path / "study"), tmp_path / "log"
     with tempfile.TemporaryDirectory(prefix="slurm-") as folder:

@@ -6,18 +6,18 @@ import shutil
 import pytest
 from repository import copy_repository, snakemake
 
-REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=quick")
+REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=tiny")
 #: Figures that are drawn again: maps, curves against the cutoff, and sets.
 DRAWN_AGAIN = ("fig1", "fig6", "fig_features")
-REPORT = ("--report", "results/quick/report.html", "--report-after-run")
+REPORT = ("--report", "results/tiny/report.html", "--report-after-run")
 
 
 @pytest.mark.study
 def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_path):
     study = copy_repository(tmp_path / "downloaded")
-    results = study / "results/quick"
+    results = study / "results/tiny"
     (results / "figures").mkdir(parents=True)
-    finished_results = finished / "results/quick"
+    finished_results = finished / "results/tiny"
     packages = ("environment.txt", "constraints.txt")
     copied = [
         *(finished / "results" / name for name in packages),
@@ -32,7 +32,7 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     assert jobs == {f"draw_{name}" for name in DRAWN_AGAIN} | {"answer_paper"}
     # Nothing is computed: no store, only the lists of packages.
     result_folders = {path.name for path in (study / "results").iterdir()}
-    assert result_folders == {"quick", *packages}
+    assert result_folders == {"tiny", *packages}
     redrawn_paths = [*(finished_results / "figures").glob("[!.]*")]
     redrawn_paths += (finished_results / "report").glob("*.html")
     redrawn_paths += (finished_results / name for name in ("answer.html", "answer.json"))

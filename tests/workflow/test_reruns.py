@@ -17,7 +17,7 @@ import pandas as pd
 import pytest
 import yaml
 from forked_runs import forget_library, forked, linked_copy, run_here
-from repository import PARTS, QUICK, ROOT, run_snakemake
+from repository import PARTS, ROOT, TINY, run_snakemake
 
 import hardcontact
 
@@ -51,7 +51,7 @@ def load(script, *names):
 
 def run_dry(folder):
     """Return the rules, with outputs, of a dry run in a folder, or its error message."""
-    text = run_here(folder, "-n", "--configfile", QUICK, "overlay.yaml")
+    text = run_here(folder, "-n", "--configfile", TINY, "overlay.yaml")
     planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )
@@ -168,7 +168,7 @@ def said_otherwise(folder):
                 content = path.read_bytes()
                 path.unlink()
                 path.write_bytes(content)
-    for name in ("config/config.yaml", QUICK):
+    for name in ("config/config.yaml", TINY):
         content = yaml.safe_load((folder / name).read_text())
         reordered = yaml.safe_dump(dict(reversed(content.items())), sort_keys=False)
         (folder / name).write_text(f"# the same\n{reordered}")
@@ -212,7 +212,7 @@ def test_a_changed_key_repeats_exactly_its_dependents(dry, graph, key, value, co
 
 def test_one_more_realization_computes_only_this_realization(dry):
     jobs = dry(overlay("scales.realizations", 3))
-    force_files = [output for _, output in jobs if "store-quick" in output]
+    force_files = [output for _, output in jobs if "store-tiny" in output]
     assert force_files and all(re.search("realizations?-3", output) for output in force_files)
 
 

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
-from small_study import QUICK_PATTERNS
+from small_study import TINY_PATTERNS
 
 from hardcontact.base import dataset
 
@@ -22,7 +22,7 @@ def test_substitutes_are_labelled(final, finished):
     for name, data in surfaces.items():
         assert set(data.basis.values.ravel()) <= {"substitute"}, name
     assert set(SUBSTRATES) <= set(final["adhesion"].surface.values)
-    store = finished / "results" / "store-quick"
+    store = finished / "results" / "store-tiny"
     maps = [path for kind in ("scans", "stitched", "masters", "substitutes")
             for path in store.glob(f"{kind}/**/*.nc")]  # fmt: skip
     assert maps
@@ -56,13 +56,13 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     folder = copy_repository(tmp_path / "again")
     rows = {"uncd": (1, "flat"), "ruby": (2, "sphere-R250um")}
     scans = [
-        QUICK_PATTERNS.stitched.format(surface=surface, scan=scan, shape=shape)
+        TINY_PATTERNS.stitched.format(surface=surface, scan=scan, shape=shape)
         for surface, (scan, shape) in rows.items()
     ]
     run = run_snakemake(folder, *scans)
     assert run.returncode == 0, run.stdout[-3000:]
     reference_values, repeated_values = (
-        values_of(study_folder / "results/store-quick") for study_folder in (finished, folder)
+        values_of(study_folder / "results/store-tiny") for study_folder in (finished, folder)
     )
-    assert {f"{QUICK_PATTERNS.store}/{path}" for path, _ in repeated_values} >= set(scans)
+    assert {f"{TINY_PATTERNS.store}/{path}" for path, _ in repeated_values} >= set(scans)
     assert all(reference_values[key] == values for key, values in repeated_values.items())

@@ -1,4 +1,4 @@
-"""Every figure of the quick study: drawn without warnings, legible, with the datasets' numbers."""
+"""Every figure of the tiny study: drawn without warnings, legible, with the datasets' numbers."""
 
 import importlib
 from functools import cache

@@ -13,14 +13,14 @@ from pathlib import Path
 import pytest
 import yaml
 from forked_runs import forked, linked_copy, run_here
-from repository import PAPER, QUICK, ROOT, leaves, merged
+from repository import PAPER, ROOT, TINY, leaves, merged
 
 from hardcontact.config.configuration import get_key, set_keys
 from hardcontact.config.store_keys import STORE_KEYS
 
 pytestmark = pytest.mark.study
 
-STUDY = merged(PAPER, yaml.safe_load((ROOT / QUICK).read_text()))
+STUDY = merged(PAPER, yaml.safe_load((ROOT / TINY).read_text()))
 STORE = STUDY["store"]
 #: Keys without another value here: they name files, or a study that is not the paper's.
 FIXED = {
@@ -84,7 +84,7 @@ def second_study(keys):
 
 def summary(folder):
     """Return Snakemake's plan for each existing file of a study in the store."""
-    text = run_here(folder, "--detailed-summary", "--configfile", QUICK, "overlay.yaml")
+    text = run_here(folder, "--detailed-summary", "--configfile", TINY, "overlay.yaml")
     lines = text.splitlines()
     header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
     rows = csv.DictReader(lines[header:], delimiter="\t")

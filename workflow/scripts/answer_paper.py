@@ -16,7 +16,9 @@ from hardcontact.report.quantities import answer_text
 from hardcontact.report.report_pages import pages
 from hardcontact.report.table1 import table1_rows
 
-DATASETS = ("topography", "scales", "edges", "sets", "features", "scan_size")
+DATASETS = (
+    "topography", "scales", "edges", "sensitivity", "sets", "features", "scan_size",
+)  # fmt: skip
 
 with job(snakemake) as job:
     datasets = {name: read(job.input[name]) for name in DATASETS}

@@ -50,7 +50,7 @@ class ContactPixels:
             for contact, (_, offsets) in contacts.items()
         }
 
-    def leave_out(self, terms: Floats, first_row: int = 0) -> None:
+    def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:
         """Set these pixels to zero in the rows of the substrate (k, n) from the first one on."""
         block = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
         terms[self.row[block] - first_row, self.column[block]] = 0.0
@@ -95,10 +95,12 @@ SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 ROWS = 64  # in a block: small enough for the cache
 
-#: Largest penetration of a contact, and its largest depth below the highest point of the surface,
-#: relative to the range, at which single precision suffices: exp(2) of its 7 digits are lost, and
-#: pixels that it rounds to zero are exp(-47) of those in contact.
-MAX_PENETRATION, MAX_DEPTH = 2.0, 40.0
+#: Largest penetration of a contact relative to the range at which contact pixels are subtracted, by
+#: the precision of the heights: exp(2) of 7 digits are lost, or exp(6) of 16.
+MAX_PENETRATION = {np.dtype(np.float32): 2.0, np.dtype(float): 6.0}
+#: Largest depth of a contact below the highest point of the surface, relative to the range: pixels
+#: that round to zero are exp(-47) of those in contact.
+MAX_DEPTH = {np.dtype(np.float32): 40.0, np.dtype(float): 660.0}
 
 
 def _products(
@@ -117,46 +119,69 @@ def _products(
     return sums
 
 
-def _blocks_without_contacts(
+def _blocks(
     heights: NDArray[np.floating],
-    contact_pixels: ContactPixels,
-    highest: float,
+    number: type[np.floating],
     rhos: Sequence[float],
-) -> Iterator[tuple[slice, list[Floats]]]:
-    """Yield the rows of each block and its exponentials, zero at contact pixels."""
+) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
+    """Yield the rows of each block and its exponentials, in the precision of a type of number."""
+    highest = float(heights.max())
     for start in range(0, len(heights), ROWS):
         rows = slice(start, start + ROWS)
-        attractions = _attractions(heights[rows], highest, rhos)
+        yield rows, _attractions(heights[rows].astype(number, copy=False), highest, rhos)
+
+
+def _blocks_without_contacts(
+    heights: NDArray[np.floating], contact_pixels: ContactPixels, rhos: Sequence[float]
+) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
+    """Yield the rows of each block and its exponentials, zero at contact pixels."""
+    for rows, attractions in _blocks(heights, np.float64, rhos):
         for attraction in attractions:
-            contact_pixels.leave_out(attraction, start)
+            contact_pixels.leave_out(attraction, rows.start)
         yield rows, attractions
 
 
 def _attractions(
     heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
-) -> list[Floats]:
+) -> list[NDArray[np.floating]]:
     """Return `exponential` at every range: at half of another one it is the square of that."""
-    attractions: dict[float, Floats] = {}
+    attractions: dict[float, NDArray[np.floating]] = {}
     for rho in sorted(rhos, reverse=True):
         longer = attractions.get(2 * rho)
         attractions[rho] = exponential(heights, highest, rho) if longer is None else longer**2
     return [attractions[rho] for rho in rhos]
 
 
+def _is_mirrored(heights: NDArray[np.floating]) -> bool:
+    """Return whether heights equal both their mirror images; edges of most maps differ already."""
+    return (
+        np.array_equal(heights[0], heights[-1])
+        and np.array_equal(heights, heights[::-1])
+        and np.array_equal(heights, heights[:, ::-1])
+    )
+
+
+def _without_mirror_images(
+    heights: NDArray[np.floating], folds: list[NDArray[np.floating]]
+) -> tuple[NDArray[np.floating], list[NDArray[np.floating]]]:
+    """Return a quarter of mirror-stitched heights (n, n) and the folds over its mirror images.
+
+    Other heights and their folds are returned as they are.
+    """
+    if len(heights) % 2 or not _is_mirrored(heights):
+        return heights, folds
+    half = len(heights) // 2
+    return heights[:half, :half], [fold[:, :half] + fold[:, : half - 1 : -1] for fold in folds]
+
+
 def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
-    highest = heights.max()
+    highest = float(heights.max())
     number = heights.dtype.type  # Sums have the precision of the heights.
     folds = [folded(len(heights), bodies.geometry, rho).astype(number) for rho in rhos]
-    rows = (slice(start, start + ROWS) for start in range(0, len(heights), ROWS))
-    whole = _products(
-        (
-            (block, [np.exp((heights[block] - highest) * number(1 / rho)) for rho in rhos])
-            for block in rows
-        ),
-        folds,
-    )
+    part, part_folds = _without_mirror_images(heights, folds)
+    whole = _products(_blocks(part, number, rhos), part_folds)
     sums_outside = np.empty_like(whole)
     for contact, (gaps, _) in contacts.items():
         for index, rho in enumerate(rhos):
@@ -176,9 +201,9 @@ def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
     )
 
 
-def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> Floats:
-    """Return exp((heights - highest)/rho) in float64; heights in nm, of any precision."""
-    attraction: Floats = np.subtract(heights, highest, dtype=float)
+def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> NDArray[np.floating]:
+    """Return exp((heights - highest)/rho) in the precision of the heights (nm)."""
+    attraction = heights - highest
     attraction /= rho
     np.exp(attraction, out=attraction)
     return attraction
@@ -201,7 +226,7 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
 
 
 def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np.bool_]:
-    """Return at which ranges (rho,) contact pixels can be subtracted in single precision.
+    """Return at which ranges (rho,) contact pixels can be subtracted from the sum over all.
 
     A rough sphere has a kernel for each range, and its maps are small: its sums stay exact.
     """
@@ -210,7 +235,10 @@ def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np
     lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in contacts.values()]).T
     penetration = (largest - lowest).max()
     depth = (largest + bodies.substrate.heights.max()).max()
-    return np.asarray((penetration <= MAX_PENETRATION * rhos) & (depth <= MAX_DEPTH * rhos))
+    precision = bodies.substrate.heights.dtype
+    return np.asarray(
+        (penetration <= MAX_PENETRATION[precision] * rhos) & (depth <= MAX_DEPTH[precision] * rhos)
+    )
 
 
 def _sums_left_out(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
@@ -218,12 +246,12 @@ def _sums_left_out(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) ->
     substrate = bodies.substrate
     roughness = bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
-    touching = substrate.heights[contact_pixels.row, contact_pixels.column]
+    touching = substrate.heights[contact_pixels.row, contact_pixels.column].astype(float)
     h_max = float(substrate.heights.max())
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
     sums_outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
-    sums = sphere_terms(bodies, contact_pixels, h_max, rhos)
+    sums = sphere_terms(bodies, contact_pixels, rhos)
     for k, (rho, (total, factor)) in enumerate(zip(rhos, sums, strict=True)):
         attraction = exponential(touching, h_max, rho)
         for contact in contacts:
@@ -234,7 +262,7 @@ def _sums_left_out(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) ->
 
 
 def _smooth_sphere_terms(
-    bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield, for each range, the sums over all but contact pixels and the factor at these."""
     pixels = bodies.substrate.pixels
@@ -242,7 +270,7 @@ def _smooth_sphere_terms(
     column = contact_pixels.column
     # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
-    blocks = _blocks_without_contacts(bodies.substrate.heights, contact_pixels, h_max, rhos)
+    blocks = _blocks_without_contacts(bodies.substrate.heights, contact_pixels, rhos)
     totals = _products(blocks, folds)
     for total, fold in zip(totals, folds, strict=True):
 
@@ -253,20 +281,21 @@ def _smooth_sphere_terms(
 
 
 def _rough_sphere_terms(
-    bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
 ) -> Iterator[SphereTerms]:
     """Yield the same of a rough sphere, relative to the highest point t_max of its roughness."""
     assert bodies.roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions
-    roughness = bodies.roughness.heights
+    heights = bodies.substrate.heights.astype(float)
+    roughness = bodies.roughness.heights.astype(float)
     #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
     rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
     columns = (contact_pixels.column - positions[:, None]) % pixels
     for rho in rhos:
         attraction = exponential(roughness, float(roughness.max()), rho)
         kernel = _kernel(pixels, attraction, bodies.geometry, rho)
-        terms = exponential(bodies.substrate.heights, h_max, rho)
+        terms = exponential(heights, float(heights.max()), rho)
         contact_pixels.leave_out(terms)
 
         def factor(contact: tuple[int, int], kernel: Floats = kernel) -> Floats:
@@ -275,7 +304,9 @@ def _rough_sphere_terms(
         yield _correlation(terms, kernel, positions), factor
 
 
-def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: float) -> Floats:
+def _kernel(
+    pixels: int, attraction: NDArray[np.floating], geometry: ContactGeometry, rho: float
+) -> Floats:
     """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
     period = len(attraction)
     weights = _folded_by_shift(pixels, period, geometry, rho)
@@ -304,7 +335,9 @@ def _folded_by_shift(
     return weights
 
 
-def _correlation(attraction: Floats, kernel: Floats, positions: NDArray[np.int_]) -> Floats:
+def _correlation(
+    attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
+) -> Floats:
     """Return the sum (contact, contact) of attraction * kernel, shifted to each contact."""
     # Each row of the kernel times one row of the attraction for every contact: matrices again.
     pixels = len(kernel)

@@ -28,7 +28,9 @@ ANSWER_CLAIMS = {
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
     "rigid_over_plastic_error": "plasticity_is_crucial",
-    "range_exceeds": "range_exceeds_5_nm",
+    "range_on_whole_surfaces": "range_on_whole_surfaces",
+    "work_on_whole_surfaces": "work_on_whole_surfaces",
+    "band_force": "band_is_sufficient",
 }
 #: Side of each edge of the band in the datasets, and its status if it lies beyond the cutoffs.
 EDGE_SIDES = {
@@ -39,8 +41,10 @@ EDGE_SIDES = {
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 #: Statistics of the forces on surfaces with features, with units.
 FORCE_UNITS = {"mean_force": "N", "median_force": "N", "log_force_std": "1"}
-#: Names of groups of sets: those whose range exceeds that of the paper's statement, and others.
-FIT_GROUPS = {True: "long_range_sets", False: "short_range_sets"}
+#: Part of the roughness whose force says whether the published band is sufficient.
+BAND_ALONE = {"band": "published", "band_part": "only the band"}
+#: Octaves that the headline names.
+OCTAVES_NAMED = 3
 #: Sizes in the study that the paper also prints, with units.
 GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 
@@ -55,8 +59,8 @@ def paper_answer(
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
     `claims` comes from `verdicts.add_open_ends`, `constants` from `published.constants`. The
-    datasets are `topography`, `scales`, `edges`, `sets`, `features`, and `scan_size` from
-    resources/validation.
+    datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, and
+    `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
@@ -135,9 +139,7 @@ def study_numbers(
     for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
             yield from _claim_numbers(name, rows[claim], datasets)
-    statement = rows.get(ANSWER_CLAIMS["range_exceeds"])
-    if statement is not None and np.isfinite(statement.frequency):
-        yield from _group_numbers(datasets["sets"], statement.published)
+    yield from _strongest_octaves(datasets["sensitivity"])
     yield from _fit_samples(datasets)
     yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
     yield from _settings(datasets, constants)
@@ -173,7 +175,7 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
 
 
 def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[str, Number]:
-    """Return both edges of one substrate, and its force on scans relative to large surfaces."""
+    """Return both edges of one substrate, its force on the band alone, and that on small scans."""
     band, sets = datasets["edges"], datasets["sets"]
     numbers = {}
     for name, (side, _) in EDGE_SIDES.items():
@@ -186,6 +188,10 @@ def surface_numbers(surface: str, datasets: Mapping[str, xr.Dataset]) -> dict[st
         status = f"interval_open_{end}" if end else ""
         source = _edge_source(datasets["scales"], side, value)
         numbers[name] = Number(name, value, "nm", low, high, status, source)
+    sensitivity = datasets["sensitivity"]
+    if "band_force_ratio" in sensitivity:
+        band_force = sensitivity.sel(BAND_ALONE).sel(surface=surface)
+        numbers["band_force"] = number_of(band_force, "band_force_ratio", name="band_force")
     forces = _forces_on_scans(datasets)
     if surface in forces["surface"].values:
         force = forces.sel(surface=surface)
@@ -200,15 +206,18 @@ def _forces_on_scans(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
     return windows.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
 
 
-def _group_numbers(sets: xr.Dataset, limit: float) -> Iterator[Number]:
-    """Yield median and extremes of the fits of sets with a range above a limit, and below (nm)."""
-    fits = sets.sel(contact_model=PLASTIC, drop=True)[[*FITTED_UNITS]].to_dataframe()
-    for exceeds, group in fits.groupby(fits["range_of_adhesion"] > limit):
-        prefix = FIT_GROUPS[bool(exceeds)]
-        yield Number(prefix, len(group))
-        for name, unit in FITTED_UNITS.items():
-            values = group[name]
-            yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
+def _strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
+    """Yield the octaves whose amplitudes change the force most, and by how much, over surfaces.
+
+    ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` the
+    mean over the surfaces of d ln F / d ln a there.
+    """
+    mean = sensitivity["octave_sensitivity"].mean("surface")
+    strongest = np.argsort(-np.abs(mean.values))[:OCTAVES_NAMED]
+    for rank, index in enumerate(strongest, start=1):
+        octave = mean.isel(octave=index)
+        yield Number(f"octave_{rank}", float(octave["octave"]), "nm")
+        yield Number(f"octave_{rank}_sensitivity", float(octave))
 
 
 def _decisive_surface(sets: xr.Dataset) -> str:

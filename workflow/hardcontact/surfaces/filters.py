@@ -1,7 +1,7 @@
 """Fourier interpolation and cutoff filters of periodic surfaces.
 
-A filtered surface is held on the coarsest grid that represents it exactly. Transforms to a finer
-grid are in single precision, that of its heights.
+A filtered surface is held on the coarsest grid that represents it exactly. Transforms of filtered
+surfaces to a finer grid are in single precision, that of their heights.
 """
 
 from collections.abc import Iterator, Sequence
@@ -92,7 +92,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     coarse = surface.pixels
     _check_finer(coarse, pixels)
     transform = fft.rfft2(surface.heights.astype(float))
-    padded = np.zeros((pixels, transform.shape[1]), np.complex64)
+    padded = np.zeros((pixels, transform.shape[1]), complex)
     half = coarse // 2
     padded[: coarse - half] = transform[: coarse - half]
     padded[-half:] += transform[-half:]
@@ -103,7 +103,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
         padded[:, -1] /= 2
     fine = np.empty((pixels, pixels), np.float32)
     for rows, heights in _inverse_blocks(padded):
-        fine[rows] = heights * np.float32((pixels / coarse) ** 2)
+        fine[rows] = heights * (pixels / coarse) ** 2
     return replace(surface, heights=fine, pixel_size=surface.size / pixels)
 
 
@@ -112,7 +112,7 @@ def _check_finer(coarse: int, pixels: int) -> None:
         raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
 
 
-def _inverse_blocks(padded: SingleTransform) -> Iterator[tuple[slice, NDArray[np.float32]]]:
+def _inverse_blocks(padded: AnyTransform) -> Iterator[tuple[slice, NDArray[np.floating]]]:
     """Yield blocks of rows of the inverse transform of orders (pixels, k), which is overwritten."""
     from scipy import fft
 
