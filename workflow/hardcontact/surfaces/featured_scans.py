@@ -1,13 +1,15 @@
 """Groups of scans with features: of one surface, with the roughness that Table 1 publishes."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.base import dataset, published
 from hardcontact.base.published import rows_met
 from hardcontact.base.random import generator
 from hardcontact.base.units import DIMENSIONLESS, NM
@@ -89,6 +91,23 @@ def featured_surface(
     scan_count = int(constants["value"]["scans_per_surface"])
     statistics = published_statistics(targets.means, rows, scan_count)
     return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
+
+
+def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:
+    """Return a function that makes a whole surface by its number, with or without features.
+
+    `inputs` are paths of the spectrum, Table 1 and the constants.
+    """
+    surface, seed = parameters["surface"], parameters["seed"]
+    spectrum_data = dataset.read(inputs.spectrum)
+    if parameters["has_features"]:
+        table1 = published.table1(inputs.published_table1)
+        constants = published.constants(inputs.published_constants)
+        grid = ScanGrid(**parameters["scan"])
+        source = featured_surface(surface, spectrum_data, table1, constants, grid, seed)
+        return partial(source.whole_surface, **parameters["grid"])
+    spectrum = spectrum_of_dataset(spectrum_data)
+    return partial(whole_surface, seed, surface, density=spectrum, **parameters["grid"])
 
 
 def sample_group(
