@@ -155,6 +155,7 @@ def compare_with_published(
     shape = lognormal_shape(targets["mean_force"], targets["median_force"])
     return xr.concat(kinds, pd.Index(list(draws), name="features"), join="outer").assign_attrs(
         surface=surface,
+        basis="substitute",
         published_mean_force=targets["mean_force"],
         published_median_force=targets["median_force"],
         published_log_force_std=float(shape),
@@ -167,7 +168,7 @@ def no_draws() -> xr.Dataset:
     return xr.Dataset(
         {name: (*empty, unit) for name, unit in FORCE_STATISTICS.items()},
         {"features": list(KINDS), "draw": np.arange(0)},
-        {"surface": "", "label": ""},
+        {"surface": "", "label": "", "basis": "substitute"},
     )
 
 
