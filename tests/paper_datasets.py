@@ -79,6 +79,27 @@ def band() -> xr.Dataset:
     )  # fmt: skip
 
 
+def sensitivity() -> xr.Dataset:
+    """Return octaves, the strongest of which begins at 640 nm, and forces on the band alone."""
+    octaves = np.array([80.0, 160.0, 320.0, 640.0, 1280.0])
+    parts = ["only the band", "no shorter waves", "no longer waves"]
+    shape = len(SUBSTRATES), 2, len(parts)
+    ratio = ("surface", "band", "band_part"), np.full(shape, 1.05)
+    interval = (*ratio[0], "bound"), np.broadcast_to([1.0, 1.1], (*shape, 2))
+    values = np.tile([-0.1, -0.4, -0.6, -0.8, -0.2], (len(SUBSTRATES), 1))
+    return xr.Dataset(
+        {
+            "octave_sensitivity": (("surface", "octave"), values),
+            "band_force_ratio": ratio,
+            "band_force_ratio_interval": interval,
+        },
+        {
+            "surface": SUBSTRATES, "octave": octaves, "band": ["published", "found"],
+            "band_part": parts, "bound": ["low", "high"],
+        },
+    )  # fmt: skip
+
+
 def sets() -> xr.Dataset:
     """Return sets with fewer cutoffs, whose ranges lie on either side of 5 nm, as the study's."""
     scatter = np.random.default_rng(1).lognormal(0, 0.1, (SETS, 2))

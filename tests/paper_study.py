@@ -12,6 +12,7 @@ from paper_datasets import (
     published_table1,
     scales,
     scan_size,
+    sensitivity,
     sets,
     topography,
 )
@@ -50,6 +51,7 @@ def datasets(contacts=20, pixels=512):
         "topography": topography(pixels),
         "scales": scales(contacts),
         "edges": band(),
+        "sensitivity": sensitivity(),
         "sets": sets(),
         "features": features(),
         "scan_size": scan_size(),

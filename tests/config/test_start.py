@@ -83,7 +83,7 @@ def test_a_quick_study_has_its_own_folders():
     quick = {"quick": {"contact": {"count": 6}}}
     for overlays, study in (({}, "own-quick"), (harder, "harder-quick")):
         configured = start.apply_effort(own_configuration | quick | overlays)
-        assert (configured["study"], configured["store"]) == (study, "results/own-store-tiny")
+        assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
         assert start.apply_effort(configured) == configured
         assert configured["contact"]["count"] == 6
 

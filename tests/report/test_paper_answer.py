@@ -39,14 +39,6 @@ def numbers_of(rows=None, **changed):
     return numbers_by_name(answer(rows, **changed))
 
 
-def replace_fits(ranges, works):
-    """Sets whose best ranges (nm) and works (J/m2) with plastic contact are these."""
-    sets = datasets()["sets"].isel(set=slice(len(ranges))).copy(deep=True)
-    for name, fitted in (("range_of_adhesion", ranges), ("work_of_adhesion", works)):
-        sets[name].loc[{"contact_model": "plastic"}] = fitted
-    return sets
-
-
 def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
     content = answer()
     Draft202012Validator(SCHEMA).validate(content)
@@ -69,16 +61,10 @@ def test_grids_coarser_than_the_paper_s_are_recognized(grid, effort):
     assert answer(**datasets(**grid))["effort"] == effort
 
 
-def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
-    """The paper's statement is that the range exceeds 5 nm."""
-    two_groups = replace_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
-    numbers = numbers_of(change_claim("range_exceeds", frequency=0.6), sets=two_groups)
-    long, short = numbers["long_range_sets_range_of_adhesion"], numbers["short_range_sets"]
-    assert (long.value, long.low, long.high, short.value) == (9, 8, 10, 2)
-    assert numbers["short_range_sets_work_of_adhesion"].value == pytest.approx(0.115)
-    assert "short_range_sets" not in numbers_of(sets=replace_fits([9.0, 8.0], [0.01, 0.02]))
-    unjudged = numbers_of(change_claim("range_exceeds", frequency=np.nan), sets=two_groups)
-    assert "long_range_sets" not in unjudged
+def test_the_strongest_octaves_come_first():
+    numbers = numbers_of()
+    assert [numbers[f"octave_{rank}"].value for rank in (1, 2, 3)] == [640, 320, 160]
+    assert numbers["octave_1_sensitivity"].value == pytest.approx(-0.8)
 
 
 @pytest.mark.parametrize(
@@ -172,7 +158,10 @@ def test_the_note_names_the_features_that_the_forces_ask_for():
         notes = [note for note in answer(**changed)["notes"] if note["kind"] == "features"]
         return notes[0]["text"] if notes else ""
 
-    assert "The forces ask for bumps." in note_of()
+    assert "it asks for bumps." in note_of()
+    forces = datasets()["features"]
+    swapped = forces.assign_coords(features=["pits", "bumps", "gaussian"])
+    assert "it asks for pits." in note_of(features=swapped)
     assert note_of(features=no_draws()) == ""
 
 

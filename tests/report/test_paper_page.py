@@ -47,11 +47,12 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
     assert external == {f"https://doi.org/{CITATION['references'][0]['doi']}"}
 
 
-def test_the_page_says_first_whether_the_paper_holds(page):
+def test_the_page_says_first_what_came_out(page):
     first_words = plain(page.texts["div"][0])
-    assert first_words.startswith("Does the paper hold? Of its ")
+    assert "The force follows the octaves of 640 to 1280 nm, 320 to 640 nm" in first_words
+    assert first_words.index("The force follows") < first_words.index("independent findings")
     numbers = numbers_by_name(answer())
-    for name in ("short_edge", "long_edge"):
+    for name in ("first_short_edge", "first_long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
         interval = (edge.low, edge.high)
         assert_says(first_words, format_as_paper(edge.value, edge.unit, interval, 2))
@@ -69,7 +70,7 @@ def test_findings_that_only_larger_pixels_leave_untested_are_told_apart():
     slopes = table["id"].str.fullmatch("afm_rms_(slope|curvature)_.*")
     table.loc[slopes, ["verdict", "note"]] = [UNTESTABLE, f"A note. {LARGER_PIXELS}"]
     count = summary(table)["independent"].sum()
-    expected = f"{count} independent findings ({count - 8} without slopes and curvatures"
+    expected = f"findings of the paper ({count - 8} without slopes and curvatures"
     assert slopes.sum() == 8
     assert expected in plain(Page(make_page(table)).texts["div"][0])
     assert "without slopes" not in plain(Page(make_page()).texts["div"][0])
@@ -82,8 +83,8 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
     for transition, is_artificial in ((20.0, False), (80.0, True)):
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))
-        (line,) = re.findall("on the first coating to change.*?;", plain(page.texts["div"][0]))
-        assert ("from artificial roughness" in line.split(" to ")[1]) == is_artificial, line
+        (line,) = re.findall("The first coating to change.*?;", plain(page.texts["div"][0]))
+        assert ("from artificial roughness" in line.split(", or ")[0]) == is_artificial, line
         (row,) = [
             row
             for row in page.rows
@@ -92,11 +93,12 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
         assert ("from artificial roughness" in plain(" ".join(row))) == is_artificial, row
 
 
-def test_fig_6_is_the_first_figure_and_every_figure_has_its_caption(page):
+def test_octaves_and_fig_6_are_the_first_figures_and_every_figure_has_its_caption(page):
     pictures = [
         base64.b64decode(image["src"].partition(",")[2]) for image in page.attributes["img"]
     ]
-    order = ["fig6", *(name for name in PAPER_FIGURES if name != "fig6")]
+    first = ["fig_octaves", "fig6"]
+    order = [*first, *(name for name in PAPER_FIGURES if name not in first)]
     assert pictures == [figures()[name] for name in order]
     for name in PAPER_FIGURES:
         assert captions()[name].title in page.values("alt")
@@ -114,10 +116,10 @@ def test_main_findings_repeat_the_claims(page):
 
 
 def test_what_lies_beyond_the_paper_is_a_sentence_with_its_number():
-    beyond = claims().iloc[:1].assign(id="force_depends_on_radius", computed=0.8)
+    beyond = claims().iloc[:1].assign(id="yields_at_some_scale", computed=0.8)
     rows = pd.concat([claims(), beyond.assign(low=0.6, high=1.0, unit="1")], ignore_index=True)
     page = Page(make_page(rows))
-    (sentence,) = [text for text in page.texts["li"] if "depend on the sphere" in text]
+    (sentence,) = [text for text in page.texts["li"] if "yield at some scale" in text]
     assert "0.8 [0.6, 1]" in plain(sentence)
 
 
