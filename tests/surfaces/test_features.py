@@ -36,6 +36,11 @@ def squares(scan):
     return np.array([values[name] ** 2 for name in TABLE1_METRICS.values()])
 
 
+def expected_rms_of(features):
+    added = feature_squares(features.height, features.width, SIZE)
+    return expected_rms(features.base_factor, features.counts, added, POLISHED)
+
+
 @pytest.mark.parametrize("periodic", [False, True])
 def test_a_feature_is_a_gaussian_of_its_height_and_width(periodic):
     features = Features(0.1, -20.0, 60.0, 1.0, (1,))
@@ -72,7 +77,7 @@ def test_sampled_features_have_the_published_statistics(sign, scans):
     for _ in range(3):
         features = sample_features(rng, POLISHED, scans, SIZE, PIXEL, sign)
         assert np.sign(features.height) == sign and len(features.counts) == scans
-        rms_values = expected_rms(features, POLISHED, SIZE)
+        rms_values = expected_rms_of(features)
         means = rms_values.mean(axis=0)
         assert (np.abs(means - POLISHED.means) <= POLISHED.deviations / np.sqrt(5)).all()
         if scans > 1:
@@ -82,7 +87,7 @@ def test_sampled_features_have_the_published_statistics(sign, scans):
 
 def test_scans_have_the_expected_statistics():
     features = Features(0.5, 25.0, 90.0, 0.0, (1, 3, 6))
-    expected = expected_rms(features, POLISHED, SIZE) ** 2
+    expected = expected_rms_of(features) ** 2
     rng = np.random.default_rng(5)
     for count, expected_squares in zip(features.counts, expected, strict=True):
         values = [squares(add_features(rng, FLAT, features, count)) for _ in range(200)]
@@ -99,9 +104,9 @@ def test_deviations_are_in_standard_errors():
 
 
 def test_statistics_that_no_features_have_are_refused(monkeypatch):
-    monkeypatch.setattr("hardcontact.surfaces.features.MAX_TRIES", 50)
+    monkeypatch.setattr("hardcontact.surfaces.features.MAX_BATCHES", 2)
     impossible = POLISHED._replace(deviations=POLISHED.deviations * [1, 100, 1])
-    with pytest.raises(ValueError, match=r"3\.2 \+- 1\.6 nm, found none in 50 tries"):
+    with pytest.raises(ValueError, match=r"3\.2 \+- 1\.6 nm, found none in 2000 tries"):
         sample_features(np.random.default_rng(1), impossible, 5, SIZE, PIXEL, 1)
 
 
@@ -142,17 +147,15 @@ def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
     monkeypatch.setattr("hardcontact.surfaces.featured_scans.CANDIDATES", 4)
     features, scans = nearest_group(SOURCE, [1, 2])
     candidates = [
-        sample_group(SOURCE, kind, [1, 2], 1, candidate)
+        SOURCE.sample_features(kind, 2, 1, candidate)
         for candidate, kind in enumerate(["bumps", "pits", "bumps", "pits"])
     ]
-    assert features in [candidate for candidate, _ in candidates]
     distances = [
-        np.linalg.norm(
-            deviations_from_published(np.sqrt([squares(scan) for scan in group]), POLISHED)
-        )
-        for group in (scans, *(group for _, group in candidates))
+        np.linalg.norm(deviations_from_published(expected_rms_of(candidate), POLISHED))
+        for candidate in candidates
     ]
-    assert distances[0] == min(distances)
+    assert features == candidates[int(np.argmin(distances))]
+    assert [scan.pixels for scan in scans] == [64, 64]
 
 
 def test_a_whole_surface_is_periodic_and_has_features_at_their_density():

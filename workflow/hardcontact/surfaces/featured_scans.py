@@ -21,18 +21,20 @@ from hardcontact.surfaces.features import (
     ScanStatistics,
     add_features,
     deviations_from_published,
+    expected_rms,
+    feature_squares,
     no_features,
     published_statistics,
     sample_features,
 )
-from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, metrics
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import AFM_ROWS, Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan, whole_surface
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
-#: Groups among which the scans of the study are the nearest to Table 1. A trade: each group takes
-#: the time of its scans.
-CANDIDATES = 20
+#: Draws of features among which that of the study's scans is the nearest to Table 1: enough for all
+#: of its numbers to be within half of a standard error.
+CANDIDATES = 100
 
 
 class FeaturedSurface(NamedTuple):
@@ -56,6 +58,12 @@ class FeaturedSurface(NamedTuple):
         rng = generator(self.seed, self.surface, kind, *names, "features")
         size, pixel_size = self.grid.size, self.grid.pixel_size
         return sample_features(rng, self.statistics, scans, size, pixel_size, SIGNS[kind])
+
+    def distance_from_table1(self, features: Features) -> float:
+        """Return the root sum of squares of the `deviations_from_published` that are expected."""
+        added = feature_squares(features.height, features.width, self.grid.size)
+        rms_values = expected_rms(features.base_factor, features.counts, added, self.statistics)
+        return float(np.linalg.norm(deviations_from_published(rms_values, self.statistics)))
 
     def scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
         """Return a scan with a number of features."""
@@ -125,24 +133,17 @@ def sample_group(
 def nearest_group(
     source: FeaturedSurface, scans: Sequence[int]
 ) -> tuple[Features, list[HeightMap]]:
-    """Return the group of scans that is nearest to Table 1 among CANDIDATES groups.
+    """Return the group of scans whose features are the nearest to Table 1 of CANDIDATES draws.
 
-    Bumps and pits alternate among them. No force enters.
+    Bumps and pits alternate among the draws. No force enters.
     """
-    kinds = list(SIGNS)
-    groups = [
-        sample_group(source, kinds[candidate % len(kinds)], scans, scans[0], candidate)
-        for candidate in range(CANDIDATES)
-    ]
-    distances = [_distance_from_table1(group, source.statistics) for _, group in groups]
-    return groups[int(np.argmin(distances))]
-
-
-def _distance_from_table1(group: Sequence[HeightMap], statistics: ScanStatistics) -> float:
-    """Return the root sum of squares of the `deviations_from_published` of scans."""
-    scan_metrics = [metrics(level(scan)) for scan in group]
-    rms_values = [[values[name] for name in TABLE1_METRICS.values()] for values in scan_metrics]
-    return float(np.linalg.norm(deviations_from_published(np.array(rms_values), statistics)))
+    groups = []
+    for candidate in range(CANDIDATES):
+        kind = list(SIGNS)[candidate % len(SIGNS)]
+        features = source.sample_features(kind, len(scans), scans[0], candidate)
+        groups.append((source.distance_from_table1(features), kind, candidate))
+    _, kind, candidate = min(groups)
+    return sample_group(source, kind, scans, scans[0], candidate)
 
 
 def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:

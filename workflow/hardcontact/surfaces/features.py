@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
+from numpy.typing import ArrayLike
 
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap
 from hardcontact.surfaces.spectrum import Floats
@@ -28,8 +29,9 @@ WIDTH_BOUNDS = (20.0, 300.0)
 BASE_BOUNDS = (0.2, 1.2)
 #: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
 MIN_WIDTH_PIXELS = 2.5
-#: Largest number of tries to find features that Table 1 accepts.
-MAX_TRIES = 200_000
+#: Tries to find features that Table 1 accepts: in one batch, and the largest number of batches.
+BATCH = 1000
+MAX_BATCHES = 200
 
 
 class ScanStatistics(NamedTuple):
@@ -69,44 +71,46 @@ def published_statistics(
     )
 
 
-def feature_squares(height: float, width: float, size: float) -> Floats:
-    """Return what one feature adds to the squares of the rms values (3,) of a scan.
+def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
+    """Return what one feature adds to the squares of the rms values (..., 3) of a scan.
 
     They are the integrals of the squared shape, of its gradient and of its half-Laplacian over the
     area (Campbell's theorem), less the part beyond the edges and that of a levelled plane.
     """
-    inside = (1 - width / (np.sqrt(np.pi) * size)) ** 2
-    integrals = np.pi * height**2 * np.array([width**2, 1.0, 0.5 / width**2])
-    squares = inside * integrals / size**2
+    height, width = np.asarray(height), np.asarray(width)
+    inside = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
     # Levelling removes three functions, each with the square of the mean of a feature.
-    squares[0] -= 3 * (2 * np.pi * height * width**2 / size**2) ** 2
-    return np.asarray(np.maximum(squares, 0.0))
+    removed = 3 * (2 * np.pi * height * width**2 / size**2) ** 2
+    added = np.maximum(inside * width**2 - removed, 0.0)
+    return np.stack([added, inside, inside / (2 * width**2)], axis=-1)
 
 
-def expected_rms(features: Features, statistics: ScanStatistics, size: float) -> Floats:
-    """Return the expected rms height, slope and curvature of scans with these features: (scan, 3).
+def expected_rms(
+    base_factor: ArrayLike, counts: ArrayLike, added: Floats, statistics: ScanStatistics
+) -> Floats:
+    """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
 
-    The base has the published means times its factor.
+    The base has the published means times its factor. Counts (..., scan) are of features, and
+    `added` (..., 3) are their `feature_squares`.
     """
-    base_squares = (features.base_factor * statistics.means) ** 2
-    added = feature_squares(features.height, features.width, size)
-    squares: Floats = base_squares + np.array(features.counts)[:, None] * added
+    base_rms = np.asarray(base_factor)[..., None, None] * statistics.means
+    squares: Floats = base_rms**2 + np.asarray(counts)[..., None] * added[..., None, :]
     return np.sqrt(squares)
 
 
 def deviations_from_published(rms_values: Floats, statistics: ScanStatistics) -> Floats:
-    """Return how far scans (scan, 3) are from the published statistics, in standard errors.
+    """Return how far scans (..., scan, 3) are from the published statistics, in standard errors.
 
     The first three are the means. Of two or more scans the deviations of rms height and slope
     follow, whose standard error is 1/sqrt(2(n - 1)) of n normal values.
     """
-    count = statistics.scans
-    mean_errors = statistics.deviations / np.sqrt(count)
-    differences = (rms_values.mean(axis=0) - statistics.means) / mean_errors
-    if len(rms_values) < 2:
+    mean_errors = statistics.deviations / np.sqrt(statistics.scans)
+    differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
+    if rms_values.shape[-2] < 2:
         return np.asarray(differences)
-    ratios = rms_values.std(axis=0, ddof=1)[:2] / statistics.deviations[:2]
-    return np.append(differences, (ratios - 1) * np.sqrt(2 * (count - 1)))
+    ratios = rms_values.std(axis=-2, ddof=1)[..., :2] / statistics.deviations[:2]
+    spread = (ratios - 1) * np.sqrt(2 * (statistics.scans - 1))
+    return np.concatenate([differences, spread], axis=-1)
 
 
 def sample_features(
@@ -122,19 +126,28 @@ def sample_features(
     size, pixel_size: of a scan in nm. sign: of the heights.
     """
     min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * pixel_size)
-    bounds = np.log([DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_BOUNDS])
-    for _ in range(MAX_TRIES):
-        density, height, width, base_factor = np.exp(rng.uniform(*bounds.T)).tolist()
-        counts = rng.poisson(density * (size / 1e3) ** 2, scans)
-        signed_height = sign * height * float(statistics.means[0])
-        features = Features(density, signed_height, width, base_factor, tuple(counts.tolist()))
-        rms_values = expected_rms(features, statistics, size)
-        if np.abs(deviations_from_published(rms_values, statistics)).max() <= 1:
-            return features
+    bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_BOUNDS)
+    low, high = np.log(bounds).T
+    for _ in range(MAX_BATCHES):
+        density, relative_height, width, base = np.exp(rng.uniform(low, high, (BATCH, 4))).T
+        counts = rng.poisson(density[:, None] * (size / 1e3) ** 2, (BATCH, scans))
+        height = sign * relative_height * statistics.means[0]
+        added = feature_squares(height, width, size)
+        rms_values = expected_rms(base, counts, added, statistics)
+        errors = np.abs(deviations_from_published(rms_values, statistics)).max(axis=-1)
+        if errors.min() <= 1:
+            index = int(np.argmax(errors <= 1))
+            return Features(
+                density=density[index].item(),
+                height=height[index].item(),
+                width=width[index].item(),
+                base_factor=base[index].item(),
+                counts=tuple(counts[index].tolist()),
+            )
     raise ValueError(
         "expected features with the published mean and deviation of rms heights, "
         f"{statistics.means[0]:.3g} +- {statistics.deviations[0]:.3g} nm, found none in "
-        f"{MAX_TRIES} tries"
+        f"{MAX_BATCHES * BATCH} tries"
     )
 
 
