@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1340,
     "theory": 647,
     "paper": 1515,
-    "config": 2115,
+    "config": 2077,
     "own": 1544,
     "report": 2823,
     "api": 199,

@@ -13,6 +13,7 @@ from repository import PAPER, merged
 from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
 from hardcontact.config.configuration import get_key, master_keys
+from hardcontact.config.files import PRELOAD_SHARES
 from hardcontact.config.grids import realization_pixels
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
@@ -86,14 +87,7 @@ def tiny(draw):
             "small": {"pixels": small, "cutoffs": cutoffs["small"]},
             "large": {"pixels": large, "cutoffs": cutoffs["large"]},
         },
-        "scaling": {
-            "count": pick(1, 3),
-            "small": {"pixels": small, "cutoffs": cutoffs["small"]},
-            "large": {"pixels": large, "tiles": tiles},
-            "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
-            "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
-            "preloads": [load, f"{pick(2, 8) * contact_pixel_count * hardness * pixel**2:.6g} nN"],
-        },
+        "scaling": {"radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"]},
     }
 
 
@@ -156,20 +150,20 @@ def check_masters(config, rng, stitched, sphere, section, side):
     keys = master_keys(config, section, side)
     expected_values = {name: get_key(config, key) for name, key in keys.items()}
     master = synthesize_master(side, rng, stitched, expected_values, ROUGH)
-    filters = Filters(side, expected_values["pixels"], expected_values.get("cutoffs", []))
+    filters = Filters(side, expected_values["pixels"], expected_values["cutoffs"])
     count_section = "contact" if section == "scales" else section
     contact = Contact(
         radius=config["sphere"]["radius"],
         range=config["scales"]["range"],
         **config["contact"] | {"count": config[count_section]["count"]},
     )
-    if section != "scaling":
-        for probe in [None, sphere] if section == "sets" else [None]:
-            assert_forces(filtered_pull_off(master, filters, [contact], probe))
+    for probe in [None, sphere] if section == "sets" else [None]:
+        assert_forces(filtered_pull_off(master, filters, [contact], probe))
+    if section == "scales":
         return
-    contacts = [replace(contact, preload=preload) for preload in config[section]["preloads"]]
-    lengths = {name: config[section][name] for name in ("radii", "ranges")}
-    assert_forces(filtered_pull_off(master, filters, contacts, None, **lengths))
+    contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
+    radii = config["scaling"]["radii"]
+    assert_forces(filtered_pull_off(master, filters, contacts, None, radii))
 
 
 @pytest.mark.parametrize("examples", [5, pytest.param(12, marks=pytest.mark.study)])
@@ -192,7 +186,7 @@ def test_every_accepted_study_can_be_computed(project_folder, examples):
         stitched = stitched_scan(config, rng, ROUGH)
         sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
         check_pair(config, rng, stitched, sphere)
-        for section, side in product(("scales", "sets", "scaling"), ("small", "large")):
+        for section, side in product(("scales", "sets"), ("small", "large")):
             check_masters(config, rng, stitched, sphere, section, side)
 
     compute()

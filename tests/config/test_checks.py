@@ -82,16 +82,8 @@ def test_a_key_that_contradicts_other_keys_or_the_table_is_refused(
         ),
         (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
         (
-            ("scaling.preloads", ["10 uN", "50 mN"], "scaling.count", 200),
-            ["scaling.preloads", "scaling.count = 200", "at most 250 µN", "found 50 mN"],
-        ),
-        (
-            ("scaling.ranges", ["0.9 nm", "5.6 nm"]),
-            ["scaling.ranges", "at least 1 nm on", "500 nm apart", "found 0.9 nm"],
-        ),
-        (
-            ("scaling.radii", ["30 nm", "250 um"]),
-            ["scaling.ranges", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
+            ("scaling.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
+            ["scales.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
         ),
     ],
 )
@@ -104,16 +96,15 @@ def test_a_limit_that_two_keys_decide_names_the_key(
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
     config = numbers(
         *("elastic.contacts", 400, "asperities.contacts", 400),
-        *("scaling.preloads", ["50 mN"], "scaling.ranges", ["1 nm"]),
-        *("scaling.radii", ["50 nm"]),
+        *("scaling.radii", ["50 nm"], "scales.range", "1 nm"),
     )
     check(config, tmp_path)
 
 
 def test_a_study_without_scaling_ignores_its_keys(project_folder):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
-    config = numbers("scaling.preloads", ["1 N"])
-    assert_says(refusal(check_grids, config, grids), "config key scaling.preloads: expected")
+    config = numbers("scaling.radii", ["10 nm"], "scales.range", "1 nm")
+    assert_says(refusal(check_grids, config, grids), "config key scales.range: expected")
     check_grids(config | {"published": "none"}, grids)
 
 

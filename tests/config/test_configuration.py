@@ -82,7 +82,7 @@ def test_a_missing_configuration_is_named(tmp_path):
 @pytest.mark.parametrize(
     "text",
     [
-        "contact: {count: 1}\nscaling: {count: 1}",
+        "contact: {count: 1}\nsets: {count: 1}",
         "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
     ],
 )

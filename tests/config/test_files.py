@@ -113,8 +113,6 @@ SWEPT = {
     "contact__hardness": "30 GPa",
     "scales__range": "3 nm",
     "scaling__radii": ["5 um", "7 um"],
-    "scaling__preloads": ["1.25 uN", "7 uN"],
-    "scaling__ranges": ["7 nm"],
 }
 
 

@@ -67,7 +67,6 @@ OWN = {
         "small": {"pixels": 4096},
         "large": {"pixels": 4096},
     },
-    "scaling": {"small": {"pixels": 1024}, "large": {"pixels": 2048}},
     "indent": {"surface": "uncd"},
 }
 

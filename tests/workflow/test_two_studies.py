@@ -30,8 +30,7 @@ FIXED = {
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
     "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.replicates",
-    "sets.realizations", "scaling.realizations", "scaling.radii", "scaling.ranges",
-    "scaling.preloads",
+    "sets.realizations", "scaling.realizations", "scaling.radii",
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
@@ -45,7 +44,9 @@ FILTERED = {
     "scales": (*_OF_SCANS, "scales.small", "scales.large", "contact.count"),
     "sets": (*_OF_SCANS, "scales.small", "scales.large", "sets.small", "sets.large", "sets.count"),
     "enhancement": (*_OF_SCANS, "scales.small", "sets.small", "sets.count"),
-    "scaling": (*_OF_SCANS, "scales.small", "scales.large", "scaling"),
+    "scaling": (
+        *_OF_SCANS, "scales.small", "scales.large", "sets.small", "sets.large", "sets.count"
+    ),
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {

@@ -19,7 +19,7 @@ rule find_edges:
 
 
 rule fit_exponents:
-    """Fit how the force and the short edge scale with radius, range and load: scaling.nc."""
+    """Fit how the force and the short edge scale with the radius and the load: scaling.nc."""
     input:
         masters=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
         code=code_inputs("fit_exponents.py"),
@@ -37,7 +37,6 @@ rule fit_exponents:
                 **NAMED_SURFACES,
                 "tolerance": STUDY["scales"]["tolerance"],
                 "confidence": STUDY["inference"]["confidence"],
-                "rho": STUDY["scales"]["range"],
                 "area": FILES.contact.area,
             }
         ),

@@ -3,8 +3,6 @@
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
-#: What random numbers of masters are for.
-PURPOSE_NAMES = {"sets": "variant", "enhancement": "variant", "scaling": "scaling"}
 SAMPLED = [] if COMPARED else FILES.masters("sampled")
 
 
@@ -60,7 +58,7 @@ rule filter_masters:
                 "realizations": list(range(int(w.first), int(w.last) + 1)),
                 "seed": STUDY["seed"],
                 "masters": w.purpose == "scales",
-                "purpose": PURPOSE_NAMES.get(w.purpose, "master"),
+                "purpose": "master" if w.purpose in ("scales", "sampled") else "variant",
                 "window": STUDY["contact"]["window"],
                 **FILES.filters(w.purpose),
                 **FILES.contact_grid(w.purpose),

@@ -12,16 +12,16 @@ with job(snakemake) as job:
     keys = [[surface] for surface in params["masters"]]
     masters = zip(keys, map(read, job.input.masters), strict=True)
     forces = stacked_forces(single_masters(masters, params["realizations"]))
-    forces = forces.swap_dims(load="area").drop_vars("load")
+    forces = forces.squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
     exponents = xr.merge(
         [
-            force_exponent(forces, params["rho"], params["area"], params["confidence"]),
+            force_exponent(forces, params["area"], params["confidence"]),
             short_edge_exponents(forces, params["tolerance"], params["confidence"]),
         ]
     )
     job.write(
         with_names(
             exponents, Described(labels=params["labels"], basis=params["basis"])
-        ).assign_attrs({name: params[name] for name in ("rho", "area", "tolerance", "confidence")}),
+        ).assign_attrs({name: params[name] for name in ("area", "tolerance", "confidence")}),
         title="exponents of the pull-off force and of the short edge of the critical band",
     )

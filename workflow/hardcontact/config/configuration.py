@@ -130,17 +130,13 @@ def reading_keys(config: Mapping[str, Any], dataset: str) -> dict[str, Any]:
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
     """Return the key of each setting of the masters of one side that a section filters.
 
-    A section inherits missing settings from `scales`. Large-scale masters for scaling have no
-    cutoffs.
+    A section inherits missing settings from `scales`.
     """
-    keys = {
+    return {
         name: f"{section_name}.{side}.{name}"
         for section_name in ("scales", section)
         for name in config[section_name][side]
     }
-    if (section, side) == ("scaling", "large"):
-        del keys["cutoffs"]
-    return keys
 
 
 def available_targets(configuration: Mapping[str, Any]) -> list[str]:

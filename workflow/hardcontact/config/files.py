@@ -23,6 +23,9 @@ MASTERS_CHUNK = 5
 DRAWS_CHUNK = 10
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
+#: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
+#: shorter and leaves some 30 pixels; larger loads move short edges beyond the cutoffs of the sets.
+PRELOAD_SHARES = (1 / 8, 1)
 
 # Rows of lists: their fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")
@@ -237,38 +240,37 @@ class Files:
 
     def contact_grid(self, purpose: str) -> dict[str, list[Any]]:
         """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
-        scaling = self._configuration["scaling"]
         contact = self.contact
-        contacts = [contact]
-        lengths = {"radii": [contact.radius], "ranges": [contact.range]}
+        contacts, radii, ranges = [contact], [contact.radius], [contact.range]
         if purpose == "scaling":
-            contacts = [replace(contact, preload=preload) for preload in scaling["preloads"]]
-            lengths = {name: scaling[name] for name in ("radii", "ranges")}
+            preloads = [share * contact.preload for share in PRELOAD_SHARES]
+            contacts = [replace(contact, preload=preload) for preload in preloads]
+            radii = self._configuration["scaling"]["radii"]
         elif purpose == "enhancement":
             contacts = [contact, replace(contact, plastic=False)]
-            lengths["ranges"] = [SHORT_RANGE, contact.range]
+            ranges = [SHORT_RANGE, contact.range]
         load_keys = ("preload", "hardness", "plastic")
         loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
-        return {**lengths, "loads": loads}
+        return {"radii": radii, "loads": loads, "ranges": ranges}
 
     def filters(self, purpose: str) -> dict[str, Any]:
         """Return the settings of masters and filters on both sides, and contacts along a side."""
         configuration = self._configuration
-        section, count_key = {
-            "sets": ("sets", "sets.count"),
-            "enhancement": ("sets", "sets.count"),
-            "scaling": ("scaling", "scaling.count"),
-        }.get(purpose, ("scales", "contact.count"))
-        return {
-            "contacts_per_side": get_key(configuration, count_key),
-            "sides": {
-                side: {
-                    name: get_key(configuration, key)
-                    for name, key in master_keys(configuration, section, side).items()
-                }
-                for side in (SIDES[:1] if purpose == "enhancement" else SIDES)
-            },
+        section, count_key = ("sets", "sets.count")
+        if purpose in ("scales", "sampled"):
+            section, count_key = ("scales", "contact.count")
+        sides = {
+            side: {
+                name: get_key(configuration, key)
+                for name, key in master_keys(configuration, section, side).items()
+            }
+            for side in SIDES
         }
+        if purpose == "enhancement":
+            del sides["large"]
+        elif purpose == "scaling":  # Only the unfiltered force on large-scale masters is fitted.
+            del sides["large"]["cutoffs"]
+        return {"contacts_per_side": get_key(configuration, count_key), "sides": sides}
 
     def _grid_names(self, purpose: str) -> dict[str, str]:
         """Return radii, loads and ranges of a grid as parts of paths."""
@@ -321,9 +323,7 @@ class Files:
             spectra = [self.path(pattern, surface, realization=number) for number in realizations]
         return {
             "scans": [
-                self.stitched_of_realization(
-                    surface, number, row.purpose in ("sets", "enhancement")
-                )
+                self.stitched_of_realization(surface, number, row.purpose != "sampled")
                 for number in realizations
             ],
             "spectra": spectra,

@@ -263,43 +263,17 @@ class SetsKeys(Keys):
     large: SetLargeScaleKeys = SetLargeScaleKeys()
 
 
-class ScalingSmallScaleKeys(Keys):
-    """Small-scale masters for scaling."""
-
-    pixels: Pixels = 2048
-    """Pixels along a side of the small-scale masters."""
-    cutoffs: Lengths = key(nm(10, 20, 30, 43, 62, 90, 150, 300))
-    """Short-wavelength cutoffs, ascending."""
-
-
-class ScalingLargeScaleKeys(Keys):
-    """Large-scale masters for scaling, which are not filtered."""
-
-    pixels: Pixels = 4096
-    """Pixels along a side of the grid on which forces on large-scale masters are computed."""
-    tiles: TileCount = 4
-    """Stitched scans along a side of the large-scale master."""
-
-
 class ScalingKeys(Keys):
     """Scaling.
 
-    `scaling.nc` has exponents of the force and of the short edge. They are fitted to all spheres,
-    ranges and preloads below.
+    `scaling.nc` has exponents of the force and of the short edge: with the radius of the sphere and
+    with the load, which is the preload or an eighth of it. Its masters are the first of the sets.
     """
 
     realizations: Realizations = 3
     """Masters of each substrate on each side; those of `enhancement.nc` are as many."""
-    count: Count = 8
-    """Contacts along a side of the array."""
     radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres, ascending."""
-    ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
-    """Ranges of adhesion, ascending."""
-    preloads: Forces = key(["1.25 uN", "10 uN", "80 uN"])
-    """Preloads, ascending; divided by the hardness they are the contact areas."""
-    small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
-    large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
 
 
 class StudyKeys(Keys):

@@ -40,8 +40,6 @@ class ContactSection(NamedTuple):
     name: str
     count_key: str  #: The key of the contacts along a side of the array.
     contacts: dict[str, Contact]  #: The contact with the largest area, by the key of its load.
-    range_key: str  #: The key of the range of adhesion.
-    shortest_range: float  #: Shortest range of adhesion in nm.
     smallest_radius: float  #: Smallest radius of a sphere in nm.
 
 
@@ -53,26 +51,15 @@ def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
     """
     contact = study_contact(config)
     own_load = {"contact.preload": contact}
-    section = ContactSection(
-        "contact", "contact.count", own_load, "scales.range", contact.range, contact.radius
-    )
+    section = ContactSection("contact", "contact.count", own_load, contact.radius)
     if config["published"] != PAPER:
         return [section, section._replace(name="scales")]
     indent_contact = replace(contact, preload=config["indent"]["preloads"][-1])
-    scaling = config["scaling"]
-    scaling_contact = replace(contact, preload=scaling["preloads"][-1])
+    smallest_radius = min(contact.radius, config["scaling"]["radii"][0])
     return [
         section._replace(contacts=own_load | {"indent.preloads": indent_contact}),
         section._replace(name="scales"),
-        section._replace(name="sets", count_key="sets.count", contacts=own_load),
-        ContactSection(
-            "scaling",
-            "scaling.count",
-            {"scaling.preloads": scaling_contact},
-            "scaling.ranges",
-            scaling["ranges"][0],
-            scaling["radii"][0],
-        ),
+        ContactSection("sets", "sets.count", own_load, smallest_radius),
     ]
 
 
@@ -165,22 +152,20 @@ def _master_faults(
     master_grid = grid._replace(size=size / 2)
     faults = _master_pixel_faults(keys["pixels"], pixels, tiles, surface, grid)
     faults += _range_faults(
-        section.range_key,
-        section.shortest_range,
+        "scales.range",
+        config["scales"]["range"],
         section.smallest_radius,
         config["contact"]["window"],
         surface,
         master_grid,
     )
-    if section.name in ("scales", "sets"):  # These sections compute at `scales.range` alone.
-        faults += _penetration_faults(section, grid.relief)
+    faults += _penetration_faults(section, grid.relief)
     master = f"a master of {section.name}.{side} on {surface}"
     filtered_pixel_size = pixel_size if side == "small" else grid.pixel_size
     shortest_wavelengths = {"transition": grid.pixel_size, "cutoffs": filtered_pixel_size}
     for name, shortest in shortest_wavelengths.items():
-        if name in keys:  # Masters of `scaling.large` have no cutoffs.
-            wavelengths = get_key(config, keys[name])
-            faults += _wavelength_faults(keys[name], wavelengths, shortest, size, master)
+        wavelengths = get_key(config, keys[name])
+        faults += _wavelength_faults(keys[name], wavelengths, shortest, size, master)
     if section.name == "sets" or config["scales"]["sphere_roughness"]:
         pixel_size = min(pixel_size, sphere_grid.pixel_size)
         bodies = f"the {side}-scale masters of {surface} and the sphere"
@@ -218,7 +203,7 @@ def _penetration_faults(section: ContactSection, relief: float) -> list[str]:
                 f"at least {min_rho:.3g} nm, as {key} presses the bodies some {depth:.3g} nm into "
                 "each other"
             )
-            faults.append(key_fault(section.range_key, accepted, f"{contact.range:.4g} nm"))
+            faults.append(key_fault("scales.range", accepted, f"{contact.range:.4g} nm"))
     return faults
 
 

@@ -1,8 +1,8 @@
-"""How the pull-off force and the short edge of the band scale with sphere, range and load.
+"""How the pull-off force and the short edge of the band scale with the sphere and the load.
 
-Three lengths are varied: sqrt(R), sqrt(rho) and sqrt(A), with the radius R of the sphere, the range
-rho of adhesion and the area A in contact. An edge with the exponent 0 does not depend on a length;
-an edge with the exponent 1 is proportional to it.
+Two lengths are varied: sqrt(R) and sqrt(A), with the radius R of the sphere and the area A in
+contact. An edge with the exponent 0 does not depend on a length; an edge with the exponent 1 is
+proportional to it.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ from hardcontact.inference.curve_edges import RatioCurve, find_edge, logarithmic
 from hardcontact.surfaces.spectrum import Floats
 
 #: Quantities whose square roots are the lengths, in the order of their exponents.
-SCALED_QUANTITIES = ["radius", "rho", "contact"]
+SCALED_QUANTITIES = ["radius", "contact"]
 FORCE_EXPONENT = DIMENSIONLESS | {
     "long_name": "exponent of the pull-off force against the radius of the sphere"
 }
@@ -24,14 +24,14 @@ EDGE_EXPONENT = DIMENSIONLESS | {
 }
 
 
-def force_exponent(forces: xr.Dataset, rho: float, area: float, confidence: float) -> xr.Dataset:
+def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dataset:
     """Return the exponent of the mean force on masters with long waves against the radius.
 
-    Forces come from `stacked_forces`, at the nearest range (nm) and area in contact (nm²). The fit
-    is by least squares of ln F against ln R, the interval is over realizations.
+    Forces come from `stacked_forces`, at the nearest area in contact (nm²). The fit is by least
+    squares of ln F against ln R, the interval is over realizations.
     """
     large = forces["unfiltered_pull_off_force"].sel(side="large")
-    means = large.sel(rho=rho, area=area, method="nearest").mean(CONTACT_AXES)
+    means = large.sel(area=area, method="nearest").mean(CONTACT_AXES)
     logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
     slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "bound")
@@ -70,12 +70,12 @@ def short_edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float
 def _fit_all_exponents(small: xr.Dataset, tolerance: float) -> Floats:
     """Return the exponents (surface, exponent_of) of the short edges of all surfaces."""
     contact_area = small["contact_area"].isel(surface=0, realization=0)
-    lengths = [np.log(values) / 2 for values in (small["radius"], small["rho"], contact_area)]
+    lengths = [np.log(values) / 2 for values in (small["radius"], contact_area)]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_exponents,
         np.log(_short_edges(small, tolerance)),
         *lengths,
-        input_core_dims=[["radius", "area", "rho"], ["radius"], ["rho"], ["area"]],
+        input_core_dims=[["radius", "area"], ["radius"], ["area"]],
         output_core_dims=[["exponent_of"]],
         vectorize=True,
     )
@@ -83,7 +83,7 @@ def _fit_all_exponents(small: xr.Dataset, tolerance: float) -> Floats:
 
 
 def _short_edges(small: xr.Dataset, tolerance: float) -> xr.DataArray:
-    """Return the short edges (surface, radius, area, rho) in nm, NaN if they are open."""
+    """Return the short edges (surface, radius, area) in nm, NaN if they are open."""
     cutoffs = small["cutoff_wavelength"].values
 
     def short_edge(ratios: Floats, unfiltered: float) -> float:
@@ -102,13 +102,13 @@ def _short_edges(small: xr.Dataset, tolerance: float) -> xr.DataArray:
     return edges
 
 
-def _fit_exponents(edge: Floats, radius: Floats, rho: Floats, contact_area: Floats) -> Floats:
-    """Return the exponents (3,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
+def _fit_exponents(edge: Floats, radius: Floats, contact_area: Floats) -> Floats:
+    """Return the exponents (2,) of SCALED_QUANTITIES, NaN if the edges do not determine them.
 
-    All arguments are logarithms: the edge (radius, area, rho), NaN if open, and the square roots
-    of radius, range and contact area.
+    All arguments are logarithms: the edge (radius, area), NaN if open, and the square roots of
+    radius and contact area.
     """
-    lengths = np.broadcast_arrays(radius[:, None, None], rho, contact_area[:, None])
+    lengths = np.broadcast_arrays(radius[:, None], contact_area)
     is_found = np.isfinite(edge)
     columns = [np.ones(is_found.sum()), *(length[is_found] for length in lengths)]
     design = np.stack(columns, axis=-1)
