@@ -157,15 +157,23 @@ def fits_without_surfaces() -> dict[str, xr.Variable]:
     }
 
 
-def protruded() -> xr.Dataset:
-    """Return fits of sets with two protruded surfaces; only the second has the published forces."""
-    scatter = np.random.default_rng(3).lognormal(0, 0.2, (2, SETS))
-    axes = ("draw", "set")
+def features() -> xr.Dataset:
+    """Return forces on draws of features; one of two draws with bumps has the published forces."""
+    axes = ("features", "draw")
+    forces = np.array([[8e-6, 20e-6], [30e-6, 40e-6], [20e-6, 25e-6]])
     return xr.Dataset(
         {
-            "range_of_adhesion": (axes, 5.0 * scatter),
-            "work_of_adhesion": (axes, 0.05 / scatter),
-            "agrees": (axes, np.repeat([[0], [1]], SETS, axis=1)),
+            "mean_force": (axes, forces),
+            "median_force": (axes, 0.2 * forces),
+            "log_force_std": (axes, [[1.8, 2.0], [0.2, 0.3], [0.4, 0.4]]),
+            "agrees": (axes, [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]),
         },
-        attrs={"surface": SUBSTRATES[0], "label": LABELS[0]},
+        {"features": ["bumps", "pits", "gaussian"], "draw": [1, 2]},
+        {
+            "surface": SUBSTRATES[0],
+            "label": LABELS[0],
+            "published_mean_force": 8.8e-6,
+            "published_median_force": 1.75e-6,
+            "published_log_force_std": 1.8,
+        },
     )

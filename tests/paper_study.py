@@ -8,7 +8,7 @@ import yaml
 from paper_claims import CONSTANTS, STATEMENTS
 from paper_datasets import (
     band,
-    protruded,
+    features,
     published_table1,
     scales,
     scan_size,
@@ -53,8 +53,7 @@ def datasets(contacts=20, pixels=512):
         "edges": band(),
         "sensitivity": sensitivity(),
         "sets": sets(),
-        "protruded": protruded(),
-        "protruded_sphere": protruded(),
+        "features": features(),
         "scan_size": scan_size(),
     }
 

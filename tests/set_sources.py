@@ -133,5 +133,5 @@ def make_sources(measured_surfaces=()):
     )
     pools = {name: make_pool(name) for name in SUBSTRATES if name not in measured_surfaces}
     return Sources(
-        make_topography(measured_surfaces), make_adhesion(), pools, factor, make_masters()
+        make_topography(measured_surfaces), make_adhesion(), pools, {}, factor, make_masters()
     )

@@ -32,7 +32,7 @@ CONTRADICTIONS = [
     ("store", "results/paper/store", "results/paper", "found results/paper/store"),
     ("store", "workflow/store", "in results or outside", "found workflow/store"),
     ("sphere.surface", "glass", "ruby", "found glass"),
-    ("sets.protruded_surface", "brass", "found brass"),
+    ("scan.featured_surface", "brass", "found brass"),
     ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
     ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
     # Several values

@@ -86,32 +86,23 @@ def test_masters_of_sets_are_filtered_in_chunks():
 def test_only_substitutes_have_pools_computed_in_chunks():
     study = files(measured_surfaces=["mcd"], sets__pool=32)
     chunks = [(1, 15), (16, 30), (31, 32)]
-    assert study.chunks == [
-        (surface, *chunk) for surface in SUBSTRATES if surface != "mcd" for chunk in chunks
+    assert study.chunks == [(surface, *chunk) for surface in ("uncd", "ncd") for chunk in chunks]
+
+
+def test_each_set_has_a_draw_of_the_surface_with_features():
+    study = files(sets__replicates=25)
+    kinds = {"bumps": ((1, 10), (11, 13)), "pits": ((1, 10), (11, 13)), "gaussian": ((1, 10),)}
+    assert study.draw_chunks == [
+        ("polished_uncd", kind, *chunk) for kind, chunks in kinds.items() for chunk in chunks
     ]
+    assert "polished_uncd" not in {chunk.surface for chunk in study.chunks}
 
 
 @pytest.mark.parametrize(
-    ("protruded_body", "measured_surfaces", "surfaces"),
-    [
-        ("polished_uncd", [], ["polished_uncd"]),
-        ("polished_uncd", ["mcd", "ruby"], ["polished_uncd"]),
-        ("ruby", [], SUBSTRATES),
-        # Measured surfaces get no artificial protrusions.
-        ("polished_uncd", ["polished_uncd"], []),
-        ("ruby", ["mcd"], []),
-        ("ruby", ["ruby"], []),
-    ],
+    "changes", [{"scan__featured_surface": "none"}, {"measured_surfaces": ["polished_uncd"]}]
 )
-def test_protrusions_change_the_coating_or_all_coatings_below_the_sphere(
-    protruded_body, measured_surfaces, surfaces
-):
-    rows = files(measured_surfaces=measured_surfaces, sets__protrusion_draws=10).protruded_chunks(
-        protruded_body
-    )
-    assert rows == [
-        (name, protruded_body, *chunk) for name in surfaces for chunk in ((1, 8), (9, 10))
-    ]
+def test_no_surface_may_have_features(changes):
+    assert files(**changes).draw_chunks == []
 
 
 # Swept values

@@ -20,7 +20,7 @@ INTERMEDIATES = {
 CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"])
 VALUES = {
     "surface": ["uncd", "polished_uncd", "b.c"],
-    "protruded_body": ["uncd", "polished_uncd"],
+    "features": ["bumps", "pits", "gaussian"],
     "scan": ["1", "12"],
     "sphere_scan": ["3"],
     "first": ["1", "16"],

@@ -89,7 +89,7 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         for first in (1, 7)
     }
     study = {"topography": make_sources().topography, "adhesion": adhesion}
-    sources = gather_sources(study, chunks, smooth, make_masters())
+    sources = gather_sources(study, chunks, {}, smooth, make_masters())
     np.testing.assert_allclose(sources.sphere_factor, 0.5, rtol=1e-12)
     assert set(sources.sphere_factor.dims) == {"contact_model", "surface", "rho"}
     for name, pool in pools.items():

@@ -11,6 +11,7 @@ from paper_study import answer, claims, datasets
 from repository import ROOT
 
 from hardcontact.base.number import Number
+from hardcontact.paper.featured_draws import no_draws
 from hardcontact.report.paper_answer import ANSWER_CLAIMS
 from hardcontact.report.quantities import numbers_by_name
 from hardcontact.report.table1 import decimals_of, table1_rows
@@ -142,21 +143,26 @@ def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty
     assert decimals_of(value, uncertainty) == decimals
 
 
-def test_fits_with_protrusions_count_only_sets_that_agree():
-    agreeing = datasets()["protruded"]["range_of_adhesion"].values[1]
+def test_forces_on_features_are_medians_over_draws():
     numbers = numbers_of()
-    number = numbers["protruded_range_of_adhesion"]
-    assert (number.value, number.low) == (np.median(agreeing), np.quantile(agreeing, 0.05))
-    assert numbers["protruded_sets_that_agree"].value == 0.5
+    number = numbers["bumps_mean_force"]
+    assert number.value == pytest.approx(14e-6)
+    assert 8e-6 < number.low < number.value < number.high < 20e-6
+    assert numbers["bumps_draws_that_agree"].value == 0.5
+    assert numbers["pits_draws_that_agree"].value == 0
+    assert numbers["featured_mean_force_published"].value == 8.8e-6
 
 
-def test_a_fit_with_protrusions_needs_sets_that_agree():
-    protruded = datasets()["protruded"]
-    disagreeing = protruded.assign(agrees=0 * protruded["agrees"])
-    assert "protruded_sphere_work_of_adhesion" in numbers_of()
-    assert "protruded_range_of_adhesion" not in numbers_of(protruded=disagreeing)
-    sphere_disagrees = numbers_of(protruded_sphere=disagreeing)
-    assert "protruded_sphere_work_of_adhesion" not in sphere_disagrees
+def test_the_note_names_the_features_that_the_forces_ask_for():
+    def note_of(**changed):
+        notes = [note for note in answer(**changed)["notes"] if note["kind"] == "features"]
+        return notes[0]["text"] if notes else ""
+
+    assert "it asks for bumps." in note_of()
+    forces = datasets()["features"]
+    swapped = forces.assign_coords(features=["pits", "bumps", "gaussian"])
+    assert "it asks for pits." in note_of(features=swapped)
+    assert note_of(features=no_draws()) == ""
 
 
 def test_the_fit_without_the_decisive_surface_has_the_interval_of_the_sets():

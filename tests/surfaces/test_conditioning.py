@@ -15,14 +15,13 @@ from hardcontact.base.random import generator
 from hardcontact.config.grids import realization_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
-from hardcontact.surfaces.height_map import HeightMap, level, metrics
+from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import (
     AFM_ROWS,
     WAVEVECTORS,
     spectrum_dataset,
-    spectrum_of_dataset,
 )
-from hardcontact.surfaces.substitute_scans import ScanGrid, synthesize_scan
+from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,
     rows_of_surface,
@@ -63,16 +62,11 @@ def spectrum():
 
 def synthesized_metrics(spectrum, group, grid, seed=7, surface="uncd"):
     """Metrics of every synthesized scan of a group: a column each metric."""
-    density = conditioning.multiply_amplitudes(
-        spectrum_of_dataset(spectrum), group.amplitude_gain.values
-    )
     values = []
     for number in group.scan.values:
         rng = generator(seed, surface, number, "scan")
-        scan_dataset = synthesize_scan(rng, density, grid, float(group.factor.sel(scan=number)))
-        heights = scan_dataset["heights"].values.T
-        scan = level(HeightMap(heights, grid.pixel_size, periodic=False, basis="substitute"))
-        values.append(metrics(scan))
+        scan = conditioning.conditioned_scan(rng, spectrum, group.sel(scan=number), grid)
+        values.append(metrics(level(scan)))
     return pd.DataFrame(values)
 
 

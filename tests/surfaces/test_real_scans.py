@@ -62,8 +62,8 @@ OWN = {
     "surfaces": "own.tsv",
     "adhesion": {"ranges": ["0.5 nm", "1 nm", "5.6 nm"]},
     "scales": {"large": {"pixels": 4096}},
+    "scan": {"featured_surface": "none"},
     "sets": {
-        "protruded_surface": "mcd",
         "small": {"pixels": 4096},
         "large": {"pixels": 4096},
     },

@@ -6,8 +6,8 @@ from measurements import map_of, measurement
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.random import generator
+from hardcontact.surfaces.features import Features, add_features
 from hardcontact.surfaces.height_map import level_quadratic
-from hardcontact.surfaces.protrusions import Protrusions, add_protrusions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence, examine
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
@@ -141,15 +141,16 @@ def test_no_self_affine_surface_has_a_defect(batch):
         assert not examine(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
 
 
-def protruded(seed):
+def with_bumps(seed):
     scan = measurement(rough(seed, 5.0), PIXEL)
-    return add_protrusions(generator(seed), scan, Protrusions(3.0, 7.0, 40.0), 5.0).heights
+    bumps = Features(3.0, 35.0, 40.0, 1.0, (20,))
+    return add_features(generator(seed), scan, bumps, 20).heights
 
 
 @pytest.mark.parametrize(
     "heights",
     [
-        protruded(61),
+        with_bumps(61),
         np.exp(rough(63, 0.6)),
         generator(64).standard_normal((PIXELS, PIXELS)),
         np.round(rough(65, 0.05), 1),
@@ -157,7 +158,7 @@ def protruded(seed):
         generator(67).normal(0, 0.05, 64),
         np.round(rough(68, 1.0)[0], 1),
     ],
-    ids=["protrusions", "heavy tail", "noise", "few levels", "levels", "line", "digits"],
+    ids=["bumps", "heavy tail", "noise", "few levels", "levels", "line", "digits"],
 )  # fmt: skip
 def test_no_sound_scan_has_a_defect(heights):
     assert not defects_of(heights)

@@ -15,7 +15,8 @@ from hardcontact.surfaces.substitute_scans import (
     ScanGrid,
     add_sphere,
     cut_scan,
-    synthesize_scan,
+    sample_scan,
+    scan_file,
     synthesized_map,
 )
 from hardcontact.surfaces.synthesis import random_surface
@@ -37,15 +38,20 @@ def read_back(tmp_path, synthesized):
     return read_scan(tmp_path / "a.nc")
 
 
+def synthesized_scan(grid, sphere_radius=None):
+    rng = generator(1)
+    scan = sample_scan(rng, uncd, grid, 0.7)
+    return scan_file(scan if sphere_radius is None else add_sphere(rng, scan, sphere_radius))
+
+
 def test_a_synthesized_scan_is_read_like_a_measured_scan(tmp_path):
     grid = ScanGrid(64, 64 * PIXEL, 128)
-    scan = read_back(tmp_path, synthesize_scan(generator(1), uncd, grid, 0.7))
+    scan = read_back(tmp_path, synthesized_scan(grid))
     assert not scan.periodic
     assert scan.pixel_size == pytest.approx(PIXEL)
     corner = cut_scan(random_surface(generator(1), 128, PIXEL, uncd), 64, 0.7)
     np.testing.assert_array_equal(scan.heights, corner.heights)
-    choices = {"sphere_radius": SPHERE_RADIUS}
-    sphere = read_back(tmp_path, synthesize_scan(generator(1), uncd, grid, 0.7, **choices))
+    sphere = read_back(tmp_path, synthesized_scan(grid, SPHERE_RADIUS))
     flat = flatten(sphere, SPHERE_RADIUS).heights
     np.testing.assert_allclose(flat, level(scan).heights, atol=1e-9)
 
@@ -53,7 +59,7 @@ def test_a_synthesized_scan_is_read_like_a_measured_scan(tmp_path):
 @pytest.mark.parametrize("radius", [None, SPHERE_RADIUS])
 def test_a_synthesized_scan_is_prepared_as_if_read_from_its_file(tmp_path, radius):
     grid, path = ScanGrid(48, 48 * PIXEL, 96), str(tmp_path / "a.nc")
-    synthesized = synthesize_scan(generator(1), uncd, grid, 0.7, sphere_radius=radius)
+    synthesized = synthesized_scan(grid, radius)
     dataset.write(synthesized, path, "NETCDF3_64BIT")
     scan, file_scan = synthesized_map(synthesized, path), read_scan(path)
     for field in fields(HeightMap):

@@ -8,7 +8,7 @@ from repository import copy_repository, snakemake
 
 REDRAW = ("-s", "workflow/redraw.smk", "--config", "study=tiny")
 #: Figures that are drawn again: maps, curves against the cutoff, and sets.
-DRAWN_AGAIN = ("fig1", "fig6", "fig_protruded")
+DRAWN_AGAIN = ("fig1", "fig6", "fig_features")
 REPORT = ("--report", "results/tiny/report.html", "--report-after-run")
 
 

@@ -23,7 +23,7 @@ PUBLISHED_IN = {
     "fig3": "published mean and median", "fig4": "published range", "fig5": "2 nm and 50 nm",
     "fig_fit": "published range", "fig6": "43 nm and 1.8 µm", "fig_enhancement": "43 nm, published",
     "fig_asperities": "published, 1.8 µm", "fig_classical": "published forces",
-    "fig_elastic": "most of the contact area", "fig_protruded": "Black: published",
+    "fig_elastic": "most of the contact area", "fig_features": "Black: published",
 }  # fmt: skip
 
 
@@ -130,7 +130,7 @@ def test_a_surface_has_one_colour(draw_checked, name):
     lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
     assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
     if not lines:
-        assert name in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_protruded"}
+        assert name in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
 
 
 def test_the_caption_is_short_and_names_published_values(name):
@@ -176,8 +176,8 @@ NUMBERS = [
     ("fig_enhancement", 0, "enhancement", lambda data: data.filtered_force_ratio.sel(RIGID)),
     ("fig_octaves", 0, "sensitivity", lambda data: data.octave_sensitivity),
     ("fig_octaves", 1, "sensitivity", lambda data: data.band_force_ratio.sel(band="published")),
-    ("fig_protruded", 0, "protruded", lambda data: data.median_force_at_published / MICRO),
-    ("fig_protruded", 1, "protruded", lambda data: data.work_of_adhesion / MILLI),
+    ("fig_features", 0, "features", lambda data: data.median_force / MICRO),
+    ("fig_features", 1, "features", lambda data: data.log_force_std),
 ]
 
 

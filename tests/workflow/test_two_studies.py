@@ -29,14 +29,14 @@ FIXED = {
 #: Keys whose values, or the numbers that they count, are part of paths.
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
-    "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.protrusion_draws",
+    "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.replicates",
     "sets.realizations", "scaling.realizations", "scaling.radii",
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
     "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.map_size": "5 um",
     "scan.levelling": "lines", "reference_surface": "mcd", "indent.surface": "mcd",
-    "sets.protruded_surface": "mcd", "scales.sphere_roughness": True,
+    "scan.featured_surface": "mcd", "scales.sphere_roughness": True,
 }  # fmt: skip
 #: The keys of filtered masters by their purpose; a section inherits from those around it.
 _OF_SCANS = (*STORE_KEYS["scans"], "contact.window")
@@ -133,7 +133,6 @@ def test_keys_outside_paths_change_no_file(plans, folder):
             "scales.realizations",
             "scaling.realizations",
             "sets.pool",
-            "sets.protrusion_draws",
             "sets.realizations",
         ),
     ],

@@ -9,15 +9,7 @@ rule answer_paper:
     input:
         **{
             name: PATTERNS.dataset(name)
-            for name in (
-                "topography",
-                "scales",
-                "edges",
-                "sensitivity",
-                "sets",
-                "protruded",
-                "protruded_sphere",
-            )
+            for name in ("topography", "scales", "edges", "sensitivity", "sets", "features")
         },
         scan_size="resources/validation/scan_size.nc",
         claims=PATTERNS.result("claims.csv"),
@@ -36,7 +28,7 @@ rule answer_paper:
             "chapter.html",
             "parameters.html",
             "paper_headline.txt",
-            "paper_protrusions.txt",
+            "paper_features.txt",
             "substitutes.txt",
         ),
         code=code_inputs("answer_paper.py"),

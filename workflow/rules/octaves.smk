@@ -14,6 +14,8 @@ rule compute_whole:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
         spectrum=lambda w: FILES.spectrum(w.surface),
+        published_table1=PUBLISHED_TABLES["published_table1"],
+        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("compute_whole.py"),
     output:
         PATTERNS.whole,
@@ -27,6 +29,8 @@ rule compute_whole:
             realizations=list(range(int(w.first), int(w.last) + 1)),
             seed=STUDY["seed"],
             grid=FILES.whole_grid,
+            scan=SCAN_GRID,
+            has_features=w.surface in FILES.featured,
             contact=CONTACT,
             ranges=WHOLE_RANGES,
         ),
@@ -57,6 +61,7 @@ rule isolate_band:
     input:
         spectrum=lambda w: FILES.spectrum(w.surface),
         edges=PATTERNS.dataset("edges"),
+        published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("isolate_band.py"),
     output:
@@ -71,6 +76,8 @@ rule isolate_band:
             realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
             seed=STUDY["seed"],
             grid=FILES.whole_grid,
+            scan=SCAN_GRID,
+            has_features=w.surface in FILES.featured,
             contact=CONTACT,
         ),
     script:

@@ -94,6 +94,7 @@ for scans, surfaces in FILES.scan_groups.items():
                 scan=SCAN_GRID,
                 seed=STUDY["seed"],
                 sphere_radius=STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
+                has_features=w.surface in FILES.featured,
             ),
         script:
             "../scripts/make_scans.py"

@@ -17,7 +17,9 @@ rule compute_pool:
     benchmark:
         PATTERNS.benchmark("compute_pool", PATTERNS.pool)
     params:
-        canonical=lambda w: canonical(pool_parameters(w)),
+        canonical=lambda w: parameters(
+            **group_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
+        ),
     script:
         "../scripts/compute_pool.py"
 
@@ -44,29 +46,23 @@ rule average_smooth_sphere:
         "../scripts/average_smooth_sphere.py"
 
 
-rule compute_protruded:
-    """Compute the forces on some surfaces with rare protrusions on them or on the sphere."""
+rule compute_draws:
+    """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
         spectrum=lambda w: FILES.spectrum(w.surface),
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("compute_protruded.py"),
+        code=code_inputs("compute_draws.py"),
     output:
-        PATTERNS.protruded,
+        PATTERNS.draws,
     log:
-        PATTERNS.log("compute_protruded", PATTERNS.protruded),
+        PATTERNS.log("compute_draws", PATTERNS.draws),
     benchmark:
-        PATTERNS.benchmark("compute_protruded", PATTERNS.protruded)
+        PATTERNS.benchmark("compute_draws", PATTERNS.draws)
     params:
-        canonical=lambda w: parameters(
-            **pool_parameters(w)
-            # Of the other coatings the ratio of mean forces on the same scans is enough.
-            | ({} if w.surface == FILES.protruded_coating else {"scans": 2}),
-            protruded_body=w.protruded_body,
-            coating=FILES.protruded_coating,
-        ),
+        canonical=lambda w: parameters(**group_parameters(w), features=w.features),
     script:
-        "../scripts/compute_protruded.py"
+        "../scripts/compute_draws.py"
 
 
 rule judge_sets:
@@ -75,6 +71,7 @@ rule judge_sets:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
+        draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
         smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
         masters=FILES.paths(PATTERNS.filtered, FILES.masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
@@ -89,6 +86,7 @@ rule judge_sets:
     params:
         canonical=parameters(
             chunks=FILES.chunks,
+            draw_chunks=FILES.draw_chunks,
             pooled=SELECTION.pooled,
             masters=[row.surface for row in FILES.masters("sets")],
             realizations=STUDY["sets"]["realizations"],
@@ -107,26 +105,24 @@ rule judge_sets:
         "../scripts/judge_sets.py"
 
 
-rule fit_protruded:
-    """Find what decides the fit of range and work: protruded(_sphere).nc."""
+rule compare_features:
+    """Compare the forces of surfaces with features with the published ones: features.nc."""
     input:
         sets=rules.judge_sets.output[0],
-        protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(FILES.protruded_coating)),
-        protruded_sphere=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks(SPHERE)),
+        draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
-        code=code_inputs("fit_protruded.py"),
+        code=code_inputs("compare_features.py"),
     output:
-        protruded=PATTERNS.dataset("protruded"),
-        protruded_sphere=PATTERNS.dataset("protruded_sphere"),
+        PATTERNS.dataset("features"),
     log:
-        PATTERNS.log("fit_protruded"),
+        PATTERNS.log("compare_features"),
     benchmark:
-        PATTERNS.benchmark("fit_protruded")
+        PATTERNS.benchmark("compare_features")
     params:
-        canonical=parameters(**named(FILES.protruded_coating)),
+        canonical=parameters(draw_chunks=FILES.draw_chunks, labels=SELECTION.labels),
     script:
-        "../scripts/fit_protruded.py"
+        "../scripts/compare_features.py"
 
 
 rule fit_posterior:

@@ -23,15 +23,14 @@ def named(surface):
     }
 
 
-def pool_parameters(wildcards):
-    """Return the parameters of scans of a pool, or of surfaces with protrusions, and of their contacts."""
+def group_parameters(wildcards):
+    """Return the parameters of scans of a pool, or of surfaces with features, and of their contacts."""
     return {
         "surface": wildcards.surface,
         "first": int(wildcards.first),
         "last": int(wildcards.last),
         "scans": len(SELECTION.scans(wildcards.surface)),
         "scan": SCAN_GRID,
-        "rms_heights": STUDY["sets"]["rms_heights"],
         "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
         "ranges": RANGES,
         "radius": STUDY["sphere"]["radius"],

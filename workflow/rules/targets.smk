@@ -12,7 +12,7 @@ DATASETS_OF_TARGETS = {
     "asperities": ["asperities"],
     "scales": ["scales", "edges", "sensitivity", *(["scaling"] if COMPARED else [])],
     "classical": ["classical"],
-    "sets": ["sets", "posterior", "protruded", "protruded_sphere"],
+    "sets": ["sets", "posterior", "features"],
     "force": ["force"],
     "fit": ["fit"],
 }

@@ -17,8 +17,7 @@ from hardcontact.report.report_pages import pages
 from hardcontact.report.table1 import table1_rows
 
 DATASETS = (
-    "topography", "scales", "edges", "sensitivity", "sets", "protruded", "protruded_sphere",
-    "scan_size",
+    "topography", "scales", "edges", "sensitivity", "sets", "features", "scan_size",
 )  # fmt: skip
 
 with job(snakemake) as job:

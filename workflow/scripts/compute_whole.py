@@ -6,19 +6,16 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import mean_pull_off_of_pair
 from hardcontact.inference.octaves import forces_with, octave_limits, octaves_of_surface
-from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.substitute_scans import whole_surface
+from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with job(snakemake) as job:
     params = job.parameters
     contact = Contact(**params["contact"])
-    density = read_spectrum(job.input.spectrum)
+    make_surface = whole_surfaces(job.input, params)
     realizations = params["realizations"]
     surfaces = {}
     for number in progress(realizations, len(realizations), "surfaces"):
-        surface = whole_surface(
-            params["seed"], params["surface"], number, density, **params["grid"]
-        )
+        surface = make_surface(number)
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
         means = mean_pull_off_of_pair(bodies(surface, None, contact), contact, params["ranges"])
         octaves = octaves_of_surface(surface, limits, forces_with(contact))

@@ -6,13 +6,12 @@ from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import pooled_band
 from hardcontact.inference.octaves import band_of_surface, forces_with
-from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.substitute_scans import whole_surface
+from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with job(snakemake) as job:
     params = job.parameters
     forces = forces_with(Contact(**params["contact"]))
-    density = read_spectrum(job.input.spectrum)
+    make_surface = whole_surfaces(job.input, params)
     constants = published.constants(job.input.published_constants)["value"]
     bands = {
         "published": (constants["edge_small"], constants["edge_large"]),
@@ -21,9 +20,7 @@ with job(snakemake) as job:
     realizations = params["realizations"]
     parts = {}
     for number in progress(realizations, len(realizations), "surfaces"):
-        surface = whole_surface(
-            params["seed"], params["surface"], number, density, **params["grid"]
-        )
+        surface = make_surface(number)
         for name, (shortest, longest) in bands.items():
             parts[number, name] = band_of_surface(surface, shortest, longest, forces)
     job.write(

@@ -74,8 +74,10 @@ def _paper_faults(
     surfaces = list(contacts.surface.unique())
     faults = _name_faults(config, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
-    for key in ("reference_surface", "indent.surface", "sets.protruded_surface"):
+    for key in ("reference_surface", "indent.surface"):
         faults += _name_faults(config, key, substrates)
+    if config["scan"]["featured_surface"] != NONE:
+        faults += _name_faults(config, "scan.featured_surface", substrates)
     reference = config["reference_surface"]
     if reference not in compared:
         accepted = f"a surface with a published pull-off force ({', '.join(compared)})"

@@ -4,6 +4,7 @@ from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import cycle
+from math import ceil
 from typing import Any
 
 from hardcontact.base.units import path_token
@@ -11,14 +12,15 @@ from hardcontact.config.configuration import get_key, master_keys, study_contact
 from hardcontact.config.patterns import Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.store_keys import SCAN_KEYS, key_values, short_digest
+from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, realizations of masters (not those of the scales), and surfaces with
-#: protrusions in one job. A trade: long beside the half second in which a job starts, and enough
+#: Scans of a pool, realizations of masters (not those of the scales), and draws of surfaces with
+#: features in one job. A trade: long beside the half second in which a job starts, and enough
 #: jobs to share out among cores. Jobs stay as they are if a study has more of them.
 CHUNK = 15
 MASTERS_CHUNK = 5
-PROTRUDED_CHUNK = 8
+DRAWS_CHUNK = 10
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
 #: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
@@ -29,7 +31,7 @@ PRELOAD_SHARES = (1 / 8, 1)
 Scan = namedtuple("Scan", "surface scan")
 ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
-ProtrudedChunk = namedtuple("ProtrudedChunk", "surface protruded_body first last")
+DrawChunk = namedtuple("DrawChunk", "surface features first last")
 FilteredMasters = namedtuple(
     "FilteredMasters", "purpose settings surface probe first last radii loads ranges"
 )
@@ -183,29 +185,28 @@ class Files:
     def chunks(self) -> list[Chunk]:
         """The scans of all pools, in chunks that are computed together."""
         chunks = _chunks(self._configuration["sets"]["pool"], CHUNK)
-        return [Chunk(surface, *chunk) for surface in self._selection.pooled for chunk in chunks]
+        pooled = [name for name in self._selection.pooled if name not in self.featured]
+        return [Chunk(surface, *chunk) for surface in pooled for chunk in chunks]
 
     @property
-    def protruded_coating(self) -> str:
-        """The coating that has protrusions in some sets: a substitute with a pool, if any."""
-        surface: str = self._configuration["sets"]["protruded_surface"]
-        pooled = self._selection.pooled
-        return surface if surface in pooled or not pooled else pooled[0]
+    def featured(self) -> list[str]:
+        """The substrate whose scans have features, if it is a substitute of a published surface."""
+        surface = self._configuration["scan"]["featured_surface"]
+        return [name for name in self._selection.pooled if name == surface]
 
-    def protruded_chunks(self, protruded_body: str) -> list[ProtrudedChunk]:
-        """Return the draws of each job, first to last, of each surface that they change.
+    @property
+    def draw_chunks(self) -> list[DrawChunk]:
+        """The draws of surfaces with features, in chunks that are computed together.
 
-        All substrates feel protrusions of the sphere. The list is empty unless protruded body and
-        surfaces are substitutes, since protrusions cannot be added to measured surfaces.
+        Each set takes one draw, of bumps and pits in turn. Gaussian surfaces make one chunk.
         """
-        selection = self._selection
-        surfaces = selection.substrates if protruded_body == selection.sphere else [protruded_body]
-        is_measured = selection.basis[protruded_body] == "measured"
-        if is_measured or not set(surfaces) <= set(selection.pooled):
-            return []
-        chunks = _chunks(self._configuration["sets"]["protrusion_draws"], PROTRUDED_CHUNK)
+        draws = ceil(self._configuration["sets"]["replicates"] / len(SIGNS))
+        counts = dict.fromkeys(SIGNS, draws) | {GAUSSIAN: min(draws, DRAWS_CHUNK)}
         return [
-            ProtrudedChunk(name, protruded_body, *chunk) for name in surfaces for chunk in chunks
+            DrawChunk(surface, kind, *chunk)
+            for surface in self.featured
+            for kind, count in counts.items()
+            for chunk in _chunks(count, DRAWS_CHUNK)
         ]
 
     @property

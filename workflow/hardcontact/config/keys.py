@@ -75,6 +75,8 @@ class ScanKeys(Keys):
     """Pixels along a side of a substitute scan."""
     size: Length = key("2500 nm", "Methods")
     """Side of a substitute scan."""
+    featured_surface: SurfaceId = "polished_uncd"
+    """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """Undefined pixels of measured scans: `refuse` the scan, or fill them with a `harmonic`
     function."""
@@ -220,11 +222,6 @@ class SetsKeys(Keys):
     """Number of scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
     """Number of rms heights at which forces on the pool are computed, and interpolated between."""
-    protrusion_draws: Annotated[int, Field(ge=2, le=1000)] = 24
-    """Number of draws of rare protrusions, a quarter of them without any; every set is fitted with
-    each."""
-    protruded_surface: SurfaceId = "polished_uncd"
-    """Substrate that has the protrusions, if not the sphere."""
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20

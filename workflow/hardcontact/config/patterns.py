@@ -6,6 +6,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from hardcontact.config.store_keys import store_digests
+from hardcontact.surfaces.features import KINDS
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
 PUBLISHED_TABLES = {
@@ -57,9 +58,7 @@ class Patterns:
         self.octaves = f"{folder['octaves']}/{sphere}/{settings}/scan-{{scan}}.nc"
         # The band found here is the study's own.
         self.band_forces = f"{results}/band/{{surface}}.nc"
-        self.protruded = (
-            f"{folder['protruded']}/{settings}/{{protruded_body}}/{{first}}-{{last}}.nc"
-        )
+        self.draws = f"{folder['draws']}/{settings}/{{features}}/draws-{{first}}-{{last}}.nc"
         self.smooth_sphere = f"{folder['smooth_sphere']}/{settings}.nc"
         self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
@@ -130,7 +129,8 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
     load = f"(H{_NUMBER}GPa|rigid)-F{_NUMBER}uN"
     rho = f"rho{_NUMBER}nm"
     return {
-        **dict.fromkeys(("surface", "protruded_body"), any_name_pattern(surfaces)),
+        "surface": any_name_pattern(surfaces),
+        "features": "|".join(KINDS),
         **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",

@@ -13,13 +13,12 @@ from hardcontact.config.configuration import get_key
 
 _READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size")
 _MEASURED = (*_READING, "scan.levelling", "scans")
-_SUBSTITUTES = ("seed", "scans", "scan.pixels", "scan.size")
+_GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
+_SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
 #: Keys on which every scan, measured or substitute, and everything computed from scans depend.
 SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
 _CONTACTS = (*SCAN_KEYS, "contact.window", "contact.count")
-_POOL = (
-    *_SUBSTITUTES, "sets.rms_heights", "sets.count", "contact.window", "adhesion.ranges",
-)  # fmt: skip
+_DRAWS = (*_GAUSSIAN, "sets.count", "contact.window", "adhesion.ranges")
 _TRANSITIONS = ("scales.small.transition", "scales.large.transition")
 
 #: The keys of each kind of intermediate and of its inputs.
@@ -37,8 +36,8 @@ STORE_KEYS = {
     "smooth_sphere": (*_CONTACTS, "adhesion.ranges"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.large.tiles"),
     "octaves": _CONTACTS,
-    "pool": _POOL,
-    "protruded": (*_POOL, "sets.protruded_surface"),
+    "pool": (*_DRAWS, "sets.rms_heights"),
+    "draws": _DRAWS,
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
 }
 

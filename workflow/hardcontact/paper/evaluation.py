@@ -57,7 +57,7 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 #: Datasets that claims may name, besides `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "edges", "sensitivity", "fit", "posterior", "scaling",
-    "elastic", "indent", "asperities", "classical", "enhancement", "protruded",
+    "elastic", "indent", "asperities", "classical", "enhancement",
 )  # fmt: skip
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",

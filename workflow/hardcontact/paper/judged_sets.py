@@ -1,6 +1,7 @@
 """Sets of scans, sampled from a pool and judged like the scans of the study.
 
 A set consists of scans of a pool. Each scan gets a new rms height, from which its forces follow.
+Scans of a surface with features are a draw of that surface, which no set shares.
 """
 
 from collections.abc import Mapping
@@ -18,6 +19,7 @@ from hardcontact.inference.edges import edges_of_realizations
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.published_fit import PublishedFit, fit_published
 from hardcontact.paper.evaluation import claim_values
+from hardcontact.paper.featured_draws import draw_of_set, draws_by_surface
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
 from hardcontact.surfaces.height_map import METRICS
@@ -46,7 +48,9 @@ class Sources(NamedTuple):
 
     topography: xr.Dataset  #: topography.nc of the study.
     adhesion: xr.Dataset  #: adhesion.nc of the study.
-    pools: Mapping[str, xr.Dataset]  #: By substrate; a substrate without a pool keeps its scans.
+    #: By substrate; a substrate without a pool or draws keeps its scans.
+    pools: Mapping[str, xr.Dataset]
+    draws: Mapping[str, Mapping[str, xr.Dataset]]  #: By substrate with features and their kind.
     #: (contact_model, surface, rho) force on the rough sphere relative to a smooth one.
     sphere_factor: xr.DataArray
     masters: xr.Dataset  #: From `all_surfaces.stacked_forces` at one load.
@@ -66,12 +70,14 @@ class SetSettings(NamedTuple):
 def gather_sources(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
+    draw_chunks: Mapping[tuple[Any, ...], xr.Dataset],
     smooth: Mapping[str, xr.Dataset],
     masters: xr.Dataset,
 ) -> Sources:
-    """Join the chunks of the pools and compute the factor of the rough sphere from both forces.
+    """Join the chunks of pools and draws, and compute the factor of the rough sphere.
 
-    `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `smooth` are mean
+    `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `draw_chunks` from
+    `featured_draws.compute_draws`, by substrate, kind, first and last draw. `smooth` are mean
     forces of the scans of the study on a smooth sphere, by substrate.
     """
     pool_chunks: dict[str, list[xr.Dataset]] = {}
@@ -87,6 +93,7 @@ def gather_sources(
         study["topography"],
         study["adhesion"],
         {surface: xr.concat(pool, "scan") for surface, pool in pool_chunks.items()},
+        draws_by_surface(draw_chunks),
         factor,
         masters,
     )
@@ -150,11 +157,14 @@ def scale_to_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.
 
 
 def sample_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, xr.Dataset]:
-    """Sample the scans of a set for every substrate with a pool; as many as the study has."""
+    """Sample the scans of a set for every substrate with a pool or draws; as many as the study."""
     counts = sources.topography["rms_height"].count("scan").to_series()
-    return {
+    sampled_scans = {
         name: sample_scans(pool, generator(seed, name, set_number, "set", "scans"), counts[name])
         for name, pool in sources.pools.items()
+    }
+    return sampled_scans | {
+        name: draw_of_set(draws, set_number) for name, draws in sources.draws.items()
     }
 
 

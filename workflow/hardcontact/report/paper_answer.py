@@ -39,6 +39,8 @@ EDGE_SIDES = {
 }
 #: Parameters that are fitted to the forces of each set of scans, with units.
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+#: Statistics of the forces on surfaces with features, with units.
+FORCE_UNITS = {"mean_force": "N", "median_force": "N", "log_force_std": "1"}
 #: Part of the roughness whose force says whether the published band is sufficient.
 BAND_ALONE = {"band": "published", "band_part": "only the band"}
 #: Octaves that the headline names.
@@ -57,8 +59,8 @@ def paper_answer(
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
     `claims` comes from `verdicts.add_open_ends`, `constants` from `published.constants`. The
-    datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `protruded`,
-    `protruded_sphere`, and `scan_size` from resources/validation.
+    datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, and
+    `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
@@ -102,19 +104,18 @@ def _facts(
         "labels": labels,
         "sphere": labels[topography.attrs["sphere_surface"]],
         "decisive": labels[_decisive_surface(datasets["sets"])],
-        "protruded": datasets["protruded"].attrs["label"],
+        "featured": datasets["features"].attrs["label"],
         "coarse": is_coarse(numbers),
         **claim_facts(claims),
     }
 
 
 def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the notes on substitutes and on rare protrusions."""
+    """Return the notes on substitutes and on rare bumps or pits."""
     is_substitute = (topography["basis"] == "substitute").values
     notes = substitutes_note(topography["label"].values[is_substitute].tolist())
-    if {"protruded_range_of_adhesion", "range_of_adhesion_published"} <= facts["numbers"].keys():
-        text = rendered_text("paper_protrusions.txt", **facts)
-        notes.append(note("protrusions", text))
+    if facts["featured"]:
+        notes.append(note("features", rendered_text("paper_features.txt", **facts)))
     return notes
 
 
@@ -140,6 +141,7 @@ def study_numbers(
             yield from _claim_numbers(name, rows[claim], datasets)
     yield from _strongest_octaves(datasets["sensitivity"])
     yield from _fit_samples(datasets)
+    yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
     yield from _settings(datasets, constants)
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
@@ -225,19 +227,8 @@ def _decisive_surface(sets: xr.Dataset) -> str:
 
 
 def _fit_samples(datasets: Mapping[str, xr.Dataset]) -> Iterator[Number]:
-    """Yield range and work of adhesion without the decisive surface, and with protrusions.
-
-    Among the sets with protrusions, only those are used whose forces agree with the published
-    forces.
-    """
+    """Yield range and work of adhesion with all surfaces, and without the decisive one."""
     confidence = datasets["sets"].attrs["confidence"]
-    for prefix in ("protruded", "protruded_sphere"):
-        dataset = datasets[prefix]
-        agrees = dataset["agrees"].values == 1
-        if agrees.size:
-            yield Number(f"{prefix}_sets_that_agree", agrees.mean())
-        for name in FITTED_UNITS if agrees.any() else ():
-            yield _median(prefix, name, dataset[name].values[agrees], confidence)
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
     for name in FITTED_UNITS:
@@ -246,11 +237,24 @@ def _fit_samples(datasets: Mapping[str, xr.Dataset]) -> Iterator[Number]:
         yield _median("without_decisive", name, sample, confidence)
 
 
+def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
+    """Yield the forces on surfaces with bumps, with pits, and Gaussian, and the published ones."""
+    if features.sizes["draw"] == 0:
+        return
+    for kind, draws in features.groupby("features"):
+        yield Number(f"{kind}_draws_that_agree", draws["agrees"].mean().item())
+        for name in FORCE_UNITS:
+            yield _median(str(kind), name, draws[name].values.ravel(), confidence)
+    for name, unit in FORCE_UNITS.items():
+        published_value = features.attrs[f"published_{name}"]
+        yield Number(f"featured_{name}_published", published_value, unit, source="published")
+
+
 def _median(prefix: str, name: str, sample: np.ndarray, confidence: float) -> Number:
-    """Return the median over sets of a fitted parameter, with the interval of the claims."""
+    """Return the median over sets or draws of a number, with the interval of the claims."""
     tail = (1 - confidence) / 2
     low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
-    return Number(f"{prefix}_{name}", median, FITTED_UNITS[name], low, high)
+    return Number(f"{prefix}_{name}", median, (FITTED_UNITS | FORCE_UNITS)[name], low, high)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:

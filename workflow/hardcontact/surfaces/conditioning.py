@@ -22,7 +22,12 @@ from hardcontact.surfaces.spectrum import (
     SpectrumFunction,
     spectrum_of_dataset,
 )
-from hardcontact.surfaces.substitute_scans import ScanGrid, scan_of_noise
+from hardcontact.surfaces.substitute_scans import (
+    ScanGrid,
+    add_sphere,
+    sample_scan,
+    scan_of_noise,
+)
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import white_noise
 
@@ -232,3 +237,21 @@ def condition_group(
         },
         {"basis": "substitute", "table1_rows_met": ",".join(met_rows)},
     )
+
+
+def conditioned_scan(
+    rng: np.random.Generator,
+    spectrum_data: xr.Dataset,
+    conditioning: xr.Dataset,
+    grid: ScanGrid,
+    sphere_radius: float | None = None,
+) -> HeightMap:
+    """Return a scan with the gain and the factor of its group, from `condition_group`.
+
+    `sphere_radius` in nm is that of a sphere that the scan shows; None for a flat surface.
+    """
+    density = multiply_amplitudes(
+        spectrum_of_dataset(spectrum_data), conditioning["amplitude_gain"].values
+    )
+    scan = sample_scan(rng, density, grid, conditioning["factor"].item())
+    return scan if sphere_radius is None else add_sphere(rng, scan, sphere_radius)

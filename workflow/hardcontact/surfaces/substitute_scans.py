@@ -74,22 +74,11 @@ def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) ->
     return replace(roughness, heights=heights)
 
 
-def synthesize_scan(
-    rng: np.random.Generator,
-    density: SpectrumFunction,
-    grid: ScanGrid,
-    factor: float = 1.0,
-    *,
-    sphere_radius: float | None = None,
-) -> xr.Dataset:
+def scan_file(scan: HeightMap) -> xr.Dataset:
     """Return a substitute scan in the format that SurfaceTopography reads from a file.
 
-    `sphere_radius` in nm is that of a sphere that the scan shows; None for a flat surface.
     `heights` (x, y) in nm are float64, for netCDF's classic format.
     """
-    scan = sample_scan(rng, density, grid, factor)
-    if sphere_radius is not None:
-        scan = add_sphere(rng, scan, sphere_radius)
     position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size
     axis = {"length": scan.size, "unit": "nm", "units": "nm", "periodic": np.int32(scan.periodic)}
     return xr.Dataset(
@@ -100,7 +89,7 @@ def synthesize_scan(
 
 
 def synthesized_map(synthesized: xr.Dataset, path: str) -> HeightMap:
-    """Return the scan of `synthesize_scan` as if read from its file."""
+    """Return the scan of `scan_file` as if read from its file."""
     heights = synthesized["heights"].values.T
     pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
     return HeightMap(heights, pixel_size, basis="substitute", path=path, channel="Default")

@@ -1,0 +1,165 @@
+"""Features: Campbell's theorem, the published statistics of scans, and seeds."""
+
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+import pytest
+from periodic_maps import height_map
+from polished_statistics import POLISHED
+from random_scans import UNCD
+
+from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, sample_group
+from hardcontact.surfaces.features import (
+    Features,
+    add_features,
+    deviations_from_published,
+    expected_rms,
+    feature_squares,
+    no_features,
+    published_statistics,
+    sample_features,
+)
+from hardcontact.surfaces.height_map import TABLE1_METRICS, level, metrics
+from hardcontact.surfaces.substitute_scans import ScanGrid
+
+PIXELS, PIXEL = 250, 10.0  # 2.5 µm
+SIZE = PIXELS * PIXEL
+FLAT = replace(height_map(np.zeros((PIXELS, PIXELS)), PIXEL), periodic=False)
+
+
+def squares(scan):
+    """The squares of rms height, gradient and half-Laplacian of a levelled scan."""
+    if not scan.heights.any():
+        return np.zeros(3)
+    values = metrics(level(scan))
+    return np.array([values[name] ** 2 for name in TABLE1_METRICS.values()])
+
+
+def expected_rms_of(features):
+    added = feature_squares(features.height, features.width, SIZE)
+    return expected_rms(features.base_factor, features.counts, added, POLISHED)
+
+
+@pytest.mark.parametrize("periodic", [False, True])
+def test_a_feature_is_a_gaussian_of_its_height_and_width(periodic):
+    features = Features(0.1, -20.0, 60.0, 1.0, (1,))
+    flat = replace(FLAT, periodic=periodic)
+    heights = add_features(np.random.default_rng(4), flat, features, 1).heights
+    centre = np.random.default_rng(4).uniform(0, SIZE, (2, 1, 1)).ravel()
+    position = (np.arange(PIXELS) + 0.5) * PIXEL
+    offsets = np.abs(position - centre[:, None])
+    if periodic:
+        offsets = np.minimum(offsets, SIZE - offsets)
+    distance = offsets[0][:, None] ** 2 + offsets[1] ** 2
+    np.testing.assert_allclose(heights, -20 * np.exp(-distance / (2 * 60.0**2)), atol=1e-9)
+
+
+@pytest.mark.parametrize(("density", "width"), [(0.3, 50.0), (2.0, 120.0)])
+def test_mean_and_variance_of_squares_follow_campbells_theorem(density, width):
+    """The variance of the mean square height has a term of pairs: twice the squared covariance."""
+    features = Features(density, 30.0, width, 1.0, ())
+    rng = np.random.default_rng(1)
+    mean_count = density * (SIZE / 1e3) ** 2
+    counts = rng.poisson(mean_count, 600)
+    values = np.array([squares(add_features(rng, FLAT, features, count)) for count in counts])
+    added = feature_squares(30.0, width, SIZE)
+    np.testing.assert_allclose(values.mean(axis=0), mean_count * added, rtol=0.08)
+    squared_covariance = (mean_count * added[0]) ** 2 * 2 * np.pi * width**2 / SIZE**2
+    variance = mean_count * added[0] ** 2 + 2 * squared_covariance
+    assert values[:, 0].var() == pytest.approx(variance, rel=0.2)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("scans", [1, 2, 5])
+def test_sampled_features_have_the_published_statistics(sign, scans):
+    rng = np.random.default_rng(scans)
+    for _ in range(3):
+        features = sample_features(rng, POLISHED, scans, SIZE, PIXEL, sign)
+        assert np.sign(features.height) == sign and len(features.counts) == scans
+        rms_values = expected_rms_of(features)
+        means = rms_values.mean(axis=0)
+        assert (np.abs(means - POLISHED.means) <= POLISHED.deviations / np.sqrt(5)).all()
+        if scans > 1:
+            ratios = rms_values.std(axis=0, ddof=1)[:2] / POLISHED.deviations[:2]
+            assert (np.abs(ratios - 1) <= 1 / np.sqrt(8)).all()
+
+
+def test_scans_have_the_expected_statistics():
+    features = Features(0.5, 25.0, 90.0, 0.0, (1, 3, 6))
+    expected = expected_rms_of(features) ** 2
+    rng = np.random.default_rng(5)
+    for count, expected_squares in zip(features.counts, expected, strict=True):
+        values = [squares(add_features(rng, FLAT, features, count)) for _ in range(200)]
+        np.testing.assert_allclose(np.mean(values, axis=0), expected_squares, rtol=0.1)
+
+
+def test_deviations_are_in_standard_errors():
+    values = np.array([1.6, 4.8])[:, None] * [1, 0.0125, 0.000625]
+    deviations = deviations_from_published(values, POLISHED)
+    np.testing.assert_allclose(deviations[:3], 0, atol=1e-12)
+    np.testing.assert_allclose(deviations[3], (np.sqrt(2) - 1) * np.sqrt(8))
+    shifted = deviations_from_published(values + POLISHED.deviations / np.sqrt(5), POLISHED)
+    np.testing.assert_allclose(shifted[:3], 1)
+
+
+def test_statistics_that_no_features_have_are_refused(monkeypatch):
+    monkeypatch.setattr("hardcontact.surfaces.features.MAX_BATCHES", 2)
+    impossible = POLISHED._replace(deviations=POLISHED.deviations * [1, 100, 1])
+    with pytest.raises(ValueError, match=r"3\.2 \+- 1\.6 nm, found none in 2000 tries"):
+        sample_features(np.random.default_rng(1), impossible, 5, SIZE, PIXEL, 1)
+
+
+def test_a_gaussian_surface_has_the_height_over_all_scales():
+    features = no_features(POLISHED, 2)
+    assert features.base_factor * 3.2 == pytest.approx(4.2)
+    assert features.counts == (0, 0)
+
+
+def test_published_statistics_keep_the_relative_deviations_of_table_1():
+    table = pd.read_csv("resources/paper/table1.csv")
+    rows = table[table["surface"] == "polished_uncd"].set_index("quantity")
+    means = {"rms_height": 3.2, "rms_gradient": 0.04, "rms_half_laplacian": 1e-3}
+    statistics = published_statistics(means, rows, 5)
+    np.testing.assert_allclose(statistics.deviations, [1.6, 0.01, 0.65e-3])
+    assert statistics.all_rms_height == 4.2
+
+
+SOURCE = FeaturedSurface("uncd", UNCD, POLISHED, ScanGrid(64, SIZE, 64), seed=1)
+
+
+def test_a_group_depends_on_its_names_and_the_seed_alone():
+    features, scans = sample_group(SOURCE, "bumps", [1, 2], 3)
+    again, scans_again = sample_group(SOURCE, "bumps", [1, 2], 3)
+    assert features == again
+    np.testing.assert_array_equal(scans[1].heights, scans_again[1].heights)
+    others = [
+        sample_group(SOURCE, "pits", [1, 2], 3),
+        sample_group(SOURCE, "bumps", [1, 2], 4),
+        sample_group(SOURCE._replace(seed=2), "bumps", [1, 2], 3),
+    ]
+    for other_features, other_scans in others:
+        assert other_features.width != features.width
+        assert not np.allclose(other_scans[0].heights, scans[0].heights)
+
+
+def test_the_nearest_group_is_one_of_bumps_or_pits(monkeypatch):
+    monkeypatch.setattr("hardcontact.surfaces.featured_scans.CANDIDATES", 4)
+    features, scans = nearest_group(SOURCE, [1, 2])
+    candidates = [
+        SOURCE.sample_features(kind, 2, 1, candidate)
+        for candidate, kind in enumerate(["bumps", "pits", "bumps", "pits"])
+    ]
+    distances = [
+        np.linalg.norm(deviations_from_published(expected_rms_of(candidate), POLISHED))
+        for candidate in candidates
+    ]
+    assert features == candidates[int(np.argmin(distances))]
+    assert [scan.pixels for scan in scans] == [64, 64]
+
+
+def test_a_whole_surface_is_periodic_and_has_features_at_their_density():
+    surface = SOURCE.whole_surface(1, 256, 20.0)
+    assert surface.periodic and surface.heights.dtype == np.float32
+    np.testing.assert_array_equal(surface.heights, SOURCE.whole_surface(1, 256, 20.0).heights)
+    assert not np.allclose(surface.heights, SOURCE.whole_surface(2, 256, 20.0).heights)

@@ -1,0 +1,54 @@
+"""Forces on a surface with bumps, with pits, or Gaussian: mean, median and scatter."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.base.statistics import lognormal_shape
+from hardcontact.report.figures import drawing, style
+
+#: Symbol, colour and words of each kind of surface.
+KIND_LOOKS: dict[str, style.Look] = {
+    "bumps": {"marker": "^", "color": style.SUBSTRATE_COLOURS[1], "label": "bumps"},
+    "pits": {"marker": "v", "color": style.SUBSTRATE_COLOURS[0], "label": "pits"},
+    "gaussian": {"marker": "o", "color": "0.6", "label": "Gaussian, height over all scales"},
+}
+
+
+def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
+    """Draw (a) median and (b) scatter of the forces on each draw against their mean."""
+    figure = drawing.create(3.2, features)
+    median_axes, scatter_axes = figure.subplots(1, 2)
+    for kind, look in KIND_LOOKS.items():
+        draws = features.sel(features=kind)
+        mean = draws["mean_force"] / style.MICRONEWTON
+        median_axes.scatter(mean, draws["median_force"] / style.MICRONEWTON, s=14, **look)
+        scatter_axes.scatter(mean, draws["log_force_std"], s=14, **look)
+    measured = published_pull_off.reindex([features.attrs["surface"]]).iloc[0]
+    mean, median = (measured[name] / style.MICRONEWTON for name in ("mean_force", "median_force"))
+    shape = lognormal_shape(measured["mean_force"], measured["median_force"])
+    published: style.Look = {"marker": "s", "color": "black", "label": "published"}
+    median_axes.plot(mean, median, ls="none", **published)
+    scatter_axes.plot(mean, shape, ls="none", **published)
+    _draw_equality(median_axes, features, mean)
+    median_axes.set(xscale="log", yscale="log", ylabel="median force (µN)")
+    scatter_axes.set(xscale="log", ylabel="standard deviation of ln F")
+    for letter, axes in zip("ab", (median_axes, scatter_axes), strict=True):
+        axes.set_xlabel("mean force (µN)")
+        style.label_panel(axes, letter, "at the published ρ and $W$")
+    style.label_logarithmic(
+        median_axes.xaxis, median_axes.yaxis, scatter_axes.xaxis, digits=(1, 2, 5)
+    )
+    handles = [Line2D([], [], ls="none", **look) for look in (*KIND_LOOKS.values(), published)]
+    style.legend_above(figure, handles)
+    return figure
+
+
+def _draw_equality(axes: Axes, features: xr.Dataset, published_mean: float) -> None:
+    """Draw the line on which the median is the mean."""
+    means = features["mean_force"].values / style.MICRONEWTON
+    ends = [np.nanmin(means, initial=published_mean), np.nanmax(means, initial=published_mean)]
+    axes.plot(ends, ends, color="0.7", lw=0.6, zorder=0)

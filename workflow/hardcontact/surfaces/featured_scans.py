@@ -1,0 +1,171 @@
+"""Groups of scans with features: of one surface, with the roughness that Table 1 publishes."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.base import dataset, published
+from hardcontact.base.published import rows_met
+from hardcontact.base.random import generator
+from hardcontact.base.units import DIMENSIONLESS, NM
+from hardcontact.surfaces.conditioning import scan_targets
+from hardcontact.surfaces.features import (
+    GAUSSIAN,
+    SIGNS,
+    Features,
+    ScanStatistics,
+    add_features,
+    deviations_from_published,
+    expected_rms,
+    feature_squares,
+    no_features,
+    published_statistics,
+    sample_features,
+)
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import AFM_ROWS, Spectrum, spectrum_of_dataset
+from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan, whole_surface
+from hardcontact.surfaces.substitute_spectra import rows_of_surface
+
+#: Draws of features among which that of the study's scans is the nearest to Table 1: enough for all
+#: of its numbers to be within half of a standard error.
+CANDIDATES = 100
+
+
+class FeaturedSurface(NamedTuple):
+    """Everything from which scans with features are made."""
+
+    surface: str  #: Name of the surface.
+    spectrum: Spectrum  #: C_iso of the base, before its factor.
+    statistics: ScanStatistics
+    grid: ScanGrid
+    seed: int  #: Seed of the study.
+
+    @property
+    def mean_rms_height(self) -> float:
+        """The published mean rms height of scans in nm."""
+        return float(self.statistics.means[0])
+
+    def sample_features(self, kind: str, scans: int, *names: object) -> Features:
+        """Sample the features of a surface of a kind: bumps, pits or gaussian."""
+        if kind == GAUSSIAN:
+            return no_features(self.statistics, scans)
+        rng = generator(self.seed, self.surface, kind, *names, "features")
+        size, pixel_size = self.grid.size, self.grid.pixel_size
+        return sample_features(rng, self.statistics, scans, size, pixel_size, SIGNS[kind])
+
+    def distance_from_table1(self, features: Features) -> float:
+        """Return the root sum of squares of the `deviations_from_published` that are expected."""
+        added = feature_squares(features.height, features.width, self.grid.size)
+        rms_values = expected_rms(features.base_factor, features.counts, added, self.statistics)
+        return float(np.linalg.norm(deviations_from_published(rms_values, self.statistics)))
+
+    def scan(self, rng: np.random.Generator, features: Features, count: int) -> HeightMap:
+        """Return a scan with a number of features."""
+        base = sample_scan(rng, self.spectrum, self.grid, features.base_factor)
+        return add_features(rng, base, features, count)
+
+    def whole_surface(self, realization: int, pixels: int, pixel_size: float) -> HeightMap:
+        """Return a periodic surface; odd realizations have bumps, even ones pits."""
+        kind = list(SIGNS)[(realization - 1) % len(SIGNS)]
+        features = self.sample_features(kind, self.statistics.scans, realization, "whole surface")
+        base = whole_surface(
+            self.seed, self.surface, realization, self.spectrum, pixels, pixel_size
+        )
+        base = replace(base, heights=np.float32(features.base_factor) * base.heights)
+        rng = generator(self.seed, self.surface, realization, "whole surface", "features")
+        count = rng.poisson(features.density * (base.size / 1e3) ** 2)
+        return add_features(rng, base, features, count)
+
+
+def featured_surface(
+    surface: str,
+    spectrum_data: xr.Dataset,
+    table1: pd.DataFrame,
+    constants: pd.DataFrame,
+    grid: ScanGrid,
+    seed: int,
+) -> FeaturedSurface:
+    """Return the source of scans with features; raises ValueError without a published height."""
+    rows = rows_of_surface(table1, surface)
+    targets = scan_targets(spectrum_data, rows, constants, grid)
+    if targets is None:
+        raise ValueError(f"{surface}: expected a published rms height, found none")
+    scan_count = int(constants["value"]["scans_per_surface"])
+    statistics = published_statistics(targets.means, rows, scan_count)
+    return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
+
+
+def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:
+    """Return a function that makes a whole surface by its number, with or without features.
+
+    `inputs` are paths of the spectrum, Table 1 and the constants.
+    """
+    surface, seed = parameters["surface"], parameters["seed"]
+    spectrum_data = dataset.read(inputs.spectrum)
+    if parameters["has_features"]:
+        table1 = published.table1(inputs.published_table1)
+        constants = published.constants(inputs.published_constants)
+        grid = ScanGrid(**parameters["scan"])
+        source = featured_surface(surface, spectrum_data, table1, constants, grid, seed)
+        return partial(source.whole_surface, **parameters["grid"])
+    spectrum = spectrum_of_dataset(spectrum_data)
+    return partial(whole_surface, seed, surface, density=spectrum, **parameters["grid"])
+
+
+def sample_group(
+    source: FeaturedSurface, kind: str, scans: Sequence[int], *names: object
+) -> tuple[Features, list[HeightMap]]:
+    """Sample features of a kind, and scans with these features; names tell groups apart."""
+    features = source.sample_features(kind, len(scans), *names)
+    group = []
+    for number, count in zip(scans, features.counts, strict=True):
+        rng = generator(source.seed, source.surface, kind, *names, number, "featured scan")
+        group.append(source.scan(rng, features, count))
+    return features, group
+
+
+def nearest_group(
+    source: FeaturedSurface, scans: Sequence[int]
+) -> tuple[Features, list[HeightMap]]:
+    """Return the group of scans whose features are the nearest to Table 1 of CANDIDATES draws.
+
+    Bumps and pits alternate among the draws. No force enters.
+    """
+    groups = []
+    for candidate in range(CANDIDATES):
+        kind = list(SIGNS)[candidate % len(SIGNS)]
+        features = source.sample_features(kind, len(scans), scans[0], candidate)
+        groups.append((source.distance_from_table1(features), kind, candidate))
+    _, kind, candidate = min(groups)
+    return sample_group(source, kind, scans, scans[0], candidate)
+
+
+def describe_features(features: Features, base_rms_height: float) -> dict[str, xr.Variable]:
+    """Return the numbers of features as variables; `base_rms_height` (nm) is that of factor 1."""
+    return {
+        "feature_density": xr.Variable((), features.density, {"units": "um-2"}),
+        "feature_height": xr.Variable((), features.height, NM),
+        "feature_width": xr.Variable((), features.width, NM),
+        "base_rms_height": xr.Variable((), features.base_factor * base_rms_height, NM),
+    }
+
+
+def describe_group(
+    features: Features, scans: Sequence[int], spectrum_data: xr.Dataset, base_rms_height: float
+) -> xr.Dataset:
+    """Return the features of a group of scans, and the rows of Table 1 met by construction.
+
+    Scans with features meet no row for AFM scans by construction.
+    """
+    met_rows = set(rows_met(spectrum_data.attrs["table1_rows_met"])) - set(AFM_ROWS)
+    variables = describe_features(features, base_rms_height) | {
+        "feature_count": xr.Variable("scan", list(features.counts), DIMENSIONLESS)
+    }
+    attributes = {"basis": "substitute", "table1_rows_met": ",".join(sorted(met_rows))}
+    return xr.Dataset(variables, {"scan": list(scans)}, attributes)

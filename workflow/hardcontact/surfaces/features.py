@@ -1,0 +1,172 @@
+"""Bumps or pits on a homogeneous Gaussian base: a family of surfaces that Table 1 limits.
+
+A homogeneous Gaussian surface has nearly the same rms height in each scan. Rare features explain
+a large scatter of scans. Features of a surface are equal Gaussian shapes at independent places.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+
+from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap
+from hardcontact.surfaces.spectrum import Floats
+
+#: Signs of the heights of features, by their names.
+SIGNS = {"bumps": 1, "pits": -1}
+#: Name of surfaces without features.
+GAUSSIAN = "gaussian"
+KINDS = (*SIGNS, GAUSSIAN)
+#: Bounds of the prior, uniform in the logarithms: number per µm², height in published mean rms
+#: heights of scans, width in nm, and amplitude of the base relative to the published mean. They
+#: contain all that Table 1 accepts for polished UNCD.
+DENSITY_BOUNDS = (0.01, 10.0)
+HEIGHT_BOUNDS = (1.0, 60.0)
+WIDTH_BOUNDS = (20.0, 300.0)
+BASE_BOUNDS = (0.2, 1.2)
+#: Smallest width in pixels: the pixels then resolve the curvature of a feature to 4 %.
+MIN_WIDTH_PIXELS = 2.5
+#: Tries to find features that Table 1 accepts: in one batch, and the largest number of batches.
+BATCH = 1000
+MAX_BATCHES = 200
+
+
+class ScanStatistics(NamedTuple):
+    """Published mean and deviation over scans of rms height (nm), slope, curvature (1/nm): (3,)."""
+
+    means: Floats
+    deviations: Floats
+    scans: int  #: Number of the published scans.
+    all_rms_height: float  #: Published rms height (nm) over all scales.
+
+
+class Features(NamedTuple):
+    """The features of a surface and the amplitude of the base under them."""
+
+    density: float  #: Per µm².
+    height: float  #: In nm, negative for pits.
+    width: float  #: Standard deviation of the Gaussian shape in nm.
+    base_factor: float  #: Factor on the heights of the base.
+    counts: tuple[int, ...]  #: Number of features on each scan.
+
+
+def published_statistics(
+    means: Mapping[str, float], table1: pd.DataFrame, scan_count: int
+) -> ScanStatistics:
+    """Return the statistics of Table 1 with means (by `METRICS`) on the pixels of the study.
+
+    The deviations relative to the means are those of Table 1. `table1` comes from
+    `rows_of_surface`.
+    """
+    rows = table1.loc[list(TABLE1_METRICS)]
+    values = np.array([means[name] for name in TABLE1_METRICS.values()])
+    return ScanStatistics(
+        values,
+        values * (rows["uncertainty"] / rows["value"]).to_numpy(float),
+        scan_count,
+        float(table1["value"]["all_rms_height"]),
+    )
+
+
+def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
+    """Return what one feature adds to the squares of the rms values (..., 3) of a scan.
+
+    They are the integrals of the squared shape, of its gradient and of its half-Laplacian over the
+    area (Campbell's theorem), less the part beyond the edges and that of a levelled plane.
+    """
+    height, width = np.asarray(height), np.asarray(width)
+    inside = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
+    # Levelling removes three functions, each with the square of the mean of a feature.
+    removed = 3 * (2 * np.pi * height * width**2 / size**2) ** 2
+    added = np.maximum(inside * width**2 - removed, 0.0)
+    return np.stack([added, inside, inside / (2 * width**2)], axis=-1)
+
+
+def expected_rms(
+    base_factor: ArrayLike, counts: ArrayLike, added: Floats, statistics: ScanStatistics
+) -> Floats:
+    """Return the expected rms height, slope and curvature of scans with features: (..., scan, 3).
+
+    The base has the published means times its factor. Counts (..., scan) are of features, and
+    `added` (..., 3) are their `feature_squares`.
+    """
+    base_rms = np.asarray(base_factor)[..., None, None] * statistics.means
+    squares: Floats = base_rms**2 + np.asarray(counts)[..., None] * added[..., None, :]
+    return np.sqrt(squares)
+
+
+def deviations_from_published(rms_values: Floats, statistics: ScanStatistics) -> Floats:
+    """Return how far scans (..., scan, 3) are from the published statistics, in standard errors.
+
+    The first three are the means. Of two or more scans the deviations of rms height and slope
+    follow, whose standard error is 1/sqrt(2(n - 1)) of n normal values.
+    """
+    mean_errors = statistics.deviations / np.sqrt(statistics.scans)
+    differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
+    if rms_values.shape[-2] < 2:
+        return np.asarray(differences)
+    ratios = rms_values.std(axis=-2, ddof=1)[..., :2] / statistics.deviations[:2]
+    spread = (ratios - 1) * np.sqrt(2 * (statistics.scans - 1))
+    return np.concatenate([differences, spread], axis=-1)
+
+
+def sample_features(
+    rng: np.random.Generator,
+    statistics: ScanStatistics,
+    scans: int,
+    size: float,
+    pixel_size: float,
+    sign: int,
+) -> Features:
+    """Sample features from the prior until all `deviations_from_published` are below one.
+
+    size, pixel_size: of a scan in nm. sign: of the heights.
+    """
+    min_width = max(WIDTH_BOUNDS[0], MIN_WIDTH_PIXELS * pixel_size)
+    bounds = (DENSITY_BOUNDS, HEIGHT_BOUNDS, (min_width, WIDTH_BOUNDS[1]), BASE_BOUNDS)
+    low, high = np.log(bounds).T
+    for _ in range(MAX_BATCHES):
+        density, relative_height, width, base = np.exp(rng.uniform(low, high, (BATCH, 4))).T
+        counts = rng.poisson(density[:, None] * (size / 1e3) ** 2, (BATCH, scans))
+        height = sign * relative_height * statistics.means[0]
+        added = feature_squares(height, width, size)
+        rms_values = expected_rms(base, counts, added, statistics)
+        errors = np.abs(deviations_from_published(rms_values, statistics)).max(axis=-1)
+        if errors.min() <= 1:
+            index = int(np.argmax(errors <= 1))
+            return Features(
+                density=density[index].item(),
+                height=height[index].item(),
+                width=width[index].item(),
+                base_factor=base[index].item(),
+                counts=tuple(counts[index].tolist()),
+            )
+    raise ValueError(
+        "expected features with the published mean and deviation of rms heights, "
+        f"{statistics.means[0]:.3g} +- {statistics.deviations[0]:.3g} nm, found none in "
+        f"{MAX_BATCHES * BATCH} tries"
+    )
+
+
+def no_features(statistics: ScanStatistics, scans: int) -> Features:
+    """Return a Gaussian base alone, with the published rms height over all scales."""
+    factor = statistics.all_rms_height / float(statistics.means[0])
+    return Features(0.0, 0.0, np.nan, factor, (0,) * scans)
+
+
+def add_features(
+    rng: np.random.Generator, surface: HeightMap, features: Features, count: int
+) -> HeightMap:
+    """Add features at random places to a surface; those on a periodic one reach over its edges."""
+    position = (np.arange(surface.pixels) + 0.5) * surface.pixel_size
+    centres = rng.uniform(0, surface.size, (2, count, 1))
+    distance = position - centres
+    if surface.periodic:
+        distance = (distance + surface.size / 2) % surface.size - surface.size / 2
+    shape_y, shape_x = np.exp(-(distance**2) / (2 * features.width**2))
+    bumps = (features.height * shape_y.T) @ shape_x
+    heights = surface.heights + bumps.astype(surface.heights.dtype)
+    return replace(surface, heights=heights)
