@@ -1,4 +1,4 @@
-"""Fixtures: a copy of the repository, the finished quick study, and the tiers of tests."""
+"""Fixtures: a copy of the repository, the finished tiny study, and the tiers of tests."""
 
 import os
 import shutil
@@ -65,17 +65,17 @@ def finished(tmp_path_factory):
     shared = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         shared = shared.parent
-    study = shared_study(shared, quick_study)
+    study = shared_study(shared, tiny_study)
     return shutil.copytree(study, tmp_path_factory.mktemp("finished") / "study")
 
 
 @pytest.fixture(scope="session")
 def results(finished):
     """Return the results of the tiny study; not to be changed."""
-    return finished / "results" / "quick"
+    return finished / "results" / "tiny"
 
 
-def quick_study(folder):
+def tiny_study(folder):
     """Run the tiny study in a copy of the repository inside a folder; return the copy."""
     copy = copy_repository(folder / "study")
     run = run_snakemake(copy)
@@ -85,6 +85,6 @@ def quick_study(folder):
 
 @pytest.fixture
 def finished_copy(finished, tmp_path):
-    """Copy the finished quick study, to be changed, and remove the copy (90 MB) afterwards."""
+    """Copy the finished tiny study, to be changed, and remove the copy (90 MB) afterwards."""
     yield shutil.copytree(finished, tmp_path / "copy")
     shutil.rmtree(tmp_path / "copy")

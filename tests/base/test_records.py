@@ -74,7 +74,7 @@ def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     assert faults == ["results/table.csv: expected a file of the study, found none"]
 
 
-# The quick study
+# The tiny study
 
 
 @pytest.mark.study

@@ -25,14 +25,13 @@ from hardcontact.config.faults import refuse_all, refuse_lines
         ("contact.preload", 1e-5, ["a force with a unit, such as 10 uN,", "found 1e-05"]),
         ("sphere.radius", "-250 um", ["sphere.radius:", "10 to 1e+09 nm", "-250 um"]),
         ("scales.small.cutoffs", ["1e300 nm"], ["cutoffs.0:", "0.01 to 1e+09 nm", "'1e300 nm'"]),
-        ("scales.small.cutoffs", [], ["scales.small.cutoffs:", "at least 1 entries"]),
-        ("scans", "some", ["scans:", "expected all", "a list", "'some'"]),
-        ("scans", [1, 1], ["scans:", "each entry once"]),
-        ("contact.count", 0, ["contact.count:", "at least 1", "found 0"]),
+        ("scales.small.cutoffs", [], ["scales.small.cutoffs:", "at least 1 item,"]),
+        ("scans", "some", ["scans:", "expected a list", "'some'"]),
+        ("contact.count", 0, ["contact.count:", "greater than or equal to 1,", "found 0"]),
         ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
         ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
         ("scales.small.pixels", 8191, ["scales.small.pixels:", "a multiple of 2", "found 8191"]),
-        ("inference.confidence", float("nan"), ["inference.confidence:", "a number", "nan"]),
+        ("inference.confidence", float("nan"), ["inference.confidence:", "a finite number", "nan"]),
         ("store", "results/../a", ["store:", "letters", "'results/../a'"]),
     ],
 )
@@ -105,7 +104,7 @@ def test_each_fault_is_reported_once_in_order():
 
 def test_only_the_first_of_many_faults_are_reported():
     message = refusal(lambda: refuse_lines(f"line {k}: expected" for k in range(100_000)))
-    assert message.startswith("line 0: expected\n") and "99901 more" in message.splitlines()[-1]
+    assert message.startswith("line 0: expected\n") and "99971 more" in message.splitlines()[-1]
     assert refusal(refuse_all, [lambda: refuse_lines(message.splitlines())]) == message
 
 

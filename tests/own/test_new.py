@@ -150,7 +150,7 @@ def test_scans_without_contacts_enter_the_spectrum(folder, run):
     container(folder / "twin.zip", [member], {"s.nc": small})
     _, table = accepted(folder, run(NAME, "twin.zip", "large.nc", "--tip", "8 nm"))
     assert table.use.tolist() == ["contact", "spectrum"]
-    assert table.dataset.tolist() == ["", "s.nc"] and set(table.tip_radius) == {"8 nm"}
+    assert table.dataset.tolist() == ["", "s.nc"] and set(table.tip_radius) == {"8.0"}
 
 
 def test_several_surfaces_a_sphere_and_forces_make_a_study(folder, run):

@@ -1,4 +1,4 @@
-"""The quick study's datasets are labelled, and the same seed gives the same values."""
+"""The tiny study's datasets are labelled, and the same seed gives the same values."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The quick study's claims, figures, answers and report."""
+"""The tiny study's claims, figures, answers and report."""
 
 import json
 
@@ -42,7 +42,7 @@ def test_every_page_of_the_report_is_complete(results):
     claims = pd.read_csv(results / "claims.csv")
     assert not_told(claims.statement, Page(pages["claims"])) == []
     assert pages["claims"].count("<tr>") == 2 + len(VERDICTS) + len(claims)
-    assert "study: quick" in pages["parameters"] and "numpy" in pages["parameters"]
+    assert "study: tiny" in pages["parameters"] and "numpy" in pages["parameters"]
     assert "Interaction radius" in pages["departures"]
 
 

@@ -14,7 +14,7 @@ def _options() -> Namespace:
 
 
 def effort() -> str:
-    """Return the column of costs for the command line: "quick" for small grids, else "full"."""
+    """Return the column of costs for the command line: "quick" for a first answer, else "full"."""
     options = _options()
     is_quick = "config/quick.yaml" in options.configfile or "effort=quick" in options.config
     return "quick" if is_quick else "full"

@@ -2,35 +2,27 @@
 
 import datetime
 import difflib
+import re
 import reprlib
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-#: The accepted values in words, for each type of pydantic's errors.
+#: The accepted values in words, for types of pydantic's errors that it explains to programmers.
 EXPECTED = {
     "bool_type": "true or false",
     "dict_type": "a mapping",
-    "finite_number": "a number",
-    "float_type": "a number",
-    "greater_than_equal": "at least {ge}",
     "int_type": "a whole number",
-    "less_than_equal": "at most {le}",
-    "list_type": "a list",
-    "literal_error": "{expected}",
     "model_type": "a mapping",
-    "multiple_of": "a multiple of {multiple_of}",
-    "string_type": "text",
-    "too_long": "at most {max_length} entries",
-    "too_short": "at least {min_length} entries",
 }
+#: What stands around the accepted values in pydantic's other messages, such as "Input should be
+#: less than or equal to 200" and "List should have at least 1 item after validation, not 0".
+PYDANTIC_PHRASES = re.compile(r"^\w+ should (be|have) |\bvalid | after validation, not \d+$|'")
 #: Types of errors of a key that the model does not have.
 UNKNOWN_KEYS = ("extra_forbidden", "invalid_key")
-#: How many faults of one model are reported at once, so that a screen holds them; and how many
-#: lines of all files, of which each may have faults in every row.
-MAX_FAULTS = 10
-MAX_LINES = 100
+#: How many faults are reported at once, so that a screen holds them.
+MAX_LINES = 30
 #: Similarity from which an unknown key is taken for a known key, 1 if equal: one letter in four may
 #: differ.
 SIMILARITY = 0.75
@@ -71,8 +63,8 @@ def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
 
 
 def quote_key(key: object) -> str:
-    """Return a key as a file has it, or escaped and shortened if it would not fit a line."""
-    text = str(key)
+    """Return a key or a cell as a file has it, or escaped and shortened to fit a line."""
+    text = str(key) or "nothing"
     return text if text.strip() and text.isprintable() and len(text) < 80 else shorten(key)
 
 
@@ -89,14 +81,14 @@ def shorten(value: object) -> str:
 def validate(model: type[Model], value: object, prefix: str = "") -> Model:
     """Return a value of YAML or of a table as a model.
 
-    Raises ValueError with a line for each of the first MAX_FAULTS faulty keys: the prefix, the key,
-    the accepted values and the value.
+    Raises ValueError with a line for each faulty key: the prefix, the key, the accepted values and
+    the value.
     """
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        lines = _lines(model, error, prefix)
-    raise ValueError("\n".join(lines))
+        refuse_lines(_lines(model, error, prefix))
+        raise  # Only a validation error without any fault would come here.
 
 
 def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[str]:
@@ -113,7 +105,7 @@ def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[
             faults.setdefault(_key(keys), _sentence(fault))
     for keys, names in unknown.items():
         faults[_key(keys)] = _unknown(list(section_model(model, keys).model_fields), names)
-    return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)[:MAX_FAULTS]]
+    return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)]
 
 
 def _key(keys: tuple[int | str, ...]) -> str:
@@ -132,8 +124,8 @@ def _sentence(fault: Mapping[str, Any]) -> str:
     """Return the accepted values and the value, as a sentence."""
     if fault["type"] == "value_error":
         return str(fault["ctx"]["error"])
-    accepted = EXPECTED[fault["type"]].format(**fault.get("ctx", {}))
-    accepted = accepted.replace("''", "nothing").replace("'", "")
+    words = PYDANTIC_PHRASES.sub("", fault["msg"].replace("''", "nothing"))
+    accepted = EXPECTED.get(fault["type"], words)
     return f"expected {accepted}, found {shorten(fault['input'])}"
 
 

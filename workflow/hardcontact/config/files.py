@@ -158,20 +158,17 @@ class Files:
     @property
     def scans(self) -> list[Scan]:
         """Every scan."""
-        return self._first_scans(self._selection.surfaces)
+        return self._scans_of(self._selection.surfaces)
 
     @property
     def substrate_scans(self) -> list[Scan]:
         """Every scan of a substrate."""
-        return self._first_scans(self._selection.substrates)
+        return self._scans_of(self._selection.substrates)
 
-    def _first_scans(self, surfaces: Iterable[str], count: int | None = None) -> list[Scan]:
-        """Return the first scans of surfaces, or all without a count."""
-        return [
-            Scan(surface, scan)
-            for surface in surfaces
-            for scan in self._selection.scans(surface)[:count]
-        ]
+    def _scans_of(self, surfaces: Iterable[str]) -> list[Scan]:
+        """Return every scan of surfaces."""
+        scans = self._selection.scans
+        return [Scan(surface, scan) for surface in surfaces for scan in scans(surface)]
 
     @property
     def pairs_in_turn(self) -> list[ScanPair]:

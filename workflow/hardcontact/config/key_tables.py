@@ -3,9 +3,8 @@
 ``python -m hardcontact.config.key_tables``, in the top folder, writes both.
 """
 
-import inspect
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
@@ -26,24 +25,14 @@ YAML_HEADER = """\
 # README.md beside this file has the values that each key may have. Another study: a file with the
 # few keys that differ, given as  snakemake --configfile my-study.yaml
 """
-KEY_COLUMNS = ("key", "meaning", "values", "default", "paper")
-#: Lists of more entries, too wide for a table, are given by their number, first and last entry.
-MAX_LISTED_VALUES = 4
-#: Accepted values, in words, of keys whose types have no bounds.
-VALUES_IN_WORDS = {
-    "scans": "`all` or a list: 1 to 9999",
-    "quick": "a mapping",
-    "scan.map_size": "`none` or 0.01 to 1e+09 nm",
-}
+#: Accepted values in words, by type.
+VALUES_IN_WORDS = {bool: "`true` or `false`", dict[Any, Any]: "a mapping", list[int]: "a list"}
 
 
 def configuration_yaml() -> str:
     """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
     fields = dict(_fields(StudyKeys))
-    comments = {
-        key: _meaning(field) + (f" ({_paper_section(field)})" if _paper_section(field) else "")
-        for key, field in fields.items()
-    }
+    comments = {key: _meaning(field) + _paper_section(field) for key, field in fields.items()}
     tree = set_keys({}, {key: field.default for key, field in fields.items()})
     return "\n".join([YAML_HEADER, *commented_yaml(tree, comments)]) + "\n"
 
@@ -54,13 +43,12 @@ def update_tables(text: str) -> str:
     The tables are between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, with the
     names ``keys`` and ``columns``.
     """
-    text = _replace_between_markers(text, "keys", "\n\n".join(_sections()))
-    rows = [
-        (f"`{name}`", _meaning(field), _values(field))
-        for name, field in SurfaceRow.model_fields.items()
-    ]
-    table = _table(("column", "content", "values"), rows)
-    return _replace_between_markers(text, "columns", table)
+    tables = {"keys": _fields(StudyKeys), "columns": SurfaceRow.model_fields.items()}
+    for name, fields in tables.items():
+        rows = [f"| `{key}` | {_meaning(field)} | {_values(field)} |" for key, field in fields]
+        head = f"| {name.removesuffix('s')} | meaning | values |\n| --- | --- | --- |"
+        text = _replace_between_markers(text, name, "\n".join([head, *rows]))
+    return text
 
 
 def _replace_between_markers(text: str, name: str, content: str) -> str:
@@ -84,9 +72,9 @@ def _fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str, F
 
 
 def _paper_section(field: FieldInfo) -> str:
-    """Return the section of the paper that a default comes from, or nothing."""
+    """Return the section of the paper that a default comes from, in brackets, or nothing."""
     extra: Any = field.json_schema_extra or {}
-    return str(extra.get("paper", ""))
+    return f" ({extra['paper']})" if extra.get("paper") else ""
 
 
 def commented_yaml(
@@ -108,27 +96,6 @@ def commented_yaml(
             yield from commented_yaml(value, comments, f"{prefix}{name}.")
 
 
-def _sections() -> Iterator[str]:
-    """Yield heading, table and text of the keys at the top, and of each section of keys."""
-    rows: dict[str, list[tuple[str, ...]]] = {}
-    for key, field in _fields(StudyKeys):
-        values = VALUES_IN_WORDS.get(key) or _values(field)
-        row = (f"`{key}`", _meaning(field), values, _default(field.default), _paper_section(field))
-        top_section = key.split(".")[0] if "." in key else ""
-        rows.setdefault(top_section, []).append(row)
-    for name, section_rows in rows.items():
-        section = type(StudyKeys.model_fields[name].default) if name else StudyKeys
-        heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
-        yield f"### {heading.rstrip('.')}"
-        yield _table(KEY_COLUMNS, section_rows)
-        yield from (" ".join(text.split()) for text in texts)
-
-
-def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
-
-
 def _values(field: FieldInfo) -> str:
     """Return the accepted values of a field in words, with their unit."""
     for annotation in field.metadata:
@@ -137,31 +104,21 @@ def _values(field: FieldInfo) -> str:
     kind: Any = field.annotation
     if get_origin(kind) is Literal:
         return " or ".join(f"`{value}`" for value in get_args(kind) if value)
+    if kind in VALUES_IN_WORDS:
+        return VALUES_IN_WORDS[kind]
     if get_origin(kind) is list:
         return f"a list: {_values(FieldInfo.from_annotation(get_args(kind)[0]))}"
-    if kind is bool:
-        return "`true` or `false`"
-    limits = {
-        name: getattr(annotation, name)
-        for annotation in field.metadata
-        for name in ("ge", "le", "multiple_of")
-        if hasattr(annotation, name)
-    }
-    multiple = f", a multiple of {limits['multiple_of']}" if "multiple_of" in limits else ""
-    return f"{limits['ge']} to {limits['le']}{multiple}"
+    names = ("ge", "le", "multiple_of")
+    limits = [
+        getattr(item, name) for name in names for item in field.metadata if hasattr(item, name)
+    ]
+    return "{} to {}".format(*limits) + "".join(f", a multiple of {step}" for step in limits[2:])
 
 
 def _inline_yaml(value: Any) -> str:
     """Return a value as YAML on one line."""
     text: str = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
     return text.strip()[1:-1]
-
-
-def _default(value: Any) -> str:
-    """Return a default for a table; a long list is shortened."""
-    if isinstance(value, list) and len(value) > MAX_LISTED_VALUES:
-        return f"{len(value)} values, `{value[0]}` to `{value[-1]}`"
-    return f"`{_inline_yaml(value)}`"
 
 
 if __name__ == "__main__":

@@ -72,33 +72,14 @@ def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float
     return numbers
 
 
-def _once(entries: Any, validate: Callable[[Any], list[float]]) -> list[float]:
-    """Refuse entries that are given twice."""
-    values = validate(entries)
-    if len(set(values)) < len(values):
-        raise ValueError(f"expected each entry once, found {shorten(entries)}")
-    return values
-
-
-def _or_all(value: Any, validate: Callable[[Any], list[int]]) -> list[int] | str:
-    """Accept the word all in place of a list."""
-    if isinstance(value, str):
-        if value != "all":
-            raise ValueError(f"expected all, or a list of numbers of scans, found {shorten(value)}")
-        return value
-    return validate(value)
-
-
-def _or_none(value: Any, validate: Callable[[Any], float]) -> float | str:
-    """Accept the word none in place of a value."""
-    return value if value == "none" else validate(value)
+def or_word(word: str) -> WrapValidator:
+    """Accept a word in place of other values."""
+    return WrapValidator(lambda value, validate: value if value == word else validate(value))
 
 
 ASCENDING = WrapValidator(_ascending)
-ONCE = WrapValidator(_once)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
-LengthOrNone = Annotated[Length, WrapValidator(_or_none)]
 #: A range of adhesion: an atom is ten times larger than the least.
 Range = Annotated[float, Quantity("nm", 0.01, 1000)]
 Radius = Annotated[float, Quantity("nm", 10, 1e9)]
@@ -106,10 +87,12 @@ Force = Annotated[float, Quantity("N", 1e-12, 1)]
 Pressure = Annotated[float, Quantity("Pa", 1e3, 1e13)]
 Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 
-Lengths = Annotated[list[Length], Field(min_length=1, max_length=100), ASCENDING]
-Ranges = Annotated[list[Range], Field(min_length=1, max_length=100), ASCENDING]
-Radii = Annotated[list[Radius], Field(min_length=1, max_length=20), ASCENDING]
-Forces = Annotated[list[Force], Field(min_length=1, max_length=20), ASCENDING]
+Lengths = Annotated[list[Length], Field(min_length=1), ASCENDING]
+Ranges = Annotated[list[Range], Field(min_length=1), ASCENDING]
+#: A file name holds no more of them.
+IN_FILE_NAMES = Field(min_length=1, max_length=20)
+Radii = Annotated[list[Radius], IN_FILE_NAMES, ASCENDING]
+Forces = Annotated[list[Force], IN_FILE_NAMES, ASCENDING]
 
 #: Contacts along a side: 40 000 a pair of scans.
 Count = Annotated[int, Field(ge=1, le=200)]
@@ -123,17 +106,7 @@ MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
 TileCount = Annotated[int, Field(ge=1, le=256)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
-SurfaceId = Annotated[
-    str,
-    Matching(
-        "[a-z][a-z0-9_]*",
-        "the id of a surface, lower-case letters, digits and underscores, a letter first",
-    ),
-]
-ScanNumber = Annotated[int, Field(ge=1, le=9999)]
-ScanNumbers = Annotated[
-    list[ScanNumber], Field(min_length=1, max_length=9999), ONCE, WrapValidator(_or_all)
-]
+SurfaceId = Annotated[str, Matching("[a-z][a-z0-9_]*", "the id of a surface")]
 UNIT = Matching(
     "none|(?:m|mm|[uµ]m|nm|pm)(?:,(?:m|mm|[uµ]m|nm|pm))?",
     "none, m, mm, um, nm or pm, or two of these, such as mm,nm",
@@ -147,10 +120,8 @@ Folder = Annotated[
     str,
     Matching(
         r"(?=.{1,200}$)/?(?!\.)[A-Za-z0-9_.-]+(/(?!\.)[A-Za-z0-9_.-]+)*",
-        "a path of up to 200 letters, digits, dots, dashes and underscores, no name with a dot in "
-        "front",
+        "a path of letters, digits, dots, dashes and underscores, no name with a dot in front",
     ),
 ]
-TablePath = Annotated[
-    str, Matching("[^{}<>]{1,1000}", "the path of a table, without {, }, < and >")
-]
+#: Snakemake takes braces for wildcards.
+FilePath = Annotated[str, Matching("[^{}<>]{1,1000}", "the path of a file, without {, }, < and >")]

@@ -2,16 +2,13 @@
 
 import os
 import reprlib
-from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import pandas as pd
-from pydantic import WrapValidator
 
-from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import validate
-from hardcontact.config.key_types import Matching, Quantity
+from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
 from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.config.tables import user_table
@@ -29,13 +26,6 @@ TIP_RADIUS = Quantity("nm", 0.1, 1e5)
 LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
 
 
-def _keep_text(text: Any, validate_quantity: Callable[[Any], float]) -> Any:
-    """Return the text of a quantity as it is, or an empty text."""
-    if text:
-        validate_quantity(text)
-    return text
-
-
 class SurfaceRow(Keys):
     """A row of the table of surfaces: one scan."""
 
@@ -44,38 +34,28 @@ class SurfaceRow(Keys):
         # pooled is the mean over surfaces, smooth a sphere
         Matching(
             "(?!(pooled|smooth)$)[a-z][a-z0-9_]{0,39}",
-            "the id of the surface, up to 40 lower-case letters, digits and underscores, a letter "
-            "first, neither pooled nor smooth",
+            "up to 40 lower-case letters, digits and underscores, a letter first, neither pooled "
+            "nor smooth",
         ),
     ]
-    """Id of the surface, which names it everywhere."""
+    """Id of the surface."""
     label: Annotated[str, LABEL]
     """Name of the surface in figures, the same in all rows of a surface."""
     scan: Annotated[str, Matching("[1-9][0-9]{0,3}", "the number of the scan, 1 to 9999")]
     """Number of the scan, each once for a surface."""
     source: Literal["measured", "substitute"]
-    """Whether the scans are measured, the same in all rows of a surface."""
-    path: Annotated[
-        str,
-        Matching(
-            "[^{}<>]{1,1000}",
-            "the path of a scan, or of the description of a substitute, without {, }, < and >",
-        ),
-    ]
-    """Path from the top folder: for `measured` the file of the scan, for `substitute` the
-    description of the surface (`resources/README.md`), the same in all rows."""
-    dataset: Annotated[
-        str, Matching(".{0,1000}", "the name of one scan of a container, of a channel, or nothing")
-    ]
-    """For a contact.engineering container (`.zip`): one of its scans, by name or data file. For any
-    other file: the channel, or nothing for the file's own choice."""
+    """Origin of the scans, the same in all rows of a surface."""
+    path: FilePath
+    """File of a measured scan, or description of a substitute (`resources/README.md`), the same in
+    all its rows; from the top folder."""
+    dataset: Annotated[str, Matching(".{0,1000}", "a name, or nothing")]
+    """Scan of a container (`.zip`), by name or data file; channel of another file, or nothing for
+    the file's own choice."""
     use: Literal["", "contact", "spectrum"] = ""
-    """Optional, for measured scans. `contact` (also if empty): height maps on which contacts are
-    made, all of a surface on the same pixels. `spectrum`: scans of other sizes and line scans,
-    which only enter the spectrum."""
-    tip_radius: Annotated[str, TIP_RADIUS, WrapValidator(_keep_text)] = ""
-    """Optional; radius of the tip that measured the scan, such as `10 nm`. It replaces what the
-    file states."""
+    """Optional. `contact`, also if empty: a height map on which contacts are made. `spectrum`: a
+    measured scan that only enters the spectrum."""
+    tip_radius: Annotated[float | str, TIP_RADIUS, or_word("")] = ""
+    """Optional; radius of the tip of the scan, in place of what the file states."""
 
 
 class Selection:
@@ -112,7 +92,7 @@ class Selection:
     def tip_radii(self, surface: str) -> list[float | None]:
         """Return the tip radius (nm) of all scans of a surface; None if the table has no radius."""
         texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
-        return [parse_quantity(text, "nm") if text else None for text in texts]
+        return [float(text) if text else None for text in texts]
 
     def contact_scan_indices(self, surface: str) -> list[int]:
         """Return the indices, from 0, of the measured scans of a surface that make contacts."""
@@ -175,7 +155,7 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     """Read the table of surfaces, which is tab-separated, and check that its rows agree.
 
     Returns one row a scan, indexed by the line of the file, with the columns of `SurfaceRow`;
-        `scan` is an int. Missing optional columns are empty, and an empty `use` becomes CONTACT.
+    `scan` is an int, `tip_radius` a number in nm as text or empty, an empty `use` CONTACT.
     Raises ValueError with a line for each fault, which names the file and the line or the surface.
     """
     if not os.path.isfile(path):

@@ -51,10 +51,7 @@ def prepare(workflow: Any) -> None:
     # The jobs inherit them; those that a user has set stay.
     os.environ.setdefault("MALLOC_MMAP_THRESHOLD_", str(REUSED_MEMORY))
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
-    try:
-        Path(".snakemake").mkdir(exist_ok=True)  # Snakemake's own attempt ends in a traceback.
-    except OSError as error:
-        _refuse(f".snakemake: expected a folder to write to, found: {error.strerror}")
+    check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
 
 
 def _refuse_elsewhere(workflow: Any) -> None:

@@ -28,9 +28,6 @@ from hardcontact.surfaces.spectrum import (
 
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
-#: The largest table in bytes, some hundred thousand rows: nobody measures more forces, and larger
-#: files are other data.
-TABLE_LIMIT = 2**22
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
@@ -68,7 +65,7 @@ class UserTable(NamedTuple):
         """
         complete = set(columns) <= set(self.header) <= set(allowed or self.header)
         if not (self.cells and complete and len(set(self.header)) == len(self.header)):
-            header = quote_cell(", ".join(self.header))
+            header = quote_key(", ".join(self.header))
             raise ValueError(
                 f"{self.path}: expected {content}, found {header} and {len(self.cells)} rows"
             )
@@ -104,8 +101,6 @@ def user_table(
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
-    if os.path.getsize(path) > TABLE_LIMIT:
-        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
     try:
         text = Path(path).read_bytes().decode("utf-8-sig")
         head = text.partition("\n")[0]
@@ -124,11 +119,6 @@ def user_table(
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
     written_rows = [(line, cells) for line, cells in rows if any(cells)]
     return UserTable(str(path), written_rows[0][1] if written_rows else [], dict(written_rows[1:]))
-
-
-def quote_cell(cell: str) -> str:
-    """Return a cell as quoted in a message."""
-    return quote_key(cell) if cell else "nothing"
 
 
 def parse_number(cell: str) -> float:
@@ -171,14 +161,14 @@ def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]
     for name in names:
         if parse_number(row[name]) == 0 or row[name].startswith("<"):
             raise ValueError(
-                f"{name}: expected a force above zero, found {quote_cell(row[name])}: of a test "
+                f"{name}: expected a force above zero, found {quote_key(row[name])}: of a test "
                 "below the noise write the noise, which makes the mean an upper bound"
             )
     mean, median = [FORCE_QUANTITY.number(f"{row[name]} {row['unit']}") for name in names]
     if surface not in surfaces:
-        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_cell(surface)}")
+        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_key(surface)}")
     if not re.fullmatch("[1-9][0-9]{0,8}", count):
-        raise ValueError(f"count: expected a number of tests, found {quote_cell(count)}")
+        raise ValueError(f"count: expected a number of tests, found {quote_key(count)}")
     if median > mean:
         raise ValueError(
             "median: expected at most the mean, as of log-normal forces (or give single tests), "
@@ -202,7 +192,7 @@ def _segment_fault(row: Row, is_longest: bool, published: Collection[str]) -> st
     model = row["model"]
     models = [name for name in SEGMENT_MODELS if not (is_longest and name == "power law")]
     if model not in models:
-        return f"a model, one of {', '.join(models)}; found {quote_cell(model)}"
+        return f"a model, one of {', '.join(models)}; found {quote_key(model)}"
     missing_rows = set(CALIBRATION_ROWS.get(model, ())).difference(published)
     if missing_rows and not row["hurst"]:
         return (
@@ -259,5 +249,5 @@ def _row_of_numbers(row: Row, numbers: Sequence[str]) -> Row:
         lowest = -math.inf if name in SIGNED else 0
         if row[name] and not parse_number(row[name]) >= lowest:
             accepted = "a number" if name in SIGNED else "a number, none below zero"
-            raise ValueError(f"{name}: expected {accepted}, found {quote_cell(row[name])}")
+            raise ValueError(f"{name}: expected {accepted}, found {quote_key(row[name])}")
     return row

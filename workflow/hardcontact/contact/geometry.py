@@ -80,7 +80,8 @@ def sampled_contacts(
 ) -> NDArray[np.int_]:
     """Sample places (contacts, 2) from the array of all contacts, each at most once.
 
-    With the same generator a larger sample contains the smaller one.
+    All places if there are fewer than the sample asks for. With the same generator a larger sample
+    contains the smaller one.
     """
     numbers = rng.permutation(contacts_per_side**2)[:contacts]
     return np.stack(np.divmod(numbers, contacts_per_side), axis=1)

@@ -14,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.units import parse_quantity
-from hardcontact.config.tables import Row, UserTable, parse_number, quote_cell, user_table
+from hardcontact.config.faults import quote_key
+from hardcontact.config.tables import Row, UserTable, parse_number, user_table
 from hardcontact.surfaces.height_map import metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
@@ -173,7 +174,7 @@ def _column(table: UserTable, names: Sequence[str]) -> str:
     if len(present) != 1:
         raise ValueError(
             f"{table.path}: expected {EXPECTED_COLUMNS}, or a scan that begins with numbers or a "
-            f"column x, found {quote_cell(', '.join(table.header))}"
+            f"column x, found {quote_key(', '.join(table.header))}"
         )
     table.require([present[0], f"{present[0]}_unit"], EXPECTED_COLUMNS)
     return present[0]
@@ -184,10 +185,10 @@ def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
     value = parse_number(row[density])
     power = 4 if density == "c_iso" else 3
     if not 0 < parse_number(row[wave]) < math.inf:
-        raise ValueError(f"{wave}: expected a positive number, found {quote_cell(row[wave])}")
+        raise ValueError(f"{wave}: expected a positive number, found {quote_key(row[wave])}")
     if not (0 < value < math.inf or (power == 4 and value == 0)):
         accepted = "a number of at least 0" if power == 4 else "a positive number"
-        raise ValueError(f"{density}: expected {accepted}, found {quote_cell(row[density])}")
+        raise ValueError(f"{density}: expected {accepted}, found {quote_key(row[density])}")
     wavevector = parse_number(row[wave]) / _nanometres(row, wave)
     if wave == "wavelength":
         wavevector = 2 * math.pi / (parse_number(row[wave]) * _nanometres(row, wave))
@@ -202,4 +203,4 @@ def _nanometres(row: Row, name: str) -> float:
     try:
         return parse_quantity(f"1 {match[1]}" if match else None, "nm")
     except ValueError:
-        raise ValueError(f"{name}_unit: expected {words}, found {quote_cell(unit)}") from None
+        raise ValueError(f"{name}_unit: expected {words}, found {quote_key(unit)}") from None

@@ -23,14 +23,11 @@ SPHERE = "sphere"
 RESERVED_NAMES = ("config", "paper", "quick", "surfaces")
 #: Options that are quantities: the key of the configuration, and their meaning.
 QUANTITY_OPTIONS = {
-    name: (QUANTITY_KEYS[name], meaning)
-    for name, meaning in {
-        "radius": "radius of the sphere",
-        "hardness": "hardness of the softer body",
-        "preload": "load on a contact",
-        "range": "range of adhesion",
-        "work": "work of adhesion of the predicted force",
-    }.items()
+    "radius": (QUANTITY_KEYS["radius"], "radius of the sphere"),
+    "hardness": (QUANTITY_KEYS["hardness"], "hardness of the softer body"),
+    "preload": (QUANTITY_KEYS["preload"], "load on a contact"),
+    "range": (QUANTITY_KEYS["range"], "range of adhesion"),
+    "work": (QUANTITY_KEYS["work"], "work of adhesion of the predicted force"),
 }
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")

@@ -1,0 +1,29 @@
+"""The quick study finds what the full study finds, within its own, wider intervals."""
+
+import pytest
+from full_study import read_full_study, study_numbers
+from repository import copy_repository, snakemake
+
+pytestmark = pytest.mark.system
+
+
+@pytest.fixture(scope="module")
+def quick(tmp_path_factory):
+    """Run the quick study of README; return its numbers."""
+    study = copy_repository(tmp_path_factory.mktemp("quick") / "study")
+    run = snakemake(study, "--configfile", "config/quick.yaml")
+    assert run.returncode == 0, run.stdout[-3000:]
+    return study_numbers(study / "results/quick")
+
+
+def test_its_intervals_overlap_those_of_the_full_study(quick):
+    full = read_full_study().loc[quick.index]
+    # An open end has no number.
+    is_apart = (quick["low"] > full["high"]) | (quick["high"] < full["low"])
+    assert not is_apart.any(), quick.join(full, rsuffix="_full")[is_apart].to_string()
+
+
+def test_no_verdict_contradicts_that_of_the_full_study(quick):
+    verdicts = quick.join(read_full_study(), rsuffix="_full")[["verdict", "verdict_full"]]
+    judged = verdicts[verdicts.isin(["reproduced", "not reproduced"]).all(axis=1)]
+    assert (judged["verdict"] == judged["verdict_full"]).all(), judged.to_string()
