@@ -90,6 +90,7 @@ def sensitivity() -> xr.Dataset:
     return xr.Dataset(
         {
             "octave_sensitivity": (("surface", "octave"), values),
+            "map_size": ("surface", [20_000.0] * len(SUBSTRATES)),
             "band_force_ratio": ratio,
             "band_force_ratio_interval": interval,
         },

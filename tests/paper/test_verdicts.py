@@ -135,6 +135,20 @@ def test_the_share_of_sets_that_agree_decides(agreeing, verdict):
     assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(replicas) == verdict
 
 
+@pytest.mark.parametrize(
+    ("samples", "verdict"),
+    [
+        (np.linspace(4.2, 5.8, 101), "reproduced"),
+        (np.linspace(1.0, 9.0, 101), "undecided"),  # few samples agree, and the interval has all
+        (np.linspace(6.1, 9.0, 101), "not reproduced"),
+        (np.linspace(3.9, 5.8, 101), "undecided"),
+    ],
+)
+def test_samples_of_one_number_are_judged_with_its_interval(samples, verdict):
+    low, high = np.percentile(samples, [2.5, 97.5])
+    assert accepted_range("interval", 4.0, 6.0).verdict_of_samples(samples, low, high) == verdict
+
+
 def test_a_set_without_a_number_does_not_agree():
     replicas = np.array([5.0] * 17 + [nan] * 3)
     assert accepted_range("interval", 4.0, 6.0).verdict_of_sets(replicas) == "undecided"

@@ -216,7 +216,9 @@ def _judge(claim: Any, claim_number: _ClaimNumber, fixed: str, common: _Common) 
     replicas = _claim_replicas(claim, claim_number, common.sets)
     low, high = _claim_interval(claim, claim_number.number, replicas, common.confidence)
     accepted = accepted_range(claim.rule, claim.published_low, claim.published_high)
-    if replicas_vary(replicas):
+    if claim.replicated == "samples":
+        verdict = accepted.verdict_of_samples(replicas, low, high)
+    elif replicas_vary(replicas):
         verdict = accepted.verdict_of_sets(replicas)
     else:
         verdict = accepted.verdict(value, low, high)

@@ -55,6 +55,17 @@ class AcceptedRange:
             return "reproduced"
         return "not reproduced" if share <= 1 - REPRODUCED_SHARE else "undecided"
 
+    def verdict_of_samples(self, samples: np.ndarray, low: float, high: float) -> str:
+        """Judge the samples (sample,) of a single number and its interval.
+
+        The scatter is the error of the number: a narrow range of accepted numbers within a wide
+        interval is undecided.
+        """
+        if self.accepts(samples).mean() >= REPRODUCED_SHARE:
+            return "reproduced"
+        verdict = self.verdict(float(np.median(samples)), low, high)
+        return verdict if verdict == "not reproduced" else "undecided"
+
     def verdict(self, computed: float, low: float, high: float) -> str:
         """Judge a number, NaN if none exists, and its interval, NaN if it has none.
 

@@ -139,7 +139,9 @@ def study_numbers(
     for name, claim in ANSWER_CLAIMS.items():
         if claim in rows:
             yield from _claim_numbers(name, rows[claim], datasets)
-    yield from _strongest_octaves(datasets["sensitivity"])
+    sensitivity = datasets["sensitivity"]
+    yield from _strongest_octaves(sensitivity)
+    yield Number("whole_surface_size", float(sensitivity["map_size"].max()), "nm", source="given")
     yield from _fit_samples(datasets)
     yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
     yield from _settings(datasets, constants)
