@@ -33,7 +33,7 @@ def forget_library():
 
 def linked_copy(finished, folder):
     """Copy the sources of a finished study, to be changed, and link its results."""
-    folder.mkdir()
+    (folder / "tests").mkdir(parents=True)
     for name in PARTS:
         copy = shutil.copytree if (finished / name).is_dir() else shutil.copy2
         copy(finished / name, folder / name)

@@ -4,7 +4,6 @@ import base64
 import re
 
 import numpy as np
-import pandas as pd
 import pytest
 from html_page import Page
 from paper_study import CITATION, answer, captions, claims, datasets, figures, make_page
@@ -113,14 +112,6 @@ def test_main_findings_repeat_the_claims(page):
         claim = table.loc[link.partition("#")[2]]
         assert (cells[0], cells[-1]) == (claim["statement"], claim["verdict"])
     assert len(links) >= 10
-
-
-def test_what_lies_beyond_the_paper_is_a_sentence_with_its_number():
-    beyond = claims().iloc[:1].assign(id="yields_at_some_scale", computed=0.8)
-    rows = pd.concat([claims(), beyond.assign(low=0.6, high=1.0, unit="1")], ignore_index=True)
-    page = Page(make_page(rows))
-    (sentence,) = [text for text in page.texts["li"] if "yield at some scale" in text]
-    assert "0.8 [0.6, 1]" in plain(sentence)
 
 
 def test_only_substitutes_are_labelled_as_such(page):

@@ -34,6 +34,7 @@ def test_a_second_run_has_nothing_to_do(own_study):
 
 PAGE = {"answer_surfaces", "keep_records"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_measured"}
+OCTAVES = {"amplify_octaves", "aggregate_sensitivity"}
 MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}
 SPECTRA = {"measure_spectrum", "sample_spectra", "aggregate_spectra"}
 #: The table of roughness of all surfaces, and its readers.
@@ -45,8 +46,8 @@ SCANS = {"prepare_scan"} | TOPOGRAPHY
     ("key", "value", "rules"),
     [
         ("adhesion.work", "60 mJ/m2", {"predict_force", "fit_measured"}),
-        ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | MASTERS),
-        ("contact.preload", "20 uN", FORCES | {"filter_masters", "aggregate_scales"}),
+        ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | OCTAVES | MASTERS),
+        ("contact.preload", "20 uN", FORCES | OCTAVES | {"filter_masters", "aggregate_scales"}),
     ],
 )
 def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rules):

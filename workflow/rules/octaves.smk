@@ -67,9 +67,9 @@ rule isolate_band:
     output:
         PATTERNS.band_forces,
     log:
-        PATTERNS.log("isolate_band_{surface}"),
+        PATTERNS.log("isolate_band/{surface}"),
     benchmark:
-        PATTERNS.benchmark("isolate_band_{surface}")
+        PATTERNS.benchmark("isolate_band/{surface}")
     params:
         canonical=lambda w: parameters(
             surface=w.surface,
