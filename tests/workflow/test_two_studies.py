@@ -30,7 +30,7 @@ FIXED = {
 IN_PATHS = {
     "sphere.radius", "contact.preload", "contact.hardness", "scales.range",
     "scales.sphere_roughness", "scales.realizations", "sets.pool", "sets.replicates",
-    "sets.realizations", "scaling.realizations", "scaling.radii",
+    "sets.realizations", "scaling.realizations", "scaling.radii", "scales.whole_surfaces",
 }  # fmt: skip
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
@@ -50,9 +50,11 @@ FILTERED = {
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {
-    "conditioning", "substitutes", "stitched", "measurements", "measured_spectra", "sampled_spectra"
+    "conditioning", "substitutes", "stitched", "measurements", "measured_spectra",
+    "sampled_spectra", "octaves",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
+FOLDERS["draws"] += ("scan.featured_surface",)  # It names their surface, in the path.
 FOLDERS |= {f"filtered/{purpose}": keys for purpose, keys in FILTERED.items()}
 
 
