@@ -20,10 +20,10 @@ def test_its_intervals_contain_the_numbers_of_the_full_study(quick):
     full = read_full_study().loc[quick.index]
     # An open end has no number.
     is_missed = (full["value"] < quick["low"]) | (quick["high"] < full["value"])
-    assert not is_missed.any(), quick.join(full, rsuffix="_full")[is_missed].to_string()
+    assert not is_missed.any(), quick.join(full.add_suffix("_full"))[is_missed].to_string()
 
 
 def test_no_verdict_contradicts_that_of_the_full_study(quick):
-    verdicts = quick.join(read_full_study(), rsuffix="_full")[["verdict", "verdict_full"]]
+    verdicts = quick.join(read_full_study().add_suffix("_full"))[["verdict", "verdict_full"]]
     judged = verdicts[verdicts.isin(["reproduced", "not reproduced"]).all(axis=1)]
     assert (judged["verdict"] == judged["verdict_full"]).all(), judged.to_string()
