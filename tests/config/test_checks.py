@@ -15,8 +15,8 @@ from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical, digests, keep_records
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
 from hardcontact.config.configuration import reading_keys
-from hardcontact.config.grids import Grid, master_megabytes
-from hardcontact.config.limits import check_grids, memory_faults
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import check_grids
 from hardcontact.config.patterns import study_patterns
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
@@ -213,13 +213,3 @@ def test_rms_height_counts_only_waves_within_the_domain(tmp_path):
     roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
     variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)
     assert described_rms_height(path, 4000.0) == pytest.approx(variance**0.5, rel=0.02)
-
-
-# Memory: the largest master fits into a machine of 24 GB
-
-
-def test_a_master_larger_than_the_memory_is_refused():
-    assert 15000 < master_megabytes(32768, 3000) < 20000
-    assert not memory_faults("key", 32768, 24000)
-    assert not memory_faults("key", 16384, 100)  # accepted everywhere
-    assert memory_faults("key", 32768, 8000)

@@ -1,7 +1,6 @@
 """The pixels of scans, what they permit, and the memory of masters."""
 
 import math
-import os
 from typing import NamedTuple
 
 from hardcontact.base.formatting import format_length
@@ -81,11 +80,6 @@ def master_megabytes(pixels: int, minimum: int) -> int:
     It depends on the pixels along a side of the master; smaller masters take the minimum.
     """
     return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
-
-
-def machine_megabytes() -> int:
-    """Return the memory of this machine in units of 10^6 bytes."""
-    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 10**6
 
 
 def periods_in_window(window: float, scan_size: float) -> float:
