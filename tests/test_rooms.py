@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1083,
     "theory": 647,
     "paper": 1515,
-    "config": 1938,
+    "config": 1892,
     "own": 1542,
     "report": 2751,
     "api": 199,
