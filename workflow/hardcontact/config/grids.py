@@ -14,7 +14,7 @@ MAP_PIXELS = 16384
 #: a scan has waves longer than itself, and does not continue at its edges. Trade for memory.
 REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
-#: at once, in some 24 bytes each.
+#: at once, in some 24 bytes each, 1.6 GB together.
 CONTACT_PIXELS = 2**26
 #: Largest difference in height relative to the range of adhesion: exponentials overflow beyond 700.
 RELIEF_OVER_RANGE = 500.0
