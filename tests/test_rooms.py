@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1340,
     "theory": 647,
     "paper": 1500,
-    "config": 1961,
+    "config": 1915,
     "own": 1542,
     "report": 2798,
     "api": 199,

@@ -15,8 +15,8 @@ from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical, digests, keep_records
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, stored_scan, surface_grid
 from hardcontact.config.configuration import reading_keys
-from hardcontact.config.grids import Grid, master_megabytes
-from hardcontact.config.limits import check_grids, memory_faults
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import check_grids
 from hardcontact.config.patterns import study_patterns
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
@@ -34,6 +34,7 @@ CONTRADICTIONS = [
     ("sphere.surface", "glass", "ruby", "found glass"),
     ("scan.featured_surface", "brass", "found brass"),
     ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
+    ("quick", {"study": "mine"}, "neither study nor store", "found study"),
     ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
     # Several values
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
@@ -53,43 +54,40 @@ CONTRADICTIONS = [
 ]
 
 
-def assert_refused(folder, values, *message_parts):
-    message = refusal(lambda: check(numbers(*values), folder))
-    assert_says(message, "config key", "expected", "found", *message_parts)
-
-
-@pytest.mark.parametrize("contradiction", CONTRADICTIONS)
-def test_a_key_that_contradicts_other_keys_or_the_table_is_refused(
-    tmp_path, project_folder, contradiction
-):
-    key, value, *message_parts = contradiction
-    assert_refused(tmp_path, (key, value), key, *message_parts)
+#: Keys with their values, and parts of the message, which names another key or one of them.
+CONTRADICTING_VALUES = [
+    (("quick", {"seed": 1}, "study", "my-quick"), "config key study", "the end -quick", "my-quick"),
+    (("quick", {"seed": 1}, "store", "results/my-quick"), "config key store", "the end -quick"),
+    (("scan.pixels", 64, "contact.count", 129), "contact.count", "128", "found 129"),
+    (
+        ("scan.pixels", 32, "sphere.radius", "2500 nm"),
+        *("adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"),
+    ),
+    (("contact.window", "10 nm"), "contact.preload", "4 pixels", "at most 596 nN", "10 µN"),
+    (
+        ("contact.count", 200, "contact.preload", "0.5 mN"),
+        *("contact.preload", "at most 160 µN", "found 500 µN"),
+    ),
+    (("scales.large.tiles", 8), "sets.large.pixels", "8192", "found 4096"),
+    (
+        ("scaling.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
+        *("scales.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"),
+    ),
+]
 
 
 @pytest.mark.parametrize(
     ("values", "message_parts"),
     [
-        (("scan.pixels", 64, "contact.count", 129), ["contact.count", "128", "found 129"]),
-        (
-            ("scan.pixels", 32, "sphere.radius", "2500 nm"),
-            ["adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"],
-        ),
-        (("contact.window", "10 nm"), ["contact.preload", "4 pixels", "at most 596 nN", "10 µN"]),
-        (
-            ("contact.count", 200, "contact.preload", "0.5 mN"),
-            ["contact.preload", "at most 160 µN", "found 500 µN"],
-        ),
-        (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
-        (
-            ("scaling.radii", ["30 nm", "250 um"], "scales.range", "1.4 nm"),
-            ["scales.range", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
-        ),
+        *(((key, value), (key, *parts)) for key, value, *parts in CONTRADICTIONS),
+        *((values, parts) for values, *parts in CONTRADICTING_VALUES),
     ],
 )
-def test_a_limit_that_two_keys_decide_names_the_key(
+def test_keys_that_contradict_each_other_or_the_table_are_refused(
     tmp_path, project_folder, values, message_parts
 ):
-    assert_refused(tmp_path, values, *message_parts)
+    message = refusal(lambda: check(numbers(*values), tmp_path))
+    assert_says(message, "config key", "expected", "found", *message_parts)
 
 
 def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
@@ -213,13 +211,3 @@ def test_rms_height_counts_only_waves_within_the_domain(tmp_path):
     roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
     variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)
     assert described_rms_height(path, 4000.0) == pytest.approx(variance**0.5, rel=0.02)
-
-
-# Memory: the largest master fits into a machine of 24 GB
-
-
-def test_a_master_larger_than_the_memory_is_refused():
-    assert 15000 < master_megabytes(32768, 3000) < 20000
-    assert not memory_faults("key", 32768, 24000)
-    assert not memory_faults("key", 16384, 100)  # accepted everywhere
-    assert memory_faults("key", 32768, 8000)

@@ -23,7 +23,6 @@ from small_study import TINY_PATTERNS
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
-from studies import own_scans
 
 from hardcontact.config import start
 
@@ -88,16 +87,6 @@ def test_a_quick_study_has_its_own_folders():
         assert configured["contact"]["count"] == 6
 
 
-def test_a_full_study_cannot_take_the_name_of_a_quick_one():
-    """Its own quick study would replace its results."""
-    quick = {"quick": {"contact": {"count": 6}}}
-    for key, name in (("study", "my-quick"), ("store", "results/store-my-quick")):
-        line = refusal_line(
-            start.checked_configuration, planned_workflow(), PAPER | quick | {key: name}
-        )
-        assert_says(line, f"config key {key}", "a name without the end -quick", name)
-
-
 def test_values_of_the_command_line_are_read_as_in_a_file():
     words = ["scales={sphere_roughness: true, small: {cutoffs: [30 nm, 40 nm]}}", "scans=[1, 2]"]
     numbers = start.checked_configuration(*configured(*words, "seed=7"))
@@ -137,12 +126,6 @@ def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     assert messages[-1] == "Not all is made: the same command goes on from here."
 
 
-def test_a_quick_study_cannot_be_named():
-    overlay = {"quick": {"study": "mine"}}
-    line = refusal_line(start.checked_configuration, planned_workflow(), PAPER | overlay)
-    assert_says(line, "quick", "neither study nor store", "found study")
-
-
 def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     path = tmp_path / "a.yaml"
     path.write_text("seed: 1\n'seed': 2")
@@ -152,14 +135,6 @@ def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     )
     workflow.exec_mode = ExecMode.SUBPROCESS
     assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
-
-
-def test_a_table_that_lists_a_missing_scan_is_refused(tmp_path, monkeypatch, project_folder):
-    path = tmp_path / "own.tsv"
-    path.write_text(own_scans("none.nc"))
-    config = start.checked_configuration(planned_workflow(), PAPER | {"surfaces": str(path)})
-    line = refusal_line(start.checked_selection, planned_workflow(), config)
-    assert_says(line, "own.tsv", "none.nc", "no such file")
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import math
 import warnings
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,8 @@ import numpy as np
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import refuse_lines, shorten
 from hardcontact.config.grids import PIXEL_SIZES, Grid
-from hardcontact.config.limits import scan_faults
-from hardcontact.config.model import NONE, quantity_type
+from hardcontact.config.limits import NamedContact, contact_faults
+from hardcontact.config.model import quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
@@ -111,25 +112,15 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected pixels of {low:g} to {high:g} nm, found {surface.pixel_size:g} nm: is "
             "the unit right?"
         )
-    keys = ("preload", "hardness", "window", "count")
-    section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
-    shortest_range = min(ranges, default=math.nan)
-    check_positive(window=contact.window, count=contact.count, ranges=shortest_range)
+    shortest = replace(contact, range=min(ranges, default=math.nan))
+    check_positive(window=contact.window, count=contact.count, ranges=shortest.range)
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.
     relief = float(np.ptp(surface.heights))
     grid = Grid(surface.pixels // 2, surface.pixel_size, surface.size / 2, relief)
-    config = {
-        "published": NONE,
-        "sphere": {"radius": contact.radius},
-        "contact": section,
-        "adhesion": {"ranges": [shortest_range]},
-        "scales": {"range": math.inf},  # All ranges are checked as ranges of adhesion.
-    }
-    for line in scan_faults(config, "the map", grid)[:1]:
-        key, text = line.removeprefix("config key ").split(": ", 1)
-        raise ValueError(f"{key.split('.')[-1]}: {text}")
+    named_contact = NamedContact(shortest, preload="preload", count="count", range="ranges")
+    refuse_lines(contact_faults(named_contact, "the map", grid)[:1])
 
 
 def check_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:

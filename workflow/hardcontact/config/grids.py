@@ -1,7 +1,6 @@
 """The pixels of scans, what they permit, and the memory of masters."""
 
 import math
-import os
 from typing import NamedTuple
 
 from hardcontact.base.formatting import format_length
@@ -15,7 +14,7 @@ MAP_PIXELS = 16384
 #: a scan has waves longer than itself, and does not continue at its edges. Trade for memory.
 REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
-#: at once, in some 24 bytes each.
+#: at once, in some 24 bytes each, 1.6 GB together.
 CONTACT_PIXELS = 2**26
 #: Largest difference in height relative to the range of adhesion: exponentials overflow beyond 700.
 RELIEF_OVER_RANGE = 500.0
@@ -81,11 +80,6 @@ def master_megabytes(pixels: int, minimum: int) -> int:
     It depends on the pixels along a side of the master; smaller masters take the minimum.
     """
     return max(minimum, BASE_MEGABYTES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
-
-
-def machine_megabytes() -> int:
-    """Return the memory of this machine in units of 10^6 bytes."""
-    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 10**6
 
 
 def periods_in_window(window: float, scan_size: float) -> float:

@@ -101,8 +101,6 @@ Realizations = Annotated[int, Field(ge=1, le=1000)]
 ScanPixels = Annotated[int, Field(ge=16, le=8192)]
 #: An odd grid has no order that its pixels halve; 16384 x 16384 pixels take 3.2 GiB.
 Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
-#: A smooth sphere on them, where the memory of the machine holds it (grids.py).
-MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
 TileCount = Annotated[int, Field(ge=1, le=256)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 

@@ -20,7 +20,6 @@ from hardcontact.config.key_types import (
     Fraction,
     Length,
     Lengths,
-    MasterPixels,
     Pixels,
     Pressure,
     Radii,
@@ -127,7 +126,7 @@ class InferenceKeys(Keys):
 class SmallScaleKeys(Keys):
     """Masters of small scales."""
 
-    pixels: MasterPixels = key(8192, "Determining the Most Relevant Length-scales")
+    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
     """Pixels along a side of the small-scale master, which is two scans long."""
     transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""

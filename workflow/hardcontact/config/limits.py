@@ -5,9 +5,9 @@ only the first fault is reported: limits after it may assume those before.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -19,8 +19,6 @@ from hardcontact.config.grids import (
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
     Grid,
-    machine_megabytes,
-    master_megabytes,
     minimum_range,
     penetration_depth,
     periods_in_window,
@@ -34,33 +32,32 @@ from hardcontact.surfaces.synthesis import SIDES
 MAX_INDENT_PIXELS = 2**12
 
 
-class ContactSection(NamedTuple):
-    """The contacts that a section of the configuration computes on scans or masters."""
+@dataclass(frozen=True)
+class NamedContact:
+    """A contact, and the names by which its user gave three of its quantities."""
 
-    name: str
-    count_key: str  #: The key of the contacts along a side of the array.
-    contacts: dict[str, Contact]  #: The contact with the largest area, by the key of its load.
-    smallest_radius: float  #: Smallest radius of a sphere in nm.
+    contact: Contact
+    preload: str = "config key contact.preload"
+    count: str = "config key contact.count"
+    range: str = "config key adhesion.ranges"
 
 
-def contact_sections(config: dict[str, Any]) -> list[ContactSection]:
-    """Return the sections that compute contacts.
-
-    The first one, `contact`, computes on scans alone, `sets` on scans and masters, and all others
-    on masters.
-    """
+def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
+    """Return the contacts that a study computes, each with the values that limits forbid first."""
     contact = study_contact(config)
-    own_load = {"contact.preload": contact}
-    section = ContactSection("contact", "contact.count", own_load, contact.radius)
+    on_scans = NamedContact(replace(contact, range=config["adhesion"]["ranges"][0]))
+    on_masters = NamedContact(contact, range="config key scales.range")
     if config["published"] != PAPER:
-        return [section, section._replace(name="scales")]
-    indent_contact = replace(contact, preload=config["indent"]["preloads"][-1])
-    smallest_radius = min(contact.radius, config["scaling"]["radii"][0])
-    return [
-        section._replace(contacts=own_load | {"indent.preloads": indent_contact}),
-        section._replace(name="scales"),
-        ContactSection("sets", "sets.count", own_load, smallest_radius),
-    ]
+        return {"scans": on_scans, "scales": on_masters}
+    largest = replace(on_scans.contact, preload=config["indent"]["preloads"][-1])
+    radius = min(contact.radius, config["scaling"]["radii"][0])
+    of_sets = replace(contact, radius=radius, count=config["sets"]["count"])
+    return {
+        "scans": on_scans,
+        "indents": replace(on_scans, contact=largest, preload="config key indent.preloads"),
+        "scales": on_masters,
+        "sets": replace(on_masters, contact=of_sets, count="config key sets.count"),
+    }
 
 
 def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
@@ -70,43 +67,48 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     each fault, which names the key.
     """
     faults = []
-    for surface, grid in grids.items():
-        faults += scan_faults(config, surface, grid)[:1]
     sphere_surface = config["sphere"]["surface"]
-    _, *master_sections = contact_sections(config)
     for surface, grid in grids.items():
+        faults += _scan_faults(config, surface, grid)[:1]
         if surface != sphere_surface:
             sphere_grid = grids.get(sphere_surface, grid)  # for a smooth sphere: the substrate's
             faults += _pair_faults(config, surface, grid, sphere_grid)[:1]
-            for section, side in product(master_sections, SIDES):
-                faults += _master_faults(config, section, side, surface, grid, sphere_grid)[:1]
+            for section, side in product(("scales", "sets"), SIDES):
+                if section in study_contacts(config):
+                    faults += _master_faults(config, section, side, surface, grid, sphere_grid)[:1]
     refuse_lines(dict.fromkeys(faults))
 
 
-def scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
-    """Return the faults on the scans of a surface: loads, numbers of contacts, ranges."""
+def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> list[str]:
+    """Return the faults of a contact on a scan: load, number of contacts and range of adhesion."""
+    contact = named_contact.contact
+    stitched_pixels = 2 * grid.pixels
+    seen_pixels = min(window_pixels(contact.window, grid.pixel_size), stitched_pixels) ** 2
+    reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
+    faults = _load_faults(named_contact.preload, contact, seen_pixels // 4, grid.pixel_size, reason)
+    if contact.count > stitched_pixels:
+        accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
+        faults.append(f"{named_contact.count}: expected {accepted}, found {contact.count}")
+    min_rho, reason = minimum_range(contact.radius, contact.window, grid)
+    if contact.range < min_rho:
+        accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
+        faults.append(f"{named_contact.range}: expected {accepted}, found {contact.range:.4g} nm")
+    return faults
+
+
+def _scan_faults(config: dict[str, Any], surface: str, grid: Grid) -> list[str]:
+    """Return the faults on the scans of a surface, and of the ranges of its masters."""
     faults = []
     radius = config["sphere"]["radius"]
-    if surface == config["sphere"].get("surface") and radius < grid.size:
+    if surface == config["sphere"]["surface"] and radius < grid.size:
         accepted = f"at least the size of its scans ({grid.size:.6g} nm)"
         faults.append(key_fault("sphere.radius", accepted, f"{radius:.6g} nm"))
-    window = config["contact"]["window"]
-    stitched_pixels = 2 * grid.pixels
-    seen_pixels = min(window_pixels(window, grid.pixel_size), stitched_pixels) ** 2
-    reason = f"which a quarter of the {seen_pixels // 4 * 4} pixels of {surface} can carry"
-    sections = contact_sections(config)
-    for section in sections:
-        faults += _load_faults(section, seen_pixels // 4, grid.pixel_size, reason)
-    for section in sections:
-        contacts_per_side = get_key(config, section.count_key)
-        if contacts_per_side > stitched_pixels:
-            accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
-            faults.append(key_fault(section.count_key, accepted, contacts_per_side))
-    faults += _range_faults(
-        "scales.range", config["scales"]["range"], radius, window, surface, grid
-    )
-    shortest = config["adhesion"]["ranges"][0]
-    return faults + _range_faults("adhesion.ranges", shortest, radius, window, surface, grid)
+    # Only the size is that of the largest master; its artificial pixels have no say in ranges.
+    master_grid = grid._replace(size=grid.size * config["scales"]["large"]["tiles"])
+    for name, named_contact in study_contacts(config).items():
+        on_masters = name in ("scales", "sets") and surface != config["sphere"]["surface"]
+        faults += contact_faults(named_contact, surface, master_grid if on_masters else grid)
+    return faults
 
 
 def _pair_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: Grid) -> list[str]:
@@ -114,124 +116,83 @@ def _pair_faults(config: dict[str, Any], surface: str, grid: Grid, sphere_grid: 
     faults = []
     window = config["contact"]["window"]
     pixel_size = min(grid.pixel_size, sphere_grid.pixel_size)
-    pixels_along_window = window_pixels(window, pixel_size)
     bodies = f"{surface} and the sphere"
-    if pixels_along_window > MAP_PIXELS:
+    if window_pixels(window, pixel_size) > MAP_PIXELS:
         accepted = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {bodies}"
-        faults.append(key_fault("contact.window", accepted, pixels_along_window))
+        faults.append(key_fault("contact.window", accepted, window_pixels(window, pixel_size)))
     faults += _map_faults(bodies, pixel_size, grid, sphere_grid)
+    contacts = study_contacts(config)
     periods = periods_in_window(window, grid.size)
-    for section in contact_sections(config):
-        if section.name in ("contact", "sets"):
-            faults += _contact_pixel_faults(config, section, surface, pixel_size, periods)
-        if "indent.preloads" in section.contacts and surface == config["indent"]["surface"]:
-            pixels = section.contacts["indent.preloads"].pixel_count(pixel_size)
-            if not 2 <= pixels <= MAX_INDENT_PIXELS:
-                accepted = (
-                    f"2 to {MAX_INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
-                )
-                faults.append(key_fault("indent.preloads", accepted, pixels))
-    return faults
+    for named_contact in contacts.values():
+        faults += _memory_faults(named_contact, surface, pixel_size, periods)
+    if "indents" in contacts and surface == config["indent"]["surface"]:
+        pixels = contacts["indents"].contact.pixel_count(pixel_size)
+        if not 2 <= pixels <= MAX_INDENT_PIXELS:
+            accepted = (
+                f"2 to {MAX_INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
+            )
+            faults.append(key_fault("indent.preloads", accepted, pixels))
+    return faults + _penetration_faults(contacts["scales"], grid.relief)
 
 
 def _master_faults(
     config: dict[str, Any],
-    section: ContactSection,
+    section: str,
     side: str,
     surface: str,
     grid: Grid,
     sphere_grid: Grid,
 ) -> list[str]:
     """Return the faults on the masters of one side that are built on a surface."""
-    keys = master_keys(config, section.name, side)
+    keys = master_keys(config, section, side)
     pixels = get_key(config, keys["pixels"])
     tiles = get_key(config, keys["tiles"]) if "tiles" in keys else 1
     size = 2 * grid.size * tiles
     pixel_size = size / pixels
-    # Only the size is that of the master, halved as in every Grid; pixels are those of the scan.
-    master_grid = grid._replace(size=size / 2)
-    faults = _master_pixel_faults(keys["pixels"], pixels, tiles, surface, grid)
-    faults += _range_faults(
-        "scales.range",
-        config["scales"]["range"],
-        section.smallest_radius,
-        config["contact"]["window"],
-        surface,
-        master_grid,
-    )
-    faults += _penetration_faults(section, grid.relief)
-    master = f"a master of {section.name}.{side} on {surface}"
-    filtered_pixel_size = pixel_size if side == "small" else grid.pixel_size
-    shortest_wavelengths = {"transition": grid.pixel_size, "cutoffs": filtered_pixel_size}
-    for name, shortest in shortest_wavelengths.items():
-        wavelengths = get_key(config, keys[name])
-        faults += _wavelength_faults(keys[name], wavelengths, shortest, size, master)
-    if section.name == "sets" or config["scales"]["sphere_roughness"]:
-        pixel_size = min(pixel_size, sphere_grid.pixel_size)
-        bodies = f"the {side}-scale masters of {surface} and the sphere"
-        faults += _map_faults(bodies, pixel_size, master_grid, sphere_grid)
-    return faults + _contact_pixel_faults(config, section, surface, pixel_size, 1)
-
-
-def _master_pixel_faults(key: str, pixels: int, tiles: int, surface: str, grid: Grid) -> list[str]:
-    """Return the faults of a master's pixels: fewer than its scans have, or beyond the memory."""
     faults = []
     min_pixels = 2 * grid.pixels * tiles
     if pixels < min_pixels:
         accepted = f"at least the {min_pixels} of {tiles} x {tiles} stitched scans of {surface}"
-        faults.append(key_fault(key, accepted, pixels))
-    return faults + memory_faults(key, pixels, machine_megabytes())
+        faults.append(key_fault(keys["pixels"], accepted, pixels))
+    master = f"a master of {section}.{side} on {surface}"
+    filtered_pixel_size = pixel_size if side == "small" else grid.pixel_size
+    shortest_wavelengths = {"transition": grid.pixel_size, "cutoffs": filtered_pixel_size}
+    for name, shortest in shortest_wavelengths.items():
+        faults += _wavelength_faults(config, keys[name], shortest, size, master)
+    if config["scales"]["sphere_roughness"]:
+        pixel_size = min(pixel_size, sphere_grid.pixel_size)
+        bodies = f"the {side}-scale masters of {surface} and the sphere"
+        faults += _map_faults(bodies, pixel_size, grid._replace(size=size / 2), sphere_grid)
+    return faults + _memory_faults(study_contacts(config)[section], surface, pixel_size, 1)
 
 
-def memory_faults(key: str, pixels: int, available: int) -> list[str]:
-    """Return the fault of a master larger than any map and than the memory (megabytes)."""
-    needed = master_megabytes(pixels, 0)
-    if pixels <= MAP_PIXELS or needed <= available:
+def _penetration_faults(named_contact: NamedContact, relief: float) -> list[str]:
+    """Return the fault of a range that is short relative to the penetration under the load."""
+    contact = named_contact.contact
+    depth = penetration_depth(contact, relief)
+    min_rho = depth / PENETRATION_OVER_RANGE
+    if contact.range >= min_rho:
         return []
-    accepted = f"at most {MAP_PIXELS} on this machine of {available / 1e3:.3g} GB"
-    return [key_fault(key, accepted, f"{pixels}, which take {needed / 1e3:.3g} GB")]
-
-
-def _penetration_faults(section: ContactSection, relief: float) -> list[str]:
-    """Return the faults of a range that is short relative to the penetration under each load."""
-    faults = []
-    for key, contact in section.contacts.items():
-        depth = penetration_depth(contact, relief)
-        min_rho = depth / PENETRATION_OVER_RANGE
-        if contact.range < min_rho:
-            accepted = (
-                f"at least {min_rho:.3g} nm, as {key} presses the bodies some {depth:.3g} nm into "
-                "each other"
-            )
-            faults.append(key_fault("scales.range", accepted, f"{contact.range:.4g} nm"))
-    return faults
+    load_key = named_contact.preload.removeprefix("config key ")
+    return [
+        f"{named_contact.range}: expected at least {min_rho:.3g} nm, as {load_key} presses the "
+        f"bodies some {depth:.3g} nm into each other, found {contact.range:.4g} nm"
+    ]
 
 
 def _wavelength_faults(
-    key: str, wavelengths: float | list[float], pixel_size: float, size: float, master: str
+    config: dict[str, Any], key: str, pixel_size: float, size: float, master: str
 ) -> list[str]:
     """Return the faults of wavelengths (nm) that a master, named in words, does not have."""
-    faults = []
     accepted = (
         f"wavelengths of more than two pixels ({2 * pixel_size:.4g} nm) and at most the "
         f"{size:.6g} nm of {master}"
     )
-    for wavelength in np.atleast_1d(wavelengths):
-        # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
-        if not 2 * pixel_size * (1 + 1e-9) < wavelength <= size:
-            faults.append(key_fault(key, accepted, f"{wavelength:.4g} nm"))
-    return faults
-
-
-def _range_faults(
-    key: str, rho: float, radius: float, window: float, surface: str, grid: Grid
-) -> list[str]:
-    """Return the fault of a range of adhesion that pixels and relief of a surface forbid."""
-    min_rho, reason = minimum_range(radius, window, grid)
-    if rho >= min_rho:
-        return []
+    # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
     return [
-        key_fault(key, f"at least {min_rho:g} nm on {surface}, where {reason}", f"{rho:.4g} nm")
+        key_fault(key, accepted, f"{wavelength:.4g} nm")
+        for wavelength in np.atleast_1d(get_key(config, key))
+        if not 2 * pixel_size * (1 + 1e-9) < wavelength <= size
     ]
 
 
@@ -247,34 +208,31 @@ def _map_faults(bodies: str, pixel_size: float, *grids: Grid) -> list[str]:
     return [key_fault("surfaces and scan", accepted, pixels)]
 
 
-def _contact_pixel_faults(
-    config: dict[str, Any], section: ContactSection, surface: str, pixel_size: float, periods: float
+def _memory_faults(
+    named_contact: NamedContact, surface: str, pixel_size: float, periods: float
 ) -> list[str]:
-    """Return the faults of loads whose contact pixels do not fit into memory at once.
+    """Return the fault of a load whose contact pixels do not fit into memory at once.
 
     Each pixel (side in nm) lies `periods` times in the window.
     """
-    contacts_per_side = get_key(config, section.count_key)
+    contact = named_contact.contact
+    count_key = named_contact.count.removeprefix("config key ")
     reason = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{section.count_key} = {contacts_per_side} and contact.window = "
-        f"{config['contact']['window']:.6g} nm"
+        f"{count_key} = {contact.count} and contact.window = {contact.window:.6g} nm"
     )
-    available_pixels = int(CONTACT_PIXELS / contacts_per_side**2 / periods)
-    return _load_faults(section, available_pixels, pixel_size, reason)
+    available_pixels = int(CONTACT_PIXELS / contact.count**2 / periods)
+    return _load_faults(named_contact.preload, contact, available_pixels, pixel_size, reason)
 
 
 def _load_faults(
-    section: ContactSection, available_pixels: int, pixel_size: float, reason: str
+    name: str, contact: Contact, available_pixels: int, pixel_size: float, reason: str
 ) -> list[str]:
-    """Return the fault of each load with more contact pixels (side in nm) than are available."""
-    faults = []
-    for key, contact in section.contacts.items():
-        if contact.pixel_count(pixel_size) > available_pixels:
-            max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
-            accepted = (
-                f"at most {format_quantity(max_load, 'N')} of load at a hardness of "
-                f"{contact.hardness / 1e9:.4g} GPa, {reason}"
-            )
-            faults.append(key_fault(key, accepted, format_quantity(contact.preload, "N")))
-    return faults
+    """Return the fault of a load with more contact pixels (side in nm) than are available."""
+    if contact.pixel_count(pixel_size) <= available_pixels:
+        return []
+    max_load = available_pixels * (pixel_size * 1e-9) ** 2 * contact.hardness
+    return [
+        f"{name}: expected at most {format_quantity(max_load, 'N')} of load at a hardness of "
+        f"{contact.hardness / 1e9:.4g} GPa, {reason}, found {format_quantity(contact.preload, 'N')}"
+    ]

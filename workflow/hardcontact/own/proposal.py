@@ -35,17 +35,22 @@ TRANSITION_SHARE = 0.4
 #: The share of the force on a smooth sphere that the window should hold.
 MIN_WINDOW_SHARE = 0.99
 #: The range of adhesion relative to the shortest computed range, and the longest relative to it.
+#: Chosen: 0.7 to 45 nm around the paper's 5.6 nm; a wider span would leave larger steps between the
+#: 12 ranges, which are a factor 1.5 apart.
 RANGE_SPAN = 8.0
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
 CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
-#: Seconds that the contacts of one filtered surface may take.
+#: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
+#: a scan at full effort then take 5 of the 20 minutes of processor time.
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
 SECONDS_A_PIXEL = 4e-7
 SECONDS_A_TILE = 4e-8
-#: The smallest ratio of neighbouring cutoffs: between closer ones, forces can be interpolated.
+#: The smallest ratio of neighbouring cutoffs. Trial on the forces of the paper's study: each was
+#: interpolated between its neighbours. A median of 1 to 2 % is wrong if these are a factor 1.1 to
+#: 1.6 apart, whatever the factor, so that closer cutoffs gain nothing beside a tolerance of 10 %.
 MIN_CUTOFF_RATIO = 1.15
 #: Share of undefined pixels from which the user is told how they are filled.
 MANY_UNDEFINED = 0.05
