@@ -66,7 +66,8 @@ def test_contact_pixels_are_subtracted_exactly_at_the_ends_of_its_use(
 ):
     # A spike outside the window of the contact, and one in it that sinks in.
     rho, pixel_size = 2.0, 50.0
-    max_depth, max_penetration = MAX_DEPTH[np.dtype(number)], MAX_PENETRATION[np.dtype(number)]
+    precision = np.dtype(number).type
+    max_depth, max_penetration = MAX_DEPTH[precision], MAX_PENETRATION[precision]
     heights = periodic_noise(96, 0.1, 5).astype(number)
     heights[60, 60] = heights.max() + number(raised * max_depth * rho)
     heights[12, 12] = heights[8:16, 8:16].max() + number(penetration * max_penetration * rho)

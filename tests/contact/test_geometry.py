@@ -7,6 +7,7 @@ from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
+from hardcontact.contact.pull_off import pull_off_forces
 
 CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, count=4)
 
@@ -74,3 +75,17 @@ def test_a_sphere_without_roughness_is_its_paraboloid():
     cap = pair.sphere(7 + np.arange(-2, 3), -30 + np.arange(-2, 3))
     y, x = (np.arange(5)[:, None] + 5) * 25.0, (np.arange(5) - 32) * 25.0
     np.testing.assert_allclose(cap, (y**2 + x**2) / (2 * RADIUS), rtol=1e-12)
+
+
+@pytest.mark.parametrize("kind", [np.float32, ">f4", ">f8", np.float16, np.int64])
+def test_heights_of_any_kind_have_their_force(kind):
+    """Programs and classic netCDF files bring heights in other kinds and orders of bytes."""
+    whole_numbers = np.round(periodic_noise(96, 20.0, 5))  # Every kind holds them.
+    contact = Contact(radius=250e3, preload=1e-6, hardness=25e9, window=4800.0, count=3)
+
+    def forces(values):
+        surface = height_map(values, 50.0)
+        pairs = [geometry.bodies(surface, sphere, contact) for sphere in (surface, None)]
+        return [pull_off_forces(pair, [contact], [5.6]) for pair in pairs]
+
+    np.testing.assert_allclose(forces(whole_numbers.astype(kind)), forces(whole_numbers), rtol=1e-6)

@@ -9,16 +9,17 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_forces
 from hardcontact.inference.octaves import (
+    BAND_PARTS,
     FACTORS,
     STEP,
-    band_of_surface,
+    band_parts,
     band_ratios,
+    bands_of_surface,
     octave_forces,
     octave_limits,
     octaves,
     octaves_of_surface,
     sensitivities,
-    surface_within,
 )
 from hardcontact.inference.scan_parts import ScanParts
 
@@ -36,7 +37,7 @@ def wavy(*wavelengths):
 def rough_map():
     """A map without waves beyond its octaves, of 4 nm."""
     noise = height_map(periodic_noise(PIXELS, 4.0, 3), PIXEL_SIZE)
-    return surface_within(noise, 80.0, 2561.0)
+    return band_parts(noise, 80.0, 2561.0)["only the band"]
 
 
 def mean_force(surface):
@@ -64,24 +65,23 @@ def test_each_wave_is_in_one_octave_with_its_shorter_limit():
 
 
 @pytest.mark.parametrize(
-    ("shortest", "longest", "kept"),
+    ("name", "wavelengths"),
     [
-        (None, None, (160.0, 512.0, 1280.0)),
-        (200.0, None, (512.0, 1280.0)),
-        (None, 600.0, (160.0, 512.0)),
-        (200.0, 600.0, (512.0,)),
+        ("no shorter waves", (512.0, 1280.0)),
+        ("no longer waves", (160.0, 512.0)),
+        ("only the band", (512.0,)),
     ],
 )
-def test_a_part_of_the_roughness_keeps_its_waves_alone(shortest, longest, kept):
-    part = surface_within(wavy(160.0, 512.0, 1280.0), shortest, longest)
-    np.testing.assert_allclose(part.heights, wavy(*kept).heights, atol=1e-5)
+def test_a_part_of_the_roughness_keeps_its_waves_alone(name, wavelengths):
+    part = band_parts(wavy(160.0, 512.0, 1280.0), 200.0, 600.0)[name]
+    np.testing.assert_allclose(part.heights, wavy(*wavelengths).heights, atol=1e-5)
 
 
 def test_the_octaves_add_up_to_the_derivative_for_all_roughness():
     surface = rough_map()
     limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2561.0]
-    attenuated, amplified = octave_forces(surface, limits, mean_force).T
-    total = np.log(amplified / attenuated).sum() / (2 * STEP)
+    weak, strong = octave_forces(surface, limits, mean_force).T
+    total = np.log(strong / weak).sum() / (2 * STEP)
     low, high = (mean_force(height_map(surface.heights * f, PIXEL_SIZE)) for f in FACTORS)
     assert total == pytest.approx(np.log(high / low) / (2 * STEP), rel=0.02)
     assert abs(total) > 0.3
@@ -92,8 +92,8 @@ def test_the_central_difference_converges(monkeypatch):
 
     def derivative(step):
         monkeypatch.setattr("hardcontact.inference.octaves.FACTORS", (1 - step, 1 + step))
-        ((attenuated, amplified),) = octave_forces(surface, [640.0, 1280.0], mean_force)
-        return np.log(amplified / attenuated) / (2 * step)
+        ((weak, strong),) = octave_forces(surface, [640.0, 1280.0], mean_force)
+        return np.log(strong / weak) / (2 * step)
 
     limit = derivative(0.001)
     errors = [abs(derivative(step) - limit) for step in (4 * STEP, 2 * STEP, STEP)]
@@ -118,34 +118,41 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
     assert result.octave.values.tolist() == [80.0, 160.0]
 
 
-def test_ratios_of_a_band_have_intervals_over_maps():
+def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
+    bands = {"published": (200.0, 600.0), "found": (100.0, 2561.0)}
     maps = [
-        band_of_surface(
+        bands_of_surface(
             height_map(scale * wavy(160.0, 512.0, 1280.0).heights, PIXEL_SIZE),
-            200.0,
-            600.0,
+            bands,
             lambda surface: np.full((1, 1), surface.heights.var()),
         )
         for scale in (1.0, 2.0, 3.0)
     ]
-    ratios = band_ratios(xr.concat(maps, "map").band_force, whole_parts(3), 0.95)
-    np.testing.assert_allclose(ratios.band_force_ratio, [1 / 3, 2 / 3, 2 / 3], rtol=1e-6)
+    ratios = band_ratios(xr.concat(maps, "map"), whole_parts(3), 0.95)
+    assert ratios.band_part.values.tolist() == list(BAND_PARTS)
+    np.testing.assert_allclose(
+        ratios.band_force_ratio, [[1 / 3, 2 / 3, 2 / 3], [1, 1, 1]], rtol=1e-6
+    )
+    np.testing.assert_array_equal(maps[0].band_end, list(bands.values()))
     # Each map has the same ratios: the jackknife has nothing but rounding to vary.
-    assert ratios.band_force_ratio_interval.isnull().all() or np.ptp(
-        ratios.band_force_ratio_interval, axis=-1
-    ) == pytest.approx(0, abs=1e-5)
+    widths = np.ptp(ratios.band_force_ratio_interval.values, axis=-1)
+    np.testing.assert_allclose(widths[np.isfinite(widths)], 0, atol=1e-5)
 
 
 def test_the_interval_of_a_ratio_is_that_of_student_on_linear_scatter():
     # Nearly equal maps: the jackknife is Student's t of the relative scatter.
     rng = np.random.default_rng(1)
     scatter = 1 + 1e-4 * rng.standard_normal(5)
-    force = xr.DataArray(
-        np.stack([np.ones(5), scatter, np.ones(5), np.ones(5)], 1)[..., None, None],
-        {"band_part": ["all", "only the band", "no shorter waves", "no longer waves"]},
-        ("map", "band_part", "contact_y", "contact_x"),
+    part_forces = np.stack([scatter, np.ones(5), np.ones(5)], 1)[:, None, :, None, None]
+    contacts = ("contact_y", "contact_x")
+    forces = xr.Dataset(
+        {
+            "force": (("map", *contacts), np.ones((5, 1, 1))),
+            "band_force": (("map", "band", "band_part", *contacts), part_forces),
+        },
+        {"band": ["published"], "band_part": list(BAND_PARTS)},
     )
-    low, high = band_ratios(force, whole_parts(5), 0.95).band_force_ratio_interval[0].values
+    low, high = band_ratios(forces, whole_parts(5), 0.95).band_force_ratio_interval[0, 0].values
     quantile = 2.7764451051977934  # Student's t of four degrees of freedom
     half = quantile * scatter.std(ddof=1) / np.sqrt(5)
     assert (high - low) / 2 == pytest.approx(half, rel=1e-3)

@@ -1,11 +1,11 @@
 # Octaves: how the force follows the amplitude of each, and the force on the band alone.
 
+from hardcontact.config.files import SHORTEST_WHOLE_RANGE
+
 CONTACT = STUDY["contact"] | {
     "radius": STUDY["sphere"]["radius"],
     "range": STUDY["scales"]["range"],
 }
-# A whole surface may rise several hundred shorter ranges above a contact: exp overflows.
-WHOLE_RANGES = [rho for rho in RANGES if rho >= 0.7]
 # Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if COMPARED else []
 
@@ -32,7 +32,7 @@ rule compute_whole:
             scan=SCAN_GRID,
             has_features=w.surface in FILES.featured,
             contact=CONTACT,
-            ranges=WHOLE_RANGES,
+            ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
         "../scripts/compute_whole.py"
@@ -103,7 +103,7 @@ rule aggregate_sensitivity:
     params:
         canonical=parameters(
             maps=[*FILES.whole_chunks, *FILES.measured_scans],
-            bands=[[surface] for surface in BAND_SURFACES],
+            bands=BAND_SURFACES,
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],
             rho=STUDY["scales"]["range"],

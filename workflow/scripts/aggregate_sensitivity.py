@@ -2,25 +2,23 @@
 
 import xarray as xr
 
-from hardcontact.base.dataset import read, read_all
+from hardcontact.base.dataset import concatenate, read, read_all
 from hardcontact.base.job import job
-from hardcontact.base.units import NM
 from hardcontact.contact.all_surfaces import with_names
 from hardcontact.inference.mean_forces import fewest_places
-from hardcontact.inference.octaves import all_band_ratios, all_sensitivities, join_maps
+from hardcontact.inference.octaves import all_band_ratios, all_sensitivities
 
 with job(snakemake) as job:
     params = job.parameters
-    maps = join_maps(read_all(params["maps"], job.input.maps))
-    bands = join_maps(read_all(params["bands"], job.input.bands))
+    files = read_all(params["maps"], job.input.maps)
+    maps = {surface: forces for (surface,), forces in concatenate(files, "map", 1).items()}
+    bands = dict(zip(params["bands"], map(read, job.input.bands), strict=True))
     places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
     results = [all_sensitivities(maps, radius, rho, places, confidence)]
     if bands:  # Measured scans are too small for the long waves of the band.
         results.append(all_band_ratios(bands, radius, rho, confidence))
-    sizes = {surface: float(forces.attrs["map_size"]) for surface, forces in maps.items()}
-    joined = xr.merge(results).assign(map_size=("surface", list(sizes.values()), NM))
     job.write(
-        with_names(joined, params).assign_attrs(confidence=confidence, rho=rho),
+        with_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
         title="change of the pull-off force with the amplitude of each octave of wavelengths",
     )

@@ -5,7 +5,7 @@ from hardcontact.base.dataset import read, stack
 from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import pooled_band
-from hardcontact.inference.octaves import band_of_surface, forces_with
+from hardcontact.inference.octaves import bands_of_surface, forces_with
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with job(snakemake) as job:
@@ -18,12 +18,11 @@ with job(snakemake) as job:
         "found": pooled_band(read(job.input.edges)),
     }
     realizations = params["realizations"]
-    parts = {}
+    surfaces = {}
     for number in progress(realizations, len(realizations), "surfaces"):
         surface = make_surface(number)
-        for name, (shortest, longest) in bands.items():
-            parts[number, name] = band_of_surface(surface, shortest, longest, forces)
+        surfaces[(number,)] = bands_of_surface(surface, bands, forces)
     job.write(
-        stack(parts, ["map", "band"]).assign_attrs(map_size=surface.size),
+        stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),
         title=f"pull-off forces of {params['surface']} with a part of the roughness",
     )

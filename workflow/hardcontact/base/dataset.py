@@ -86,6 +86,16 @@ def read_all(
     return {tuple(key): read(path) for key, path in zip(keys, paths, strict=True)}
 
 
+def concatenate(
+    datasets: Mapping[tuple[Any, ...], xr.Dataset], dimension: str, labels: int
+) -> dict[tuple[Any, ...], xr.Dataset]:
+    """Join the datasets whose keys begin with the same labels along a dimension that they have."""
+    groups: dict[tuple[Any, ...], list[xr.Dataset]] = {}
+    for key, dataset in datasets.items():
+        groups.setdefault(key[:labels], []).append(dataset)
+    return {key: xr.concat(group, dimension) for key, group in groups.items()}
+
+
 def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
     """Join datasets along new dimensions, the outermost first.
 

@@ -23,6 +23,9 @@ MASTERS_CHUNK = 5
 DRAWS_CHUNK = 10
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
+#: The shortest range of adhesion (nm) on whole surfaces. They may rise several hundred shorter
+#: ranges above a contact, more than the exponential of a floating-point number holds.
+SHORTEST_WHOLE_RANGE = 0.7
 #: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
 #: shorter and leaves some 30 pixels; larger loads move short edges beyond the cutoffs of the sets.
 PRELOAD_SHARES = (1 / 8, 1)

@@ -45,18 +45,18 @@ class NamedContact:
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     """Return the contacts that a study computes, each with the values that limits forbid first."""
     contact = study_contact(config)
-    on_scans = NamedContact(replace(contact, range=config["adhesion"]["ranges"][0]))
-    on_masters = NamedContact(contact, range="config key scales.range")
+    scan_contact = NamedContact(replace(contact, range=config["adhesion"]["ranges"][0]))
+    master_contact = NamedContact(contact, range="config key scales.range")
     if config["published"] != PAPER:
-        return {"scans": on_scans, "scales": on_masters}
-    largest = replace(on_scans.contact, preload=config["indent"]["preloads"][-1])
+        return {"scans": scan_contact, "scales": master_contact}
+    largest = replace(scan_contact.contact, preload=config["indent"]["preloads"][-1])
     radius = min(contact.radius, config["scaling"]["radii"][0])
-    of_sets = replace(contact, radius=radius, count=config["sets"]["count"])
+    set_contact = replace(contact, radius=radius, count=config["sets"]["count"])
     return {
-        "scans": on_scans,
-        "indents": replace(on_scans, contact=largest, preload="config key indent.preloads"),
-        "scales": on_masters,
-        "sets": replace(on_masters, contact=of_sets, count="config key sets.count"),
+        "scans": scan_contact,
+        "indents": replace(scan_contact, contact=largest, preload="config key indent.preloads"),
+        "scales": master_contact,
+        "sets": replace(master_contact, contact=set_contact, count="config key sets.count"),
     }
 
 

@@ -60,11 +60,11 @@ def _weakest_carrier(attraction: Floats, share: float, total: float) -> float:
     values = attraction[attraction > least_attraction]
     bins = (values * (BIN_COUNT / values.max())).astype(np.intp)
     carried = np.cumsum(np.bincount(bins, values)[::-1])  # from the strongest bin on
-    place = int(np.searchsorted(carried, share * total))
-    in_bin = np.sort(values[bins == len(carried) - 1 - place])[::-1]
-    carried_by_stronger = carried[place - 1] if place else 0.0
-    last = int(np.searchsorted(carried_by_stronger + np.cumsum(in_bin), share * total))
-    return float(in_bin[min(last, len(in_bin) - 1)])
+    rank = int(np.searchsorted(carried, share * total))
+    candidates = np.sort(values[bins == len(carried) - 1 - rank])[::-1]
+    carried_by_stronger = carried[rank - 1] if rank else 0.0
+    weakest = int(np.searchsorted(carried_by_stronger + np.cumsum(candidates), share * total))
+    return float(candidates[min(weakest, len(candidates) - 1)])
 
 
 def _diameter(attraction: Floats, share: float, total: float) -> int:

@@ -88,8 +88,8 @@ def wall_forces(influence: Floats, gaps: Floats, load: float) -> tuple[Floats, f
         forces = np.zeros(len(gaps))
         forces[touching] = solution
         # The last unknown raises all gaps; minus this is the approach of the bodies.
-        left = gaps + influence @ forces + approach
-        now_touching = np.where(touching, forces > 0, left < 0)
+        gaps_left = gaps + influence @ forces + approach
+        now_touching = np.where(touching, forces > 0, gaps_left < 0)
         if np.array_equal(now_touching, touching):
             return forces, -approach
         touching = now_touching if now_touching.any() else gaps == gaps.min()
@@ -162,10 +162,10 @@ def adhesive_pull_off(
         nonlocal attraction
         while True:
             wall = press(body, rigid_gap - body.displacement(attraction), wall_load)
-            last = attraction
+            former_attraction = attraction
             # The wall leaves no overlap but that of the tolerance.
             attraction = strength * np.exp(-np.maximum(wall.gap, 0) / rho)
-            if np.abs(attraction - last).sum() < RELATIVE_RESIDUAL * attraction.sum():
+            if np.abs(attraction - former_attraction).sum() < RELATIVE_RESIDUAL * attraction.sum():
                 return wall_load - float(attraction.sum())
 
     step = LOAD_STEP * rigid

@@ -93,8 +93,10 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
     sphere is its mirror-stitched roughness, or None for a smooth sphere.
     """
+    substrate = _in_native_precision(substrate)
     roughness = None
     if sphere is not None:
+        sphere = _in_native_precision(sphere)
         fine = min(substrate.pixel_size, sphere.pixel_size)
         substrate = _on_pixels(substrate, fine)
         rough = _on_pixels(sphere, fine)
@@ -115,6 +117,12 @@ def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
     """Bring together two height maps, read from files that the study wrote, as in `bodies`."""
     roughness = None if sphere is None else read_height_map(sphere)
     return bodies(read_height_map(substrate), roughness, contact)
+
+
+def _in_native_precision(surface: HeightMap) -> HeightMap:
+    """Return a map with heights in single precision if it has them so, otherwise in double."""
+    precision = np.float32 if surface.heights.dtype == np.float32 else np.float64
+    return replace(surface, heights=surface.heights.astype(precision, copy=False))
 
 
 def _on_pixels(surface: HeightMap, pixel_size: float) -> HeightMap:

@@ -97,10 +97,10 @@ ROWS = 64  # in a block: small enough for the cache
 
 #: Largest penetration of a contact relative to the range at which contact pixels are subtracted, by
 #: the precision of the heights: exp(2) of 7 digits are lost, or exp(6) of 16.
-MAX_PENETRATION = {np.dtype(np.float32): 2.0, np.dtype(float): 6.0}
+MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
 #: Largest depth of a contact below the highest point of the surface, relative to the range: pixels
 #: that round to zero are exp(-47) of those in contact.
-MAX_DEPTH = {np.dtype(np.float32): 40.0, np.dtype(float): 660.0}
+MAX_DEPTH = {np.float32: 40.0, np.float64: 660.0}
 
 
 def _products(
@@ -121,21 +121,21 @@ def _products(
 
 def _blocks(
     heights: NDArray[np.floating],
-    number: type[np.floating],
+    precision: type[np.floating],
+    highest: float,
     rhos: Sequence[float],
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
-    """Yield the rows of each block and its exponentials, in the precision of a type of number."""
-    highest = float(heights.max())
+    """Yield the rows of each block and its exponentials, in a precision."""
     for start in range(0, len(heights), ROWS):
         rows = slice(start, start + ROWS)
-        yield rows, _attractions(heights[rows].astype(number, copy=False), highest, rhos)
+        yield rows, _attractions(heights[rows].astype(precision, copy=False), highest, rhos)
 
 
 def _blocks_without_contacts(
     heights: NDArray[np.floating], contact_pixels: ContactPixels, rhos: Sequence[float]
 ) -> Iterator[tuple[slice, list[NDArray[np.floating]]]]:
     """Yield the rows of each block and its exponentials, zero at contact pixels."""
-    for rows, attractions in _blocks(heights, np.float64, rhos):
+    for rows, attractions in _blocks(heights, np.float64, float(heights.max()), rhos):
         for attraction in attractions:
             contact_pixels.leave_out(attraction, rows.start)
         yield rows, attractions
@@ -177,17 +177,19 @@ def _without_mirror_images(
 def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
+    precision = heights.dtype.type  # `geometry.bodies` permits these two.
     highest = float(heights.max())
-    number = heights.dtype.type  # Sums have the precision of the heights.
-    folds = [folded(len(heights), bodies.geometry, rho).astype(number) for rho in rhos]
-    part, part_folds = _without_mirror_images(heights, folds)
-    whole = _products(_blocks(part, number, rhos), part_folds)
-    sums_outside = np.empty_like(whole)
+    folds: list[NDArray[np.floating]] = [
+        folded(len(heights), bodies.geometry, rho).astype(precision) for rho in rhos
+    ]
+    quarter, quarter_folds = _without_mirror_images(heights, folds)
+    all_sums = _products(_blocks(quarter, precision, highest, rhos), quarter_folds)
+    sums_outside = np.empty_like(all_sums)
     for contact, (gaps, _) in contacts.items():
         for index, rho in enumerate(rhos):
-            in_contact = np.exp((gaps[-1] - gaps) / rho).sum()
+            contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
             scale = np.exp((gaps[-1] + highest) / rho)
-            sums_outside[index][contact] = scale * whole[index][contact] - in_contact
+            sums_outside[index][contact] = scale * all_sums[index][contact] - contact_sum
     return sums_outside
 
 
@@ -235,7 +237,7 @@ def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np
     lowest, largest = np.array([gaps[[0, -1]] for gaps, _ in contacts.values()]).T
     penetration = (largest - lowest).max()
     depth = (largest + bodies.substrate.heights.max()).max()
-    precision = bodies.substrate.heights.dtype
+    precision = bodies.substrate.heights.dtype.type
     return np.asarray(
         (penetration <= MAX_PENETRATION[precision] * rhos) & (depth <= MAX_DEPTH[precision] * rhos)
     )

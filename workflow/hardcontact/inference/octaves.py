@@ -6,7 +6,6 @@ other waves, so that their ratio scatters little. F is the mean force over conta
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -57,58 +56,43 @@ BAND_RATIO = DIMENSIONLESS | {
 }
 
 
+def forces_with(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
+    """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
+
+    def forces(surface: HeightMap) -> Floats:
+        pair = bodies(surface, sphere, contact)
+        return np.asarray(pull_off_forces(pair, [contact], [contact.range])[0, 0])
+
+    return forces
+
+
 def octave_limits(shortest: float, longest: float) -> Floats:
     """Return the limits (nm) of the octaves that lie between two wavelengths (nm)."""
-    inside = (OCTAVE_LIMITS >= shortest) & (OCTAVE_LIMITS <= longest)
-    return OCTAVE_LIMITS[inside]
+    return OCTAVE_LIMITS[(OCTAVE_LIMITS >= shortest) & (OCTAVE_LIMITS <= longest)]
 
 
 def octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
     """Yield the waves of a periodic surface from each limit (nm, ascending) to the next."""
-    kept = filtered_series(surface, "small", list(limits), surface.pixels)
-    longer_than_limit = next(kept).heights.copy()
-    for longer_than_next in kept:
-        yield replace(surface, heights=longer_than_limit - longer_than_next.heights)
-        longer_than_limit = longer_than_next.heights.copy()
+    longer_waves = filtered_series(surface, "small", list(limits), surface.pixels)
+    heights = next(longer_waves).heights.copy()
+    for longer in longer_waves:
+        yield replace(surface, heights=heights - longer.heights)
+        heights = longer.heights.copy()
 
 
 def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
 ) -> Floats:
     """Return the forces (octave, factor, ...) with each octave times each of FACTORS."""
+
+    def force(octave: HeightMap, factor: float) -> Floats:
+        """Return the forces with one octave times a factor."""
+        heights = surface.heights + (factor - 1) * octave.heights
+        return forces(replace(surface, heights=heights))
+
     return np.array(
-        [
-            [
-                forces(replace(surface, heights=surface.heights + (factor - 1) * waves.heights))
-                for factor in FACTORS
-            ]
-            for waves in octaves(surface, limits)
-        ]
+        [[force(octave, factor) for factor in FACTORS] for octave in octaves(surface, limits)]
     )
-
-
-def sensitivity(mean_forces: Floats) -> Floats:
-    """Return d ln F / d ln a (...) from mean forces (..., factor): the central difference."""
-    attenuated, amplified = np.moveaxis(np.log(mean_forces), -1, 0)
-    return np.asarray((amplified - attenuated) / (2 * STEP))
-
-
-def surface_within(surface: HeightMap, shortest: float | None, longest: float | None) -> HeightMap:
-    """Return the waves of a periodic surface that are at least `shortest` and below `longest`.
-
-    Wavelengths are in nm; None removes nothing on its side.
-    """
-    heights = surface.heights
-    if shortest is not None:
-        heights = _waves_from(surface, shortest)
-    if longest is not None:
-        heights = heights - _waves_from(surface, longest)
-    return replace(surface, heights=heights)
-
-
-def _waves_from(surface: HeightMap, cutoff: float) -> NDArray[np.float32]:
-    """Return the heights without all wavelengths below a cutoff (nm)."""
-    return next(filtered_series(surface, "small", [cutoff], surface.pixels)).heights
 
 
 def octaves_of_surface(
@@ -126,7 +110,7 @@ def octaves_of_surface(
 
 
 def log_force_ratio(
-    changed: xr.DataArray, reference: xr.DataArray, parts: ScanParts, confidence: float
+    changed_force: xr.DataArray, force: xr.DataArray, scan_parts: ScanParts, confidence: float
 ) -> tuple[Floats, Floats]:
     """Return the logarithm (...) of a ratio of mean forces, and the half width of its interval.
 
@@ -135,38 +119,23 @@ def log_force_ratio(
     """
     dimensions = ["map", *CONTACT_AXES]
 
-    def ratio(kept: xr.DataArray) -> xr.DataArray:
-        """Return the ratio of mean forces over the kept contacts."""
-        return changed.where(kept).mean(dimensions) / reference.where(kept).mean(dimensions)
+    def ratio(is_kept: xr.DataArray) -> xr.DataArray:
+        """Return the ratio of mean forces over the contacts that are kept."""
+        return changed_force.where(is_kept).mean(dimensions) / force.where(is_kept).mean(dimensions)
 
-    logarithms = delete_one_logarithms(parts, "map", ratio)
-    half = half_width([jackknife_variance(logarithms, parts)], confidence)
+    logarithms = delete_one_logarithms(scan_parts, "map", ratio)
+    half = half_width([jackknife_variance(logarithms, scan_parts)], confidence)
     return np.log(ratio(xr.DataArray(True)).values), half
 
 
-def forces_with(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
-    """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
-
-    def forces(surface: HeightMap) -> Floats:
-        pair = bodies(surface, sphere, contact)
-        return np.asarray(pull_off_forces(pair, [contact], [contact.range])[0, 0])
-
-    return forces
-
-
-def join_maps(files: Mapping[tuple[Any, ...], xr.Dataset]) -> dict[str, xr.Dataset]:
-    """Return the forces on all maps of each surface; the surface is the first part of a key."""
-    surfaces: dict[str, list[xr.Dataset]] = {}
-    for (surface, *_), file in files.items():
-        surfaces.setdefault(surface, []).append(file)
-    return {surface: xr.concat(parts, "map") for surface, parts in surfaces.items()}
-
-
-def _parts_of_maps(forces: xr.Dataset, weight_deviation: float, places: float) -> ScanParts:
+def _parts_of_maps(
+    forces: xr.Dataset, radius: float, rho: float, places: float = np.inf
+) -> ScanParts:
     """Return the parts of the maps: the maps if there are three, otherwise their quarters."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
     size = float(forces.attrs["map_size"])
-    return parts_of_scans(np.arange(forces.sizes["map"]), quarters, size, weight_deviation, places)
+    maps = np.arange(forces.sizes["map"])
+    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), places)
 
 
 def all_sensitivities(
@@ -178,13 +147,14 @@ def all_sensitivities(
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
 
-    Radius and range are in nm; `places` comes from `mean_forces.fewest_places`.
+    Radius and range are in nm; `places` comes from `mean_forces.fewest_places`. ``map_size`` is the
+    side of the maps in nm.
     """
-    deviation = float(np.sqrt(radius * rho))
     surfaces = {}
     for surface, forces in maps.items():
-        parts = _parts_of_maps(forces, deviation, places.get(surface, np.inf))
-        surfaces[(surface,)] = sensitivities(forces["octave_force"], parts, confidence)
+        scan_parts = _parts_of_maps(forces, radius, rho, places.get(surface, np.inf))
+        sensitivity = sensitivities(forces["octave_force"], scan_parts, confidence)
+        surfaces[(surface,)] = sensitivity.assign(map_size=((), forces.attrs["map_size"], NM))
     return stack(surfaces, ["surface"]).sortby("octave")
 
 
@@ -192,26 +162,24 @@ def all_band_ratios(
     bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
 ) -> xr.Dataset:
     """Return ``band_force_ratio`` (surface, band, band_part) and ``band_end`` (band, side)."""
-    deviation = float(np.sqrt(radius * rho))
-    surfaces = {}
-    for surface, forces in bands.items():
-        parts = _parts_of_maps(forces, deviation, np.inf)
-        for name in forces["band"].values.tolist():
-            band_force = forces["band_force"].sel(band=name, drop=True)
-            surfaces[surface, name] = band_ratios(band_force, parts, confidence)
-    first = next(iter(bands.values()))
-    ends = first["band_end"].isel(map=0, drop=True)
-    return stack(surfaces, ["surface", "band"]).assign(band_end=ends)
+    surfaces = {
+        (surface,): band_ratios(forces, _parts_of_maps(forces, radius, rho), confidence)
+        for surface, forces in bands.items()
+    }
+    ends = next(iter(bands.values()))["band_end"].isel(map=0, drop=True)
+    return stack(surfaces, ["surface"]).assign(band_end=ends)
 
 
-def sensitivities(octave_force: xr.DataArray, parts: ScanParts, confidence: float) -> xr.Dataset:
+def sensitivities(
+    octave_force: xr.DataArray, scan_parts: ScanParts, confidence: float
+) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave), d ln F / d ln a, from forces on all maps.
 
-    `octave_force` (map, octave, factor, contact_y, contact_x) is that of `octaves_of_surface`. The
+    `octave_force` (map, octave, factor, contact_y, contact_x) comes from `octaves_of_surface`. The
     derivative is the central difference of the logarithms of the mean forces.
     """
-    attenuated, amplified = (octave_force.sel(factor=factor, drop=True) for factor in FACTORS)
-    log_ratio, half = log_force_ratio(amplified, attenuated, parts, confidence)
+    weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in FACTORS)
+    log_ratio, half = log_force_ratio(strong, weak, scan_parts, confidence)
     interval = np.stack([log_ratio - half, log_ratio + half], axis=-1) / (2 * STEP)
     variables = with_interval(
         "octave_sensitivity", "octave", log_ratio / (2 * STEP), interval, SENSITIVITY, confidence
@@ -219,40 +187,59 @@ def sensitivities(octave_force: xr.DataArray, parts: ScanParts, confidence: floa
     return xr.Dataset(variables, {"octave": octave_force["octave"]})
 
 
-def band_ratios(band_force: xr.DataArray, parts: ScanParts, confidence: float) -> xr.Dataset:
-    """Return ``band_force_ratio`` (band_part), the force on parts of the roughness over all of it.
+# The band alone
 
-    `band_force` (map, band_part, contact_y, contact_x) has the parts ``"all"`` and BAND_PARTS.
+
+def band_parts(surface: HeightMap, shortest: float, longest: float) -> dict[str, HeightMap]:
+    """Return BAND_PARTS of a periodic surface, by name.
+
+    The band has the wavelengths (nm) from `shortest` to below `longest`.
     """
-    changed = band_force.sel(band_part=list(BAND_PARTS))
-    reference = band_force.sel(band_part="all", drop=True)
-    log_ratio, half = log_force_ratio(changed, reference, parts, confidence)
-    interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
-    variables = with_interval(
-        "band_force_ratio", "band_part", np.exp(log_ratio), interval, BAND_RATIO, confidence
-    )
-    return xr.Dataset(variables, {"band_part": list(BAND_PARTS)})
-
-
-def band_of_surface(
-    surface: HeightMap, shortest: float, longest: float, forces: ForcesOnSurface
-) -> xr.Dataset:
-    """Return ``band_force`` (band_part, contact_y, contact_x) in N at 1 J/m², and ``band_end``.
-
-    The band is from a shortest to a longest wavelength in nm.
-    """
-    limits = {
-        "all": (None, None),
-        "only the band": (shortest, longest),
-        "no shorter waves": (shortest, None),
-        "no longer waves": (None, longest),
+    without_shorter = _waves_from(surface, shortest)
+    longer = _waves_from(surface, longest)
+    heights = (without_shorter - longer, without_shorter, surface.heights - longer)
+    return {
+        name: replace(surface, heights=part_heights)
+        for name, part_heights in zip(BAND_PARTS, heights, strict=True)
     }
-    part_forces = [forces(surface_within(surface, *ends)) for ends in limits.values()]
-    dimensions = ("band_part", *CONTACT_AXES)
+
+
+def _waves_from(surface: HeightMap, cutoff: float) -> NDArray[np.float32]:
+    """Return the heights without all wavelengths below a cutoff (nm)."""
+    return next(filtered_series(surface, "small", [cutoff], surface.pixels)).heights
+
+
+def bands_of_surface(
+    surface: HeightMap, bands: Mapping[str, tuple[float, float]], forces: ForcesOnSurface
+) -> xr.Dataset:
+    """Return the forces on a surface with all roughness, and with parts of it, for some bands.
+
+    A band has its shortest and its longest wavelength in nm. ``force`` (contact_y, contact_x) and
+    ``band_force`` (band, band_part, contact_y, contact_x) are in N at 1 J/m²; ``band_end`` (band,
+    side) are the wavelengths.
+    """
+    part_forces = [
+        [forces(part) for part in band_parts(surface, *ends).values()] for ends in bands.values()
+    ]
     return xr.Dataset(
         {
-            "band_force": (dimensions, np.array(part_forces), FORCE),
-            "band_end": ("side", [shortest, longest], BAND_END),
+            "force": (CONTACT_AXES, forces(surface), FORCE),
+            "band_force": (("band", "band_part", *CONTACT_AXES), np.array(part_forces), FORCE),
+            "band_end": (("band", "side"), np.array(list(bands.values())), BAND_END),
         },
-        {"band_part": list(limits), "side": list(SIDES)},
+        {"band": list(bands), "band_part": list(BAND_PARTS), "side": list(SIDES)},
     )
+
+
+def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
+    """Return ``band_force_ratio`` (band, band_part), relative to the force with all roughness.
+
+    `forces` come from `bands_of_surface`, over (map, ...).
+    """
+    log_ratio, half = log_force_ratio(forces["band_force"], forces["force"], scan_parts, confidence)
+    interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
+    dimensions = ("band", "band_part")
+    variables = with_interval(
+        "band_force_ratio", dimensions, np.exp(log_ratio), interval, BAND_RATIO, confidence
+    )
+    return xr.Dataset(variables, {name: forces[name] for name in dimensions})

@@ -57,9 +57,8 @@ def posterior_samples(
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves
     best_log_works = np.average(log_works, axis=1, weights=precision)
-    misfit = np.einsum(
-        "drs,s->dr", (log_works - best_log_works[:, None]).swapaxes(1, 2) ** 2, precision
-    )
+    residuals = log_works - best_log_works[:, None]
+    misfit = (residuals**2 * precision[:, None]).sum(axis=1)
     weights = np.exp((misfit.min() - misfit) / 2).ravel()
     pairs = rng.choice(weights.size, count, p=weights / weights.sum())
     work_deviation = 1 / np.sqrt(precision.sum())
@@ -99,22 +98,26 @@ def without_each_surface(
     return stack(results, ["left_out"])
 
 
-def sampled_means(maps: Mapping[str, xr.DataArray], sampling: Sampling) -> xr.DataArray:
-    """Return samples (draw, surface, rho) of mean forces over whole surfaces, (map, rho) each."""
+def means_on_whole_surfaces(
+    surfaces: Mapping[str, xr.DataArray], sphere_factor: xr.DataArray, sampling: Sampling
+) -> xr.DataArray:
+    """Return samples (draw, surface, rho) of the mean forces of the rough sphere on whole surfaces.
+
+    surfaces: forces of a smooth sphere (map, rho) in N.
+    sphere_factor: (surface, rho) force of the rough sphere relative to a smooth sphere.
+    """
     samples = [
         student_log_samples(
             sampling.generator("whole surfaces", surface),
             forces.transpose("map", "rho").values,
             sampling.samples,
         )
-        for surface, forces in maps.items()
+        for surface, forces in surfaces.items()
     ]
-    rho = next(iter(maps.values()))["rho"]
-    return xr.DataArray(
-        np.stack(samples, axis=1),
-        {"surface": list(maps), "rho": rho},
-        ("draw", "surface", "rho"),
-    )
+    rho = next(iter(surfaces.values()))["rho"]
+    coordinates = {"surface": list(surfaces), "rho": rho}
+    means = xr.DataArray(np.stack(samples, axis=1), coordinates, ("draw", "surface", "rho"))
+    return means * sphere_factor.sel(rho=rho)
 
 
 def describe_samples(ranges: Floats, works: Floats, confidence: float) -> xr.Dataset:

@@ -13,7 +13,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base import dataset, published
-from hardcontact.base.dataset import stack
+from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
@@ -114,14 +114,11 @@ def draw_of_set(draws: Mapping[str, xr.Dataset], set_number: int) -> xr.Dataset:
 def draws_by_surface(
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
 ) -> dict[str, dict[str, xr.Dataset]]:
-    """Join chunks of draws by surface, kind of features, first and last draw."""
-    surfaces: dict[str, dict[str, list[xr.Dataset]]] = {}
-    for (surface, kind, *_), chunk in chunks.items():
-        surfaces.setdefault(surface, {}).setdefault(kind, []).append(chunk)
-    return {
-        surface: {kind: xr.concat(draws, "draw") for kind, draws in kinds.items()}
-        for surface, kinds in surfaces.items()
-    }
+    """Join chunks of draws, by surface, kind of features, first and last draw."""
+    surfaces: dict[str, dict[str, xr.Dataset]] = {}
+    for (surface, kind), draws in concatenate(chunks, "draw", 2).items():
+        surfaces.setdefault(surface, {})[kind] = draws
+    return surfaces
 
 
 def compare_with_published(

@@ -12,6 +12,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.base.dataset import concatenate
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import Sampling, student_log_samples
@@ -80,9 +81,7 @@ def gather_sources(
     `featured_draws.compute_draws`, by substrate, kind, first and last draw. `smooth` are mean
     forces of the scans of the study on a smooth sphere, by substrate.
     """
-    pool_chunks: dict[str, list[xr.Dataset]] = {}
-    for (surface, *_), chunk in chunks.items():
-        pool_chunks.setdefault(surface, []).append(chunk)
+    pools = concatenate(chunks, "scan", 1)
     forces = study["adhesion"]["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
@@ -92,7 +91,7 @@ def gather_sources(
     return Sources(
         study["topography"],
         study["adhesion"],
-        {surface: xr.concat(pool, "scan") for surface, pool in pool_chunks.items()},
+        {surface: pool for (surface,), pool in pools.items()},
         draws_by_surface(draw_chunks),
         factor,
         masters,

@@ -72,17 +72,17 @@ def published_statistics(
 
 
 def feature_squares(height: ArrayLike, width: ArrayLike, size: float) -> Floats:
-    """Return what one feature adds to the squares of the rms values (..., 3) of a scan.
+    """Return the increase of the squares of the rms values (..., 3) of a scan by one feature.
 
-    They are the integrals of the squared shape, of its gradient and of its half-Laplacian over the
-    area (Campbell's theorem), less the part beyond the edges and that of a levelled plane.
+    Campbell's theorem: the integrals of the squares of shape, gradient and half-Laplacian over the
+    area, without the part beyond the edges and without the mean plane.
     """
     height, width = np.asarray(height), np.asarray(width)
-    inside = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
+    slope_square = (1 - width / (np.sqrt(np.pi) * size)) ** 2 * np.pi * height**2 / size**2
     # Levelling removes three functions, each with the square of the mean of a feature.
     removed = 3 * (2 * np.pi * height * width**2 / size**2) ** 2
-    added = np.maximum(inside * width**2 - removed, 0.0)
-    return np.stack([added, inside, inside / (2 * width**2)], axis=-1)
+    height_square = np.maximum(slope_square * width**2 - removed, 0.0)
+    return np.stack([height_square, slope_square, slope_square / (2 * width**2)], axis=-1)
 
 
 def expected_rms(
@@ -99,10 +99,10 @@ def expected_rms(
 
 
 def deviations_from_published(rms_values: Floats, statistics: ScanStatistics) -> Floats:
-    """Return how far scans (..., scan, 3) are from the published statistics, in standard errors.
+    """Return the differences of scans (..., scan, 3) from published statistics, in standard errors.
 
-    The first three are the means. Of two or more scans the deviations of rms height and slope
-    follow, whose standard error is 1/sqrt(2(n - 1)) of n normal values.
+    The means come first, then the deviations of rms height and slope over two or more scans. The
+    relative standard error of a deviation over n normal values is 1/sqrt(2(n - 1)).
     """
     mean_errors = statistics.deviations / np.sqrt(statistics.scans)
     differences = (rms_values.mean(axis=-2) - statistics.means) / mean_errors
