@@ -39,9 +39,7 @@ def make_pool(surface, count=12):
     )
     return xr.Dataset(
         scans(rng, mean * rng.uniform(0.8, 1.2, count))
-        | {
-            "log_force": (("scan", "rms_height_of_force", *AXES), log_force),
-        },
+        | {"log_force": (("scan", "rms_height_of_force", *AXES), log_force)},
         {
             "scan": range(1, count + 1),
             "rms_height_of_force": force_heights,

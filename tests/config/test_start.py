@@ -11,14 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 from refusals import assert_says
-from repository import (
-    PAPER,
-    ROOT,
-    TINY,
-    copy_repository,
-    environment,
-    snakemake,
-)
+from repository import PAPER, ROOT, TINY, copy_repository, environment, snakemake
 from small_study import TINY_PATTERNS
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode

@@ -5,14 +5,9 @@ import pytest
 from periodic_maps import CASES, make_bodies, periodic_noise
 from scipy.stats import norm
 
-from hardcontact.contact.bearing_area import (
-    all_lowest_gaps,
-)
+from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import (
-    gap_map,
-    part_around_lowest,
-)
+from hardcontact.contact.geometry import gap_map, part_around_lowest
 
 
 @pytest.mark.parametrize("case", CASES)

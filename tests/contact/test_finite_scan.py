@@ -8,12 +8,7 @@ import xarray as xr
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.finite_scan import (
-    LARGE_ENOUGH,
-    RATIOS,
-    finite_scan_ratio,
-    with_sizes,
-)
+from hardcontact.contact.finite_scan import LARGE_ENOUGH, RATIOS, finite_scan_ratio, with_sizes
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import level, mirror_stitch

@@ -3,12 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.inference.curve_edges import (
-    RatioCurve,
-    edge_interval,
-    find_edge,
-    interpolate_edge,
-)
+from hardcontact.inference.curve_edges import RatioCurve, edge_interval, find_edge, interpolate_edge
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
 UNKNOWN = [np.nan] * 3

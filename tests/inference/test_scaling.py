@@ -49,8 +49,7 @@ def test_every_combination_equals_its_single_contact():
     )
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
-            forces[name].isel(radius=1, load=1, rho=1),
-            single[name].isel(radius=0, load=0, rho=0),
+            forces[name].isel(radius=1, load=1, rho=1), single[name].isel(radius=0, load=0, rho=0)
         )
     assert forces["area"].values == pytest.approx([100.0, 800.0])
     assert forces["contact_area"].values == pytest.approx([100.0, 800.0])

@@ -83,10 +83,7 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
 def test_the_tip_option_serves_only_files_that_state_no_tip_radius(
     tmp_path, monkeypatch, stated_radius, used_radius, table_radius
 ):
-    path, read_original = (
-        scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)),
-        module.read_scan,
-    )
+    path, read_original = (scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)), module.read_scan)
     monkeypatch.setattr(
         module,
         "read_scan",

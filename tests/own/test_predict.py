@@ -21,12 +21,7 @@ from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
-from hardcontact.surfaces.spectrum import (
-    WAVEVECTORS,
-    Spectrum,
-    smooth_rolloff,
-    spectrum_of_dataset,
-)
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff, spectrum_of_dataset
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.prediction import trim_spectrum
 from hardcontact.theory.validity import nearest_errors, table_coordinates

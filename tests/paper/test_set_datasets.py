@@ -7,12 +7,7 @@ from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 
 from hardcontact.base.statistics import Sampling
 from hardcontact.inference.edges import edges_of_realizations
-from hardcontact.paper.judged_sets import (
-    sample_set_scans,
-    set_adhesion,
-    set_edges,
-    set_topography,
-)
+from hardcontact.paper.judged_sets import sample_set_scans, set_adhesion, set_edges, set_topography
 from hardcontact.surfaces.height_map import METRICS
 
 #: Seed of the study and number of the set.

@@ -4,12 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from paper_claims import (
-    CONSTANTS,
-    PARAMETERS,
-    STATEMENTS,
-    TABLES,
-)
+from paper_claims import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
 
 from hardcontact.base import dataset
 from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, estimate

@@ -16,11 +16,7 @@ from hardcontact.config.grids import realization_pixels
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level, metrics
-from hardcontact.surfaces.spectrum import (
-    AFM_ROWS,
-    WAVEVECTORS,
-    spectrum_dataset,
-)
+from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, spectrum_dataset
 from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,

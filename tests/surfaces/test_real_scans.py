@@ -63,10 +63,7 @@ OWN = {
     "adhesion": {"ranges": ["0.5 nm", "1 nm", "5.6 nm"]},
     "scales": {"large": {"pixels": 4096}},
     "scan": {"featured_surface": "none"},
-    "sets": {
-        "small": {"pixels": 4096},
-        "large": {"pixels": 4096},
-    },
+    "sets": {"small": {"pixels": 4096}, "large": {"pixels": 4096}},
     "indent": {"surface": "uncd"},
 }
 

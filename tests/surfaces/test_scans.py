@@ -5,15 +5,7 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 from refusals import assert_says, refusal
-from scan_files import (
-    MAPS,
-    MAPS_AND_LINES,
-    UNEVEN_LINES,
-    container,
-    heights,
-    nanoscope,
-    scan,
-)
+from scan_files import MAPS, MAPS_AND_LINES, UNEVEN_LINES, container, heights, nanoscope, scan
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.base import dataset

@@ -178,10 +178,7 @@ def test_default_uncd_is_near_the_public_measurements():
 
 @pytest.mark.parametrize(
     ("band", "message_part"),
-    [
-        ("inf,20,profile,,,,,none.csv", "none.csv"),
-        ("inf,20,self-affine,,,,,", "afm_rms_height"),
-    ],
+    [("inf,20,profile,,,,,none.csv", "none.csv"), ("inf,20,self-affine,,,,,", "afm_rms_height")],
 )
 def test_a_band_that_cannot_be_made_is_named(write_description, band, message_part):
     path = write_description(band)

@@ -7,11 +7,7 @@ from random_scans import UNCD, levelled_scan, uncd
 from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
-from hardcontact.surfaces.synthesis import (
-    large_scale_master,
-    random_surface,
-    small_scale_master,
-)
+from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
 
 
 def radii(pixels, pixel_size):

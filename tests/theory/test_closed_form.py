@@ -87,10 +87,7 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
     assert plastic.force > rigid.force
 
 
-@pytest.mark.parametrize(
-    ("rms", "rho", "error"),
-    [(4, 5.6, 0.2), (4, 20, 0.05), (40, 5.6, 0.4)],
-)
+@pytest.mark.parametrize(("rms", "rho", "error"), [(4, 5.6, 0.2), (4, 20, 0.05), (40, 5.6, 0.4)])
 def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     pixels, size, radius = 512, 10e3, 50e3
     spectrum = rough(rms, 800.0, 0.8, 80.0)

@@ -131,12 +131,7 @@ def test_keys_outside_paths_change_no_file(plans, folder):
     "keys",
     [
         ("scales.sphere_roughness",),
-        (
-            "scales.realizations",
-            "scaling.realizations",
-            "sets.pool",
-            "sets.realizations",
-        ),
+        ("scales.realizations", "scaling.realizations", "sets.pool", "sets.realizations"),
     ],
 )
 def test_values_in_paths_change_no_file(plans, keys):
