@@ -5,6 +5,7 @@ import xarray as xr
 from intervals import between_multiples
 
 from hardcontact.report.datasets import Datasets, Setting
+from hardcontact.report.own_answer import surface_answers
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 
@@ -356,3 +357,8 @@ def setting(left_out=(), effort="full"):
     }  # fmt: skip
     paper_values = ["hardness", "work of adhesion"]
     return Setting("my-coating", effort, contact, paper_values, list(left_out), "1.0.0", PAIRS)
+
+
+def numbers_of(own_setting=None, **others):
+    """Return the numbers of the answer of the first surface by name; `others` replace datasets."""
+    return surface_answers(datasets(**others), own_setting or setting())[0].numbers

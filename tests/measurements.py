@@ -1,12 +1,13 @@
 """Measurements as a reader hands them over: maps and line scans of known surfaces."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 from random_scans import gentle, uncd
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 
 
@@ -19,6 +20,13 @@ def map_of(rng, pixels, pixel_size, density=uncd, **stated):
     """Return a map, cut out of a random surface of twice its size."""
     surface = random_surface(rng, 2 * pixels, pixel_size, density)
     return measurement(surface.heights[:pixels, :pixels].astype(float), pixel_size, **stated)
+
+
+def self_affine_heights(rng, pixels, pixel_size, rms_height, hurst=0.8, rolloff=800.0):
+    """Return heights (y, x) of a self-affine map with an rms height; all lengths in nm."""
+    density = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
+    heights = map_of(rng, pixels, pixel_size, density).heights
+    return heights * (rms_height / heights.std())
 
 
 def line_of(rng, points, spacing, density=uncd, **stated):

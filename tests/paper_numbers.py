@@ -1,6 +1,10 @@
-"""Numbers that the paper prints about its surfaces, in their order."""
+"""Numbers that the paper prints about its surfaces, in their order, also as models take them."""
 
 import numpy as np
+
+from hardcontact.contact.smooth_sphere import effective_modulus
+from hardcontact.paper.classical_models import ElasticSphere, Roughness
+from hardcontact.surfaces.features import ScanStatistics
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]
@@ -16,3 +20,17 @@ TABLE1 = {
     "all_rms_slope": ([0.31, 1.17, 0.92, 0.85], [0.08, 0.28, 0.10, 0.10]),
     "all_rms_curvature": ([1.99, 6.32, 5.91, 5.04], [0.35, 1.20, 1.83, 1.45]),
 }
+#: The sphere (nm), the range of Maugis' model (nm) and the work of adhesion (J/m²).
+RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
+MODULUS = effective_modulus(
+    {"modulus": 365e9, "poisson_ratio": 0.29}, {"modulus": 1010e9, "poisson_ratio": 0.22}
+)
+SPHERE = ElasticSphere(RADIUS, MODULUS, SPACING)
+AFM, UNCERTAINTY = (
+    Roughness(*(np.array(TABLE1[f"afm_rms_{name}"][column]) for name in Roughness._fields))
+    for column in (0, 1)
+)
+#: Polished UNCD in Table 1.
+POLISHED = ScanStatistics(
+    np.array([3.2, 0.04, 2e-3]), np.array([1.6, 0.01, 1.3e-3]), scans=5, all_rms_height=4.2
+)

@@ -1,13 +1,23 @@
-"""Studies that differ from the paper's study, and their checks."""
+"""Studies that differ from the paper's study: their numbers, checks, tables, scans and files."""
 
 from functools import reduce
 
+import pandas as pd
+import yaml
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROWS
+from repository import PAPER, ROOT, ROWS, TINY, merged
 
 from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
+from hardcontact.config.files import Files
 from hardcontact.config.model import numeric_configuration
+from hardcontact.config.patterns import Patterns
+from hardcontact.config.store_keys import STORE_KEYS, store_digests
+
+PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
+#: The paths of the tiny study.
+TINY_NUMBERS = numeric_configuration(merged(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
+TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
 
 
 def replace_value(config, path, value):
@@ -47,3 +57,19 @@ def own_scans(*paths):
     rows = [row for row in ROWS.splitlines() if not row.startswith("uncd\t")]
     rows += [f"uncd\tUNCD\t{k}\tmeasured\t{path}\t" for k, path in enumerate(paths, start=1)]
     return "\n".join(rows) + "\n"
+
+
+def files(*values, scans=(1, 2), measured_surfaces=()):
+    """Return the files of a study of these scans; keys and other values alternate.
+
+    Surfaces that are measured have files.
+    """
+    table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
+    table = table.assign(use=surface_table.CONTACT, tip_radius="")
+    rows = table[table.scan.isin(scans)].copy()
+    is_measured = rows.surface.isin(measured_surfaces)
+    rows.loc[is_measured, "source"] = "measured"
+    rows.loc[is_measured, "path"] = [
+        f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
+    ]
+    return Files(numbers(*values), surface_table.Selection(rows, "ruby"), PATTERNS)

@@ -5,6 +5,7 @@ import hashlib
 import numpy as np
 
 from hardcontact.base.random import generator
+from hardcontact.base.statistics import Sampling
 
 
 def sample_numbers(*arguments):
@@ -26,3 +27,10 @@ def test_another_seed_or_name_gives_other_numbers():
 def test_numbers_follow_from_the_seed_and_the_digest_of_the_names():
     words = np.frombuffer(hashlib.sha256(b"uncd/3").digest(), dtype="<u4").tolist()
     assert sample_numbers(7, "uncd", 3) == np.random.default_rng([7, *words]).random(4).tolist()
+
+
+def test_each_purpose_has_its_own_random_numbers():
+    study, classical = Sampling(3, 10, 0.95), Sampling(3, 10, 0.95, ("sampling", "classical"))
+    number = generator(3, "sampling", "classical", "scales").random()
+    assert classical.generator("scales").random() == number
+    assert study.generator("scales").random() == generator(3, "sampling", "scales").random()

@@ -1,13 +1,8 @@
-"""The tracer of code against small libraries, and against what Python itself loads."""
+"""The tracer of code against small libraries; test_reruns.py has all that scripts load."""
 
-import ast
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
-from repository import ROOT
 
 from hardcontact.base import code
 
@@ -105,21 +100,3 @@ def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
     code.write_pins()
     assert Path(code.PINS[1]).read_text() == "attrs==25.2\n"
     assert Path(code.PINS[0]).stat().st_mtime_ns == written[0]
-
-
-@pytest.mark.parametrize("script", ["compute_pull_off.py", "fit_published.py", "prepare_scan.py"])
-def test_every_module_that_a_script_loads_is_traced(script, project_folder):
-    tree = ast.parse((ROOT / "workflow/scripts" / script).read_text())
-    imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
-    program = ast.unparse(ast.Module(imports, [])) + (
-        "\nimport sys\nfor name, module in sys.modules.items():"
-        "\n    if name.split('.')[0] == 'hardcontact': print(module.__file__)"
-    )
-    loaded = subprocess.run(
-        [sys.executable, "-c", program],
-        env=os.environ | {"PYTHONPATH": str(ROOT / "workflow")},
-        stdout=subprocess.PIPE,
-        text=True,
-        check=True,
-    ).stdout.split()
-    assert {os.path.relpath(path) for path in loaded} <= set(code.code_inputs(script))

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from refusals import assert_says, refusal
 from repository import run_snakemake
-from small_study import TINY_PATTERNS
+from studies import TINY_PATTERNS
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, check, digest, digests, keep_records, traced_records

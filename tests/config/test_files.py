@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scan_files
 from paper_numbers import SUBSTRATES, SURFACES
-from small_study import PATTERNS, configuration, files
+from studies import PATTERNS, files, numbers
 
 from hardcontact.config.configuration import study_contact
 from hardcontact.surfaces.height_map import flatten
@@ -54,7 +54,7 @@ def test_a_realization_uses_its_scan(surface, has_own_scan, scans):
 
 
 def test_scans_are_made_in_groups_that_share_their_conditioning():
-    study = files(measured_surfaces=["mcd"], scans=[1, 3], sets__realizations=5)
+    study = files("sets.realizations", 5, measured_surfaces=["mcd"], scans=[1, 3])
     substitutes = [surface for surface in SURFACES if surface != "mcd"]
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
     for group in study.scan_groups:
@@ -66,7 +66,7 @@ def test_scans_are_made_in_groups_that_share_their_conditioning():
 
 
 def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
-    study = files(scales__realizations=2)
+    study = files("scales.realizations", 2)
     rows = study.masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
     assert study.master_sources(rows[1])["small_masters"] == [
@@ -75,7 +75,7 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
 
 
 def test_masters_of_sets_are_filtered_in_chunks():
-    study = files(sets__realizations=12)
+    study = files("sets.realizations", 12)
     rows = study.masters("sets")
     chunks = [(row.first, row.last) for row in rows]
     assert chunks == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
@@ -84,13 +84,13 @@ def test_masters_of_sets_are_filtered_in_chunks():
 
 
 def test_only_substitutes_have_pools_computed_in_chunks():
-    study = files(measured_surfaces=["mcd"], sets__pool=32)
+    study = files("sets.pool", 32, measured_surfaces=["mcd"])
     chunks = [(1, 15), (16, 30), (31, 32)]
     assert study.chunks == [(surface, *chunk) for surface in ("uncd", "ncd") for chunk in chunks]
 
 
 def test_each_set_has_a_draw_of_the_surface_with_features():
-    study = files(sets__replicates=25)
+    study = files("sets.replicates", 25)
     kinds = {"bumps": ((1, 10), (11, 13)), "pits": ((1, 10), (11, 13)), "gaussian": ((1, 10),)}
     assert study.draw_chunks == [
         ("polished_uncd", kind, *chunk) for kind, chunks in kinds.items() for chunk in chunks
@@ -98,21 +98,19 @@ def test_each_set_has_a_draw_of_the_surface_with_features():
     assert "polished_uncd" not in {chunk.surface for chunk in study.chunks}
 
 
-@pytest.mark.parametrize(
-    "changes", [{"scan__featured_surface": "none"}, {"measured_surfaces": ["polished_uncd"]}]
-)
-def test_no_surface_may_have_features(changes):
-    assert files(**changes).draw_chunks == []
+def test_no_surface_may_have_features():
+    assert files("scan.featured_surface", "none").draw_chunks == []
+    assert files(measured_surfaces=["polished_uncd"]).draw_chunks == []
 
 
 # Swept values
 
 SWEPT = {
-    "sphere__radius": "300 um",
-    "contact__preload": "12 uN",
-    "contact__hardness": "30 GPa",
-    "scales__range": "3 nm",
-    "scaling__radii": ["5 um", "7 um"],
+    "sphere.radius": "300 um",
+    "contact.preload": "12 uN",
+    "contact.hardness": "30 GPa",
+    "scales.range": "3 nm",
+    "scaling.radii": ["5 um", "7 um"],
 }
 
 
@@ -142,18 +140,16 @@ def lists_of_files(study):
 
 @pytest.mark.parametrize("key", SWEPT)
 def test_two_values_of_a_swept_key_have_different_files(key):
-    study_files, swept_files = lists_of_files(files()), lists_of_files(files(**{key: SWEPT[key]}))
+    study_files, swept_files = lists_of_files(files()), lists_of_files(files(key, SWEPT[key]))
     assert study_files != swept_files
     for path in study_files.keys() & swept_files.keys():
         assert study_files[path] == swept_files[path], path
 
 
 def test_paths_do_not_depend_on_the_units_of_a_value():
-    written_otherwise = {
-        "sphere__radius": "0.25 mm",
-        "contact__preload": "0.01 mN",
-        "contact__hardness": "25000 MPa",
-        "scales__range": "0.0056 um",
-    }
-    assert lists_of_files(files(**written_otherwise)) == lists_of_files(files())
-    assert study_contact(configuration()).load == "H25GPa-F10uN"
+    written_otherwise = [
+        *("sphere.radius", "0.25 mm", "contact.preload", "0.01 mN"),
+        *("contact.hardness", "25000 MPa", "scales.range", "0.0056 um"),
+    ]
+    assert lists_of_files(files(*written_otherwise)) == lists_of_files(files())
+    assert study_contact(numbers()).load == "H25GPa-F10uN"

@@ -12,10 +12,10 @@ from types import SimpleNamespace
 import pytest
 from refusals import assert_says
 from repository import PAPER, ROOT, TINY, copy_repository, environment, snakemake
-from small_study import TINY_PATTERNS
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
+from studies import TINY_PATTERNS
 
 from hardcontact.config import start
 
@@ -157,16 +157,11 @@ def test_a_run_ends_with_its_headline_and_the_page_to_open(
 # The command line
 
 
-def assert_refused_before_anything_is_made(run, folder, *parts):
-    errors = [line for line in run.stdout.splitlines() if line.startswith("error: ")]
-    assert run.returncode != 0 and len(errors) == 1, run.stdout
-    assert_says(errors[0], "expected", *parts)
-    assert "Traceback" not in run.stdout and "rule " not in run.stdout
-    assert not (folder / "results").exists() and not (folder / "made").exists()
-
-
 @pytest.mark.study
 def test_a_bad_file_is_refused_in_one_line(repository):
     (repository / "bad.yaml").write_text("study: !!python/object/apply:os.mkdir [made]")
     run = snakemake(repository, "-n", "--configfile", "bad.yaml")
-    assert_refused_before_anything_is_made(run, repository, "bad.yaml: expected YAML")
+    (error,) = [line for line in run.stdout.splitlines() if line.startswith("error: ")]
+    assert_says(error, "bad.yaml: expected YAML")
+    assert run.returncode != 0 and "Traceback" not in run.stdout and "rule " not in run.stdout
+    assert not (repository / "results").exists() and not (repository / "made").exists()

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from elastic_libraries import library_pressure, library_pull_off
+from paper_numbers import MODULUS, RADIUS
 from periodic_maps import periodic_noise
-from published_contact import MODULUS, RADIUS
 
 from hardcontact.contact import elastic
 from hardcontact.contact.elastic import HalfSpace, adhesive_pull_off, press, pressure_at_load
@@ -19,7 +19,7 @@ def sphere_gap(pixels, pixel_size, radius=RADIUS):
     return shape[:, None] + shape
 
 
-def rough_gap(rms, pixels=96, pixel_size=12.0):
+def rough_gap(rms, pixels=64, pixel_size=12.0):
     return sphere_gap(pixels, pixel_size) - periodic_noise(pixels, rms, 4)
 
 
@@ -61,7 +61,7 @@ def test_pull_off_is_that_of_a_minimizer_outside_a_wall(rms):
 
 def test_the_wall_carries_the_load_and_nothing_overlaps():
     gap = rough_gap(5.0)
-    wall = press(HalfSpace(96, 12.0, MODULUS), gap, 1e4)
+    wall = press(HalfSpace(64, 12.0, MODULUS), gap, 1e4)
     assert wall.forces.sum() == pytest.approx(1e4, rel=1e-12)
     assert wall.forces.min() == 0
     assert wall.gap.min() > -elastic.MAX_OVERLAP
@@ -72,13 +72,13 @@ def test_the_wall_carries_the_load_and_nothing_overlaps():
 
 def test_a_vanishing_load_touches_the_lowest_pixel_alone():
     gap = rough_gap(5.0)
-    wall = press(HalfSpace(96, 12.0, MODULUS), gap, 1e-9)
+    wall = press(HalfSpace(64, 12.0, MODULUS), gap, 1e-9)
     assert np.flatnonzero(wall.forces).tolist() == [gap.argmin()]
 
 
 def test_without_a_load_the_lowest_pixel_touches_without_a_force():
     gap = rough_gap(5.0)
-    wall = press(HalfSpace(96, 12.0, MODULUS), gap, 0.0)
+    wall = press(HalfSpace(64, 12.0, MODULUS), gap, 0.0)
     assert not wall.forces.any()
     np.testing.assert_allclose(wall.gap, gap - gap.min())
 
@@ -96,14 +96,14 @@ def test_displacements_are_those_of_the_kernel_of_a_pixel():
 
 
 def test_lifting_the_gap_changes_no_pressure():
-    gap = sphere_gap(128, 12.0)
+    gap = sphere_gap(64, 12.0)
     near, far = (pressure_at_load(gap + lift, 12.0, MODULUS, LOAD) for lift in (0.0, 300.0))
     np.testing.assert_allclose(near, far, rtol=1e-6, atol=1e-6 * near.max())
 
 
 def test_a_load_that_flattens_everything_is_refused():
     with pytest.raises(ValueError, match="found more than 4000 touching pixels"):
-        pressure_at_load(sphere_gap(96, 1.0, 1e9), 1.0, MODULUS, LOAD)
+        pressure_at_load(sphere_gap(72, 1.0, 1e9), 1.0, MODULUS, LOAD)
 
 
 def test_stiff_bodies_have_the_rigid_pull_off_force():

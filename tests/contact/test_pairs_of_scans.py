@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from paper_numbers import MODULUS
 from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
-from published_contact import MODULUS
 
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact

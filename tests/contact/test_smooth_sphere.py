@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from published_contact import MODULUS, RADIUS, SPACING, WORK
+from paper_numbers import MODULUS, RADIUS, SPACING, WORK
 from scipy.optimize import brentq
 
 from hardcontact.contact import smooth_sphere

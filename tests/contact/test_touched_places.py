@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from measurements import map_of
+from measurements import self_affine_heights
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
-from hardcontact.surfaces.spectrum import smooth_rolloff
 
 PIXEL, PIXELS = 40.0, 128
 CONTACT = Contact(
@@ -25,10 +24,7 @@ def places(heights, contact=CONTACT):
 
 
 def rough(seed, rms_height):
-    heights = map_of(
-        generator(seed), PIXELS, PIXEL, lambda q: smooth_rolloff(q, 1e6, 800.0, 0.8)
-    ).heights
-    return heights * (rms_height / heights.std())
+    return self_affine_heights(generator(seed), PIXELS, PIXEL, rms_height)
 
 
 def bump(x, y, height, width):

@@ -8,7 +8,7 @@ import pytest
 import scan_files
 from known_contacts import contact_of_area
 from known_spectra import rough
-from measurements import line_of, map_of, measurement
+from measurements import line_of, map_of, measurement, self_affine_heights
 from random_scans import PIXEL
 from refusals import assert_says, refusal
 
@@ -30,6 +30,12 @@ HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 #: The paper's contact, in closed form.
 CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
+
+
+@pytest.fixture(autouse=True)
+def few_cutoffs(monkeypatch):
+    """Search edges between a few cutoffs, in a third of the time."""
+    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFFS", 20)
 
 
 @pytest.fixture
@@ -323,6 +329,22 @@ def test_the_force_on_pillars_is_not_predicted(tmp_path):
     smooth = 2 * np.pi * 250e-6 * 0.0463
     assert numbers["smooth_force"]["value"] == pytest.approx(smooth, rel=0.01)
     assert "short_edge" not in numbers and "extrapolated_force" not in numbers
+
+
+def test_a_defect_is_a_caution_and_levelling_is_an_option(tmp_path):
+    heights = self_affine_heights(generator(1), 128, 40.0, 8.0)
+    y, x = np.indices(heights.shape) - 64
+    path, size = tmp_path / "a.nc", (5120.0, 5120.0)
+
+    def report(heights, *options):
+        return printed(str(scan_files.scan(path, heights.T, size)), *options)
+
+    assert f"take care: {path}" not in report(heights)
+    clipped = np.minimum(heights, np.quantile(heights, 0.9))
+    assert_says(report(clipped), f"take care: {path}: 10 % of its pixels have the highest value")
+    bowed = heights - (x**2 + y**2 / 2) * 0.02
+    assert "curvature" in report(bowed)
+    assert "curvature" not in report(bowed, "--levelling", "quadratic")
 
 
 @pytest.mark.parametrize("sign", [1, -1])

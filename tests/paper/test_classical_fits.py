@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from paper_numbers import MEAN_FORCE
-from published_contact import AFM, SPHERE, UNCERTAINTY
+from paper_numbers import AFM, MEAN_FORCE, SPHERE, UNCERTAINTY
 from scipy.optimize import minimize
 
 from hardcontact.base.statistics import Sampling, bounds

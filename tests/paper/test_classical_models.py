@@ -4,7 +4,7 @@ from math import exp, pi, sqrt
 
 import numpy as np
 import pytest
-from published_contact import AFM, MODULUS, RADIUS, SPACING, SPHERE, WORK
+from paper_numbers import AFM, MODULUS, RADIUS, SPACING, SPHERE, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 

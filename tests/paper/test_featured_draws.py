@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from polished_statistics import POLISHED
+from paper_numbers import POLISHED
 from small_pool import CONTACT, GRID, SOURCES
 
 from hardcontact.contact.geometry import bodies

@@ -3,11 +3,9 @@
 import numpy as np
 import pandas as pd
 import pytest
-import xarray as xr
 from paper_claims import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
 
-from hardcontact.base import dataset
-from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, estimate
+from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES
 from hardcontact.paper.verdicts import accepted_range
 
 ROWS = STATEMENTS.set_index("id")
@@ -40,19 +38,6 @@ def test_replicated_claims_use_datasets_of_the_sets():
 
 def test_every_derived_quantity_is_judged():
     assert set(DERIVED_QUANTITIES) <= set(STATEMENTS["quantity"])
-
-
-@pytest.mark.study
-def test_every_claim_names_a_quantity_and_labels_that_the_study_has(results):
-    datasets = {
-        name: dataset.read(results / f"{name}.nc").assign_attrs(confidence=0.95)
-        for name in DATASETS
-    }
-    datasets["paper"] = xr.Dataset(PARAMETERS.to_dict())
-    for claim in STATEMENTS.itertuples():
-        number = estimate(claim.quantity, *(datasets[name] for name in claim.dataset.split("+")))
-        dims = {pair.split("=")[0] for pair in claim.select.split(";") if pair}
-        assert dims - {"surface"} <= set(number["value"].dims), claim.id
 
 
 def test_claims_repeat_table1():

@@ -2,7 +2,7 @@
 
 import pytest
 import xarray as xr
-from undescribed_variables import undescribed
+from comparison import undescribed
 
 from hardcontact.base.dataset import describe, read_meanings
 from hardcontact.report.dataset_dictionary import page

@@ -1,12 +1,8 @@
 """answer.json of own surfaces: one flat list with the numbers of the datasets."""
 
 import json
-import os
-import runpy
 from functools import cache
-from types import SimpleNamespace
 
-import numpy as np
 import pytest
 from answer_inputs import (
     RANGE,
@@ -15,21 +11,16 @@ from answer_inputs import (
     edges,
     fit,
     force,
+    numbers_of,
     open_edges,
     setting,
     spectra,
     topography,
     unresolved_edges,
 )  # fmt: skip
-from html_page import Page
 from jsonschema import Draft202012Validator
-from own_numbers import numbers_of
 from repository import ROOT
-from snakemake.iocontainers import Namedlist
 
-from hardcontact.base import dataset
-from hardcontact.base.origin import canonical
-from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 from hardcontact.report.own_answer import own_answer
 from hardcontact.report.quantities import answer_text
 
@@ -113,40 +104,3 @@ def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(p
     numbers = numbers_of(setting()._replace(of_paper=paper_values))
     pairs = {"force_of_pair_long_range", "force_of_pair_short_range"}
     assert len(pairs & numbers.keys()) == count
-
-
-def run_script(folder, own_datasets):
-    """Run the script as the workflow does, on files in a folder; return its texts."""
-    inputs = {name: folder / f"{name}.nc" for name, data in own_datasets._asdict().items() if data}
-    for name, path in inputs.items():
-        dataset.write(getattr(own_datasets, name), path)
-    inputs["pairs"] = ROOT / "resources/adhesion/pairs.csv"
-    inputs["citation"] = ROOT / "CITATION.cff"
-    script_inputs = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
-    outputs = {"page": folder / "answer.html", "json": folder / "answer.json"}
-    output = Namedlist(fromdict={name: str(path) for name, path in outputs.items()})
-    for kind in FILE_KINDS:
-        start = len(output)
-        output.extend(str(folder / f"{name}.{kind}") for name in OWN_FIGURES)
-        output._set_name(kind, start, end=len(output))
-    parameters = setting([("part", "why")])._asdict()
-    del parameters["pairs"]
-    job = SimpleNamespace(
-        input=script_inputs,
-        output=output,
-        params=SimpleNamespace(canonical=canonical(parameters)),
-        log=[str(folder / "answer.log")],
-        threads=1,
-    )
-    runpy.run_path(str(ROOT / "workflow/scripts/answer_surfaces.py"), {"snakemake": job})
-    return {name: path.read_text("utf-8") for name, path in outputs.items()}
-
-
-def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch):
-    # A failing script ends its process, here the process of the tests.
-    monkeypatch.setattr(os, "_exit", pytest.fail)
-    texts = run_script(tmp_path, datasets(fit=fit()))
-    rows = {row["name"]: row for row in json.loads(texts["json"])["quantities"]}
-    assert rows["measured_force"]["value"] == 0.64e-6
-    assert "forces" in [section["id"] for section in Page(texts["page"]).attributes["section"]]
-    assert np.isfinite(rows["smooth_sphere"]["value"])

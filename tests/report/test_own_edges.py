@@ -9,13 +9,13 @@ from answer_inputs import (
     edges,
     force,
     move_edge,
+    numbers_of,
     open_edges,
     scale_extrapolated_force,
     setting,
     spectra,
     unresolved_edges,
 )  # fmt: skip
-from own_numbers import numbers_of
 
 from hardcontact.base.number import Number, plain
 from hardcontact.inference.edges import computed_cutoffs

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from answer_inputs import PAIRS, SURFACES, WORK, datasets, fit, force
-from own_numbers import numbers_of
+from answer_inputs import PAIRS, SURFACES, WORK, datasets, fit, force, numbers_of
 
 from hardcontact.report.own_forces import fit_numbers, pair_numbers, preferred_fit
 

@@ -1,7 +1,6 @@
 """Values with bounds, values over sets, published edges, maps without padding."""
 
 import numpy as np
-import pandas as pd
 import pytest
 import xarray as xr
 
@@ -22,11 +21,6 @@ def test_values_have_the_ends_of_their_interval():
     assert "bound" not in curves.coords
     numbers = values.value_and_bounds(FITS.sel(surface="uncd"), "force")
     assert numbers == {"value": 1.0, "low": 0.8, "high": 1.2}
-
-
-def test_published_edges_are_told_apart_by_side():
-    constants = pd.DataFrame({"value": [43.0, 1800.0]}, index=["edge_small", "edge_large"])
-    assert values.published_edge(constants, "small") == 43
 
 
 def test_sets_are_summarized_by_the_median_and_the_central_nine_tenths():

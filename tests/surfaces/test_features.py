@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pandas as pd
 import pytest
+from paper_numbers import POLISHED
 from periodic_maps import height_map
-from polished_statistics import POLISHED
 from random_scans import UNCD
 
 from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, sample_group
@@ -23,7 +23,7 @@ from hardcontact.surfaces.features import (
 from hardcontact.surfaces.height_map import TABLE1_METRICS, level, metrics
 from hardcontact.surfaces.substitute_scans import ScanGrid
 
-PIXELS, PIXEL = 250, 10.0  # 2.5 µm
+PIXELS, PIXEL = 200, 12.5  # 2.5 µm
 SIZE = PIXELS * PIXEL
 FLAT = replace(height_map(np.zeros((PIXELS, PIXELS)), PIXEL), periodic=False)
 

@@ -1,8 +1,10 @@
 """Each kind of defect is named with its numbers; sound scans have no defect."""
 
+from functools import partial
+
 import numpy as np
 import pytest
-from measurements import map_of, measurement
+from measurements import map_of, measurement, self_affine_heights
 from scipy.ndimage import gaussian_filter
 
 from hardcontact.base.random import generator
@@ -16,15 +18,10 @@ SIZE = PIXELS * PIXEL
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL - SIZE / 2
 
 
-def density(hurst, rolloff):
-    """C_iso of a self-affine surface with a roll-off (nm)."""
-    return lambda q: smooth_rolloff(q, 1e6, rolloff, hurst)
-
-
 def rough(seed, rms_height, hurst=0.7, rolloff=SIZE / 10):
     """Heights of a self-affine map with an rms height."""
-    heights = map_of(generator(seed), PIXELS, PIXEL, density(hurst, rolloff)).heights
-    return (heights - heights.mean()) * (rms_height / heights.std())
+    heights = self_affine_heights(generator(seed), PIXELS, PIXEL, rms_height, hurst, rolloff)
+    return heights - heights.mean()
 
 
 def defects_of(heights, pixel_size=PIXEL, **options):
@@ -138,7 +135,8 @@ def test_no_self_affine_surface_has_a_defect(batch):
     rng = generator(100 + batch)
     for _ in range(10):
         hurst, rolloff = rng.uniform(0.3, 1), 64 * PIXEL * np.exp(rng.uniform(*np.log([0.05, 2])))
-        assert not examine(map_of(rng, 64, PIXEL, density(hurst, rolloff))).defects
+        density = partial(smooth_rolloff, plateau=1e6, rolloff=rolloff, hurst=hurst)
+        assert not examine(map_of(rng, 64, PIXEL, density)).defects
 
 
 def with_bumps(seed):

@@ -54,6 +54,7 @@ def test_the_table_repeats_predicted_edges():
         assert short_edge == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 
 
+@pytest.mark.study
 def test_the_forces_of_a_designed_surface_are_reproduced():
     number = int(np.argmax(TABLE["pixels"] == 1024))
     recomputed_row = validate_prediction.compute_row(validate_prediction.design(number + 1)[number])

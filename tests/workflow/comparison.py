@@ -1,4 +1,4 @@
-"""Compare results folders, and find damaged datasets."""
+"""Compare results folders, and find damaged datasets and variables without a meaning."""
 
 import xarray as xr
 
@@ -46,3 +46,14 @@ def damaged(results):
             except ValueError as error:
                 lines.append(str(error))
     return lines
+
+
+def undescribed(folder):
+    """Return the variables in a folder of results without a meaning, and numbers without a unit."""
+    return [
+        (path.stem, name)
+        for path in folder.glob("*.nc")
+        for name, variable in dataset.read(path).variables.items()
+        if not variable.attrs.get("long_name")
+        or (variable.dtype.kind in "biuf" and not variable.attrs.get("units"))
+    ]

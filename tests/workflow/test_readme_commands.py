@@ -21,6 +21,8 @@ from scan_files import container, scan
 
 from hardcontact.base.random import generator
 
+pytestmark = pytest.mark.study
+
 READMES = ("README.md", "config/README.md")
 COMMAND = re.compile(r"(?:snakemake|hardcontact|python|python3|pip|conda|source|rm)\b.*")
 #: Words of the user, or a command that is only named.

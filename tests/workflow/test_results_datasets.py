@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
-from small_study import TINY_PATTERNS
+from studies import TINY_PATTERNS
 
 from hardcontact.base import dataset
 

@@ -18,14 +18,6 @@ from hardcontact.config.patterns import PUBLISHED_TABLES
 from hardcontact.report.figures import drawing, style
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
 
-#: Figures with values of the paper, and words of their captions about these.
-PUBLISHED_IN = {
-    "fig3": "published mean and median", "fig4": "published range", "fig5": "2 nm and 50 nm",
-    "fig_fit": "published range", "fig6": "43 nm and 1.8 µm", "fig_enhancement": "43 nm, published",
-    "fig_asperities": "published, 1.8 µm", "fig_classical": "published forces",
-    "fig_elastic": "most of the contact area", "fig_features": "Black: published",
-}  # fmt: skip
-
 
 @pytest.fixture(scope="module", params=PAPER_FIGURES)
 def name(request):
@@ -133,12 +125,11 @@ def test_a_surface_has_one_colour(draw_checked, name):
         assert name in {"fig1", "fig3", "fig5", "fig_elastic", "fig_fit", "fig_features"}
 
 
-def test_the_caption_is_short_and_names_published_values(name):
+def test_the_caption_is_short_and_complete(name):
     title, short, details, _ = caption(name, PAPER)
     text = f"{title} {short} {details}"
     assert 10 < len(title) < 80 and 20 < len(short.split()) <= 65 and details
     assert not any(mark in text for mark in ("{", "}", "**", "``", "\n"))
-    assert PUBLISHED_IN.get(name, "") in text
 
 
 def test_the_files_of_a_figure_are_whole(results, name):

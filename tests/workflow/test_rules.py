@@ -2,8 +2,19 @@
 
 import re
 
+import pytest
 import yaml
 from repository import ROOT, snakemake
+
+pytestmark = pytest.mark.study
+
+PROFILE = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
+
+
+@pytest.fixture(scope="module")
+def rules(repository):
+    """Return the names of all rules of the paper's study and its targets."""
+    return {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
 
 
 def test_lint_finds_only_missing_environments(repository):
@@ -11,22 +22,20 @@ def test_lint_finds_only_missing_environments(repository):
     assert set(lint_messages) == {"Specify a conda environment or container for each rule."}
 
 
-def test_the_cluster_profile_names_existing_rules(repository):
+def test_the_cluster_profile_names_existing_rules(rules):
     """Snakemake ignores unknown names of rules."""
-    rules = {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
-    for name in ("own_surfaces", "answer_surfaces"):  # of studies of own surfaces
-        text = (repository / f"workflow/rules/{name}.smk").read_text()
-        rules |= set(re.findall(r"^rule (\w+):", text, re.M))
-    profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
-    assert (profile["groups"].keys() | profile["set-resources"].keys()) - rules == set()
-    assert profile["default-resources"].keys() == {"mem_mb", "runtime"}
-    assert set(profile["groups"].values()) == profile["group-components"].keys()
+    own_rules = set()
+    for name in ("own_surfaces", "answer_surfaces"):
+        text = (ROOT / f"workflow/rules/{name}.smk").read_text()
+        own_rules |= set(re.findall(r"^rule (\w+):", text, re.M))
+    named_rules = PROFILE["groups"].keys() | PROFILE["set-resources"].keys()
+    assert named_rules - rules - own_rules == set()
+    assert PROFILE["default-resources"].keys() == {"mem_mb", "runtime"}
+    assert set(PROFILE["groups"].values()) == PROFILE["group-components"].keys()
 
 
-def test_the_cluster_profile_groups_the_rules_that_end_soon(repository):
+def test_the_cluster_profile_groups_the_rules_that_end_soon(rules):
     """Rules of one short job, such as a figure, share SLURM jobs."""
-    rules = {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
     short_rules = {rule for rule in rules if re.match("aggregate|answer|compare|draw|judge", rule)}
-    short_rules.remove("answer")  # a target
-    profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
-    assert short_rules - profile["groups"].keys() == set()
+    # `answer` is a target.
+    assert short_rules - {"answer"} - PROFILE["groups"].keys() == set()
