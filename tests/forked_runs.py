@@ -1,13 +1,15 @@
-"""Run Snakemake in a separate process that has already loaded the other packages."""
+"""Run programs in processes of their own that have already loaded the other packages."""
 
+import importlib
 import multiprocessing
 import os
-import shutil
 import sys
+import tempfile
+import warnings
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
-from repository import PARTS
 
 
 def forked(function, *arguments):
@@ -25,36 +27,40 @@ def forked(function, *arguments):
         process.join()
 
 
-def forget_library():
-    """Forget the library that this process has loaded."""
-    for name in [name for name in sys.modules if name.partition(".")[0] == "hardcontact"]:
+def use_library_of(folder):
+    """Forget the library that this process has loaded, and work in a folder with its own."""
+    names = [name for name in sys.modules if name.startswith(("hardcontact", "snakemake_logger"))]
+    for name in names:
         del sys.modules[name]
-
-
-def linked_copy(finished, folder):
-    """Copy the sources of a finished study, to be changed, and link its results."""
-    (folder / "tests").mkdir(parents=True)
-    for name in PARTS:
-        copy = shutil.copytree if (finished / name).is_dir() else shutil.copy2
-        copy(finished / name, folder / name)
-    for name in ("results", ".snakemake"):
-        (folder / name).symlink_to(finished / name)
-    return folder
-
-
-def run_here(folder, *arguments):
-    """Run Snakemake in this process, in a folder with its own library; return its output."""
-    from snakemake.cli import main
-
+    sys.path.insert(0, str(Path(folder, "workflow")))
     os.chdir(folder)
-    forget_library()
-    sys.path.insert(0, str(folder / "workflow"))
-    sys.stdout = sys.stderr = open("output", "w", buffering=1)
-    code = 0
+
+
+def run_program(folder, module, words, environment):
+    """Run the `main` of a module in a folder with its own library.
+
+    Returns the exit code and the text of output and errors.
+    """
+    importlib.import_module(module)  # with its packages, once for all runs
+    with tempfile.TemporaryFile() as output:
+        code = forked(_call_main, folder, module, words, environment, output.fileno())
+        output.seek(0)
+        return SimpleNamespace(returncode=code, stdout=output.read().decode())
+
+
+def _call_main(folder, module, words, environment, output):
+    use_library_of(folder)
+    os.environ.update(environment)
+    for descriptor in (1, 2):
+        os.dup2(output, descriptor)
+    sys.stdout = sys.stderr = open(1, "w", buffering=1, encoding="utf-8", closefd=False)
+    sys.argv = [module, *words]
+    warnings.resetwarnings()
+    warnings.simplefilter("ignore")
     try:
-        main(list(arguments))
-    except SystemExit as error:
-        code = error.code
-    text = Path("output").read_text()
-    assert not code, f"{text}{code}"
-    return text
+        return importlib.import_module(module).main() or 0
+    except SystemExit as end:
+        if isinstance(end.code, str):
+            print(end.code)
+            return 1
+        return end.code or 0

@@ -1,11 +1,10 @@
 """Studies of own surfaces: small scans in the files of microscopes, and the two commands."""
 
 import json
-import subprocess
-import sys
 from contextlib import contextmanager
 
 import numpy as np
+from forked_runs import run_program
 from measurements import map_of
 from repository import ROOT, environment, snakemake
 from scan_files import nanoscope
@@ -25,11 +24,8 @@ LEFT_OUT = {
 
 def new(folder, *arguments):
     """Run `hardcontact new` in a copy of the repository."""
-    program = "import sys; from hardcontact.own.new import main; sys.exit(main())"
-    return subprocess.run(
-        [sys.executable, "-c", program, "new", *map(str, arguments)],
-        cwd=folder, env=environment(folder), text=True, capture_output=True,
-    )  # fmt: skip
+    words = ["new", *map(str, arguments)]
+    return run_program(folder, "hardcontact.own.new", words, environment(folder))
 
 
 def quick(folder, name, *arguments, overlays=()):
@@ -43,7 +39,7 @@ def quick(folder, name, *arguments, overlays=()):
 def make_study(folder, name, *arguments, overlays=()):
     """Make a study from files by both commands; return its results."""
     done = new(folder, name, *arguments)
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 0, done.stdout
     run = quick(folder, name, overlays=overlays)
     assert run.returncode == 0, run.stdout[-3000:]
     return folder / "results" / f"{name}-quick"

@@ -2,11 +2,11 @@
 
 import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import yaml
+from forked_runs import run_program
 
 ROOT = Path(__file__).parents[1]
 #: Files and folders that a study needs.
@@ -33,6 +33,17 @@ def copy_repository(target):
     return target
 
 
+def linked_copy(finished, folder):
+    """Copy the sources of a finished study, to be changed, and link its results."""
+    (folder / "tests").mkdir(parents=True)
+    for name in PARTS:
+        copy = shutil.copytree if (finished / name).is_dir() else shutil.copy2
+        copy(finished / name, folder / name)
+    for name in ("results", ".snakemake"):
+        (folder / name).symlink_to(finished / name)
+    return folder
+
+
 def environment(folder):
     """Return the environment that makes a copy of the repository use its own library.
 
@@ -45,16 +56,16 @@ def environment(folder):
     }
 
 
-def snakemake(folder, *arguments):
+def snakemake(folder, *words):
     """Run Snakemake in a copy of the repository, with one text as output."""
-    return subprocess.run(
-        [sys.executable, "-m", "snakemake", *arguments],
-        cwd=folder,
-        env=environment(folder),
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
+    return run_program(folder, "snakemake.cli", words, environment(folder))
+
+
+def plan(folder, *words):
+    """Return the output of a run of Snakemake that succeeds: a dry run, or a summary."""
+    run = snakemake(folder, *words)
+    assert run.returncode == 0, run.stdout
+    return run.stdout
 
 
 def run_snakemake(folder, *arguments, overlays=()):

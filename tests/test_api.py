@@ -270,7 +270,7 @@ def test_a_topography_is_prepared_like_its_file(files):
         )
 
 
-@pytest.mark.parametrize(("path", "status"), [("scan.nc", "inside"), ("wide.nc", "outside")])
+@pytest.mark.parametrize(("path", "status"), [("scan.nc", "outside"), ("wide.nc", "inside")])
 def test_a_scan_and_its_spectrum_are_predicted_like_the_file(files, path, status):
     """Measured or extrapolated, with the numbers, the intervals and the status of the command."""
     contact = {"radius": 250e3, "rho": 5.6, "work": 0.0463} | LOAD

@@ -183,14 +183,8 @@ def describe_edge(side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray)
 def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
     """Return the spectrum of the waves that a periodic surface can have.
 
-    The wavevectors of the surface fill a square up to the Nyquist wavevector; the cell at zero is
-    left out. The spectrum ends at circles of the same areas as this square and this cell.
-
-    spectrum: c_iso in nm⁴.
-    size: edge of the surface in nm.
-    pixels: pixels along the edge.
-    Returns the waves between both circles.
-    Raises ValueError if the spectrum has no such waves.
+    They fill a square up to the Nyquist wavevector (rad/nm) but for the cell at zero; the spectrum
+    ends at circles of the same areas. Raises ValueError if it has no such waves.
     """
     cell = 2 * np.pi / size
     waves = spectrum_between(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))

@@ -122,18 +122,8 @@ def filtered_window_forces(
 ) -> xr.Dataset:
     """Return the forces on windows and whole surfaces of a spectrum, with and without long waves.
 
-    Parameters
-    ----------
-    name : name of the spectrum, for its random numbers
-    density : C_iso in nm⁴ as a function of the wavevector in rad/nm
-
-    Returns
-    -------
-    ``pull_off_force`` (realization, map_size) in N at 1 J/m² and ``filtered_force_ratio``
-    (realization, map_size, cutoff_wavelength), the force without wavelengths above the cutoff
-    relative to the force with all, NaN at cutoffs above the period. Both are means over the windows
-    of a surface. ``period`` (map_size) is in nm; ``mirrored`` (map_size) is 1 for windows. Map
-    sizes belong to the windows first, then to the whole surfaces.
+    The name is for random numbers, C_iso in nm⁴. Forces (realization, map_size) and the ratios at
+    the cutoffs are means over windows, those of windows before those of whole surfaces.
     """
     realizations = range(filters.realizations)
     means = np.array([_realization_forces(name, density, filters, k) for k in realizations])
@@ -212,11 +202,8 @@ def ratio_of_means(
 def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the long edges of the band from windows and whole surfaces, and the forces on them.
 
-    The argument is a mapping from surfaces to results of `filtered_window_forces`. With intervals:
-    ``filtered_force_ratio`` (surface, map_size, cutoff_wavelength), the mean over realizations of
-    the force without longer waves relative to the force with all, and ``force_over_largest``
-    (surface, map_size), the force relative to the larger whole surface. Edges of each map size have
-    names that begin with ``long_``. ``period`` and ``mirrored`` are copied from the forces.
+    From results of `filtered_window_forces` by surface: means over realizations with intervals,
+    and the edges of each map size, whose names begin with ``long_``.
     """
     windows = next(iter(forces.values()))[["period", "mirrored"]]
     all_forces = stack(

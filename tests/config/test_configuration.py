@@ -1,14 +1,15 @@
-"""Configurations are read as numbers, or refused in one line a fault; targets follow from them."""
+"""Configurations are read as numbers, or refused; targets and documentation follow from them."""
 
 import datetime
 
 import pytest
 from refusals import assert_says, refusal
-from repository import PAPER
+from repository import PAPER, ROOT, leaves
 from studies import numbers
 
-from hardcontact.config import configuration, model
+from hardcontact.config import configuration, key_tables, model
 from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.model import Study
 
 # Keys
 
@@ -141,3 +142,19 @@ def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():
         "preload",
         "range of adhesion",
     ]
+
+
+DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")
+
+
+def test_the_configuration_and_its_documentation_are_made_from_the_model():
+    instead = "not current: run python -m hardcontact.config.key_tables"
+    assert key_tables.configuration_yaml() == (ROOT / "config/config.yaml").read_text("utf-8"), (
+        instead
+    )
+    assert key_tables.update_tables(DOCUMENTATION) == DOCUMENTATION, instead
+
+
+def test_the_configuration_of_the_paper_has_every_key_and_its_default():
+    assert Study.model_validate(PAPER) == Study()
+    assert sorted(leaves(PAPER)) == sorted(leaves(Study().model_dump(warnings=False)))

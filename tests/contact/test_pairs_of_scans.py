@@ -1,4 +1,4 @@
-"""Indents and elastic contacts of pairs of scans."""
+"""Indents and elastic contacts of pairs of scans, and an indent that is made by hand."""
 
 from dataclasses import replace
 
@@ -7,11 +7,16 @@ import pytest
 from paper_numbers import MODULUS
 from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
-from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
 from hardcontact.contact.geometry import bodies, sampled_contacts
-from hardcontact.contact.indents import MAP_HALF_WIDTH, indents_of_scans
+from hardcontact.contact.indents import (
+    MAP_HALF_WIDTH,
+    indent_sizes,
+    indents_of_scans,
+    penetration_map,
+)
 from hardcontact.contact.smooth_sphere import hertz_contact
 
 CONTACT = Contact(
@@ -50,3 +55,17 @@ def test_elastic_contacts_carry_the_preload():
     assert solved.pressure.values[32, 32] == solved.pressure.max()
     assert solved.effective_modulus == MODULUS
     assert solved.hertz_peak_pressure == hertz_contact(10e-6, RADIUS, MODULUS).peak_pressure
+
+
+def test_indents_drawn_by_hand_have_known_sizes():
+    # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
+    offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
+    contact = LowestGaps(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)
+    depth, equal_area_side, longer_side, count = indent_sizes(contact, 5.0)
+    assert (depth, count) == (2.0, 2)
+    assert equal_area_side == pytest.approx(2 * 5.0)  # four pixels
+    assert longer_side == 4 * 5.0
+    depth = penetration_map(contact, 3)
+    assert depth.shape == (7, 7)
+    assert depth[3, 3:6].tolist() == [2.0, 1.5, 0.5]
+    assert depth.sum() == 4.0  # the lone pixel lies outside, the last one is not flattened

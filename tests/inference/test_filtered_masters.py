@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 import xarray as xr
+from periodic_maps import height_map
 
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
-from hardcontact.surfaces.height_map import HeightMap
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
 WAVELENGTH, AMPLITUDE = 80.0, 2.0
@@ -16,7 +16,7 @@ CUTOFFS = [40.0, 60.0, 120.0, 240.0]
 def curves(side):
     x = np.arange(64) * 10.0
     wave = AMPLITUDE * np.cos(2 * np.pi * x / WAVELENGTH)
-    master = HeightMap(np.tile(wave, (64, 1)), 10.0, periodic=True, basis="substitute")
+    master = height_map(np.tile(wave, (64, 1)), 10.0)
     moments = (("moment",), [2, 4], {})
     return forces_at_cutoffs(
         master,

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
+from periodic_maps import height_map
 from scipy import stats
 from scipy.special import erf
 
@@ -12,7 +13,6 @@ from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.scaling import force_exponent, short_edge_exponents
-from hardcontact.surfaces.height_map import HeightMap
 
 CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
@@ -23,7 +23,7 @@ FILTERS, COMBINATIONS = Filters("small", 64, [40.0, 80.0]), ([500.0, 2000.0], [2
 
 def master(rms):
     heights = rms * np.random.default_rng(3).standard_normal((64, 64))
-    return HeightMap(heights, 10.0, periodic=True, basis="substitute")
+    return height_map(heights, 10.0)
 
 
 def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range_and_area():

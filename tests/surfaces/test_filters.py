@@ -2,13 +2,9 @@
 
 import numpy as np
 import pytest
+from periodic_maps import height_map
 
 from hardcontact.surfaces.filters import filtered_series, interpolate, lowpass
-from hardcontact.surfaces.height_map import HeightMap
-
-
-def periodic(heights, pixel_size=10.0):
-    return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
 
 
 def filtered(master, side, cutoff, pixels):
@@ -16,7 +12,7 @@ def filtered(master, side, cutoff, pixels):
 
 
 def noise(pixels, seed=0):
-    return periodic(np.random.default_rng(seed).standard_normal((pixels, pixels)))
+    return height_map(np.random.default_rng(seed).standard_normal((pixels, pixels)), 10.0)
 
 
 @pytest.mark.parametrize("coarse, fine", [(16, 64), (15, 45), (32, 32), (20, 60)])
@@ -34,7 +30,9 @@ def test_interpolation_reproduces_a_wave():
     wave = np.cos(2 * np.pi * (3 * x[:, None] - 5 * x))
     u = np.arange(100) / 100
     fine_wave = np.cos(2 * np.pi * (3 * u[:, None] - 5 * u))
-    np.testing.assert_allclose(interpolate(periodic(wave), 100).heights, fine_wave, atol=1e-6)
+    np.testing.assert_allclose(
+        interpolate(height_map(wave, 10.0), 100).heights, fine_wave, atol=1e-6
+    )
 
 
 @pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0])
@@ -50,7 +48,8 @@ def test_lowpass_keeps_only_long_waves(cutoff):
 
 def test_a_wave_at_the_cutoff_belongs_to_one_side():
     x = np.arange(64) / 64
-    wave = periodic(np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1)))  # 80 nm
+    waves = np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1))  # 80 nm
+    wave = height_map(waves, 10.0)
     assert np.std(lowpass(wave, 80.0).heights) == pytest.approx(np.std(wave.heights))
     np.testing.assert_allclose(filtered(wave, "large", 80.0, 64).heights, 0, atol=1e-6)
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
+from periodic_maps import height_map
 from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
@@ -30,10 +31,6 @@ WINDOWS = Windows([320.0, 640.0], 2, [2.0, 5.0], CONTACT)
 CUTOFFS = [90.0, 180.0, 400.0, 1000.0]
 
 
-def periodic(heights):
-    return HeightMap(heights, 20.0, periodic=True, basis="substitute")
-
-
 def random_heights(rms):
     return rms * np.random.default_rng(5).standard_normal((64, 64))
 
@@ -50,7 +47,7 @@ def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface
     """A surface made of mirror images of one window has no wave that this window lacks."""
     heights = np.random.default_rng(2).normal(0, 4, (16, 16))
     scan = HeightMap(heights, 20.0, periodic=False, basis="substitute")
-    surface = periodic(np.tile(mirror_stitch(level(scan)).heights, (2, 2)))
+    surface = height_map(np.tile(mirror_stitch(level(scan)).heights, (2, 2)), 20.0)
     (window,) = mirrored_windows(surface, 320.0, 1)
     window_forces = filtered_forces(window, CUTOFFS, WINDOWS)
     surface_forces = filtered_forces(
@@ -65,8 +62,8 @@ def test_the_ratio_equals_that_of_a_surface_without_its_long_waves():
     order = np.fft.fftfreq(64, 1 / 64)
     transform = np.fft.fft2(heights)
     transform[np.hypot(order[:, None], order) <= 1280 / 400] = 0
-    short_waves = periodic(np.fft.ifft2(transform).real)
-    force, ratio = filtered_forces(periodic(heights), [400.0], WINDOWS)
+    short_waves = height_map(np.fft.ifft2(transform).real, 20.0)
+    force, ratio = filtered_forces(height_map(heights, 20.0), [400.0], WINDOWS)
     assert ratio * force == pytest.approx(mean_forces(short_waves, WINDOWS)[0], rel=1e-5)
 
 

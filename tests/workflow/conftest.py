@@ -55,7 +55,7 @@ def own_study(folder):
     ]  # fmt: skip
     write_forces(folder, {"my_film": [1.0], "twin": [1.0]})
     done = new(folder, "several", *choices)
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 0, done.stdout
     (folder / "said.txt").write_text(done.stdout)
     # Forces are known once the contacts are computed.
     run = quick(folder, "several", "adhesion", overlays=["few.yaml"])

@@ -1,23 +1,20 @@
 """A changed key or column repeats exactly its dependents in a study of own surfaces."""
 
-import importlib
 import re
 
 import pandas as pd
 import pytest
 import yaml
-from forked_runs import forked, run_here
 from own_studies import change_file
+from repository import plan
 
 pytestmark = pytest.mark.study
 
 
 def run_dry(folder, *overlays):
     """Return the output of a dry run of the study that all tests share."""
-    importlib.import_module("snakemake.cli")  # once, and not in the process of every dry run
     files = ["config/several.yaml", "few.yaml", *overlays]
-    words = ["-n", "--configfile", *files, "--config", "effort=quick"]
-    return forked(run_here, folder, *words)
+    return plan(folder, "-n", "--configfile", *files, "--config", "effort=quick")
 
 
 def planned(folder, *overlays):

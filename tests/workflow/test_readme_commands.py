@@ -5,7 +5,6 @@ not found. Programs there only note how they were called. Then `hardcontact` is 
 and `snakemake` with `-n`, as its runs take minutes; installation is what .ci/run does.
 """
 
-import importlib
 import importlib.util
 import os
 import re
@@ -14,9 +13,9 @@ import sys
 
 import numpy as np
 import pytest
-from forked_runs import forget_library, forked, run_here
+from forked_runs import forked, run_program
 from own_studies import rough, spm
-from repository import ROOT, copy_repository
+from repository import ROOT, copy_repository, environment, plan
 from scan_files import container, scan
 
 from hardcontact.base.random import generator
@@ -105,38 +104,19 @@ def calls(folder, typed):
     notes = folder / "calls"
     notes.write_text("")
     path = f"{system}:/usr/bin:/bin"
-    environment = {"PATH": path, "CALLS": str(notes), "PROGRAM": str(system / "program")}
+    variables = {"PATH": path, "CALLS": str(notes), "PROGRAM": str(system / "program")}
     script = "\n".join(["set -e", *typed])
     run = subprocess.run(
-        ["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True
+        ["bash", "-c", script], cwd=folder, env=variables, capture_output=True, text=True
     )
     assert run.returncode == 0, run.stderr
     return [line.split("\x1f")[:-1] for line in notes.read_text().splitlines()]
-
-
-def call_hardcontact(folder, words):
-    """Call the command in this process, in a folder with its own library; return its exit code."""
-    os.chdir(folder)
-    forget_library()
-    sys.path.insert(0, str(folder / "workflow"))
-    sys.argv = ["hardcontact", *words]
-    sys.stdout = open(os.devnull, "w")
-    from hardcontact.own.new import main
-
-    return main()
 
 
 def run_python(folder, content):
     """Run a block of Python in a folder."""
     os.chdir(folder)
     exec(content, {})
-
-
-@pytest.fixture(scope="module")
-def loaded():
-    """Load the modules that all processes load."""
-    for name in ("snakemake.cli", "hardcontact.own.new", "hardcontact.paper.evaluation"):
-        importlib.import_module(name)
 
 
 #: Options of dry runs, which all runs here are.
@@ -170,7 +150,8 @@ def typed_in(folder, readme):
     runs = []
     for program, *words in calls(folder, typed):
         if program == "hardcontact" and "--help" not in words:
-            assert forked(call_hardcontact, folder, words) == 0, words
+            run = run_program(folder, "hardcontact.own.new", words, environment(folder))
+            assert run.returncode == 0, (words, run.stdout)
         elif program == "snakemake":
             runs.append(words)
         elif program == "python":
@@ -183,7 +164,6 @@ def typed_in(folder, readme):
     return [*runs, *(["topography", "--configfile", name] for name in unused_overlays)]
 
 
-@pytest.mark.usefixtures("loaded")
 def test_every_command_of_the_documentation_works(tmp_path):
     planned = set()
     for readme in READMES:
@@ -191,5 +171,5 @@ def test_every_command_of_the_documentation_works(tmp_path):
         write_files(folder)
         for options, targets in targets_by_options(typed_in(folder, readme)).items():
             if (options, *targets) not in planned:
-                forked(run_here, folder, *dict.fromkeys(targets), *options, *DRY)
+                plan(folder, *dict.fromkeys(targets), *options, *DRY)
                 planned.add((options, *targets))

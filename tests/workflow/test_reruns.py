@@ -16,8 +16,8 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import yaml
-from forked_runs import forget_library, forked, linked_copy, run_here
-from repository import PARTS, ROOT, TINY, run_snakemake
+from forked_runs import forked, use_library_of
+from repository import PARTS, ROOT, TINY, linked_copy, plan, run_snakemake
 
 import hardcontact
 
@@ -33,9 +33,7 @@ def imports(path):
 
 def load(script, *names):
     """Return the modules of the library, as paths, that a script and given modules load."""
-    forget_library()
-    os.chdir(ROOT)
-    sys.path.insert(0, str(ROOT / "workflow"))
+    use_library_of(ROOT)
     for name in names:
         importlib.import_module(name)
     pending, done, modules = {f"workflow/scripts/{script}"}, set(), set()
@@ -51,7 +49,7 @@ def load(script, *names):
 
 def run_dry(folder):
     """Return the rules, with outputs, of a dry run in a folder, or its error message."""
-    text = run_here(folder, "-n", "--configfile", TINY, "overlay.yaml")
+    text = plan(folder, "-n", "--configfile", TINY, "overlay.yaml")
     planned_jobs = re.findall(
         r"^(?:local)?rule (\S+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
     )
@@ -63,15 +61,7 @@ LOOPED = {"make_scans"}
 
 
 class Graph:
-    """The jobs of a finished study, from Snakemake's own summary of its files.
-
-    Attributes
-    ----------
-    inputs : dict of str to set of str
-        Output file -> its inputs.
-    rule : dict of str to str
-        Output file -> its rule.
-    """
+    """The jobs of a finished study, from Snakemake's own summary: inputs and rule by output."""
 
     def __init__(self, finished):
         lines = run_snakemake(finished, "--detailed-summary").stdout.splitlines()
@@ -112,14 +102,13 @@ def graph(finished):
 @pytest.fixture(scope="module")
 def dry(finished, tmp_path_factory):
     """Return a function that runs the finished study dry after a change, in a copy of its files."""
-    importlib.import_module("snakemake.cli")  # once, and not in the process of every dry run
     top = tmp_path_factory.mktemp("dry")
 
     def planned(overlay=None, change=lambda folder: None):
         folder = linked_copy(finished, top / str(len(list(top.iterdir()))))
         change(folder)
         (folder / "overlay.yaml").write_text(yaml.safe_dump(overlay or {}))
-        return forked(run_dry, folder)
+        return run_dry(folder)
 
     return planned
 

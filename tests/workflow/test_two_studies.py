@@ -6,14 +6,12 @@ their own by value is tried one by one, or below tests/config.
 """
 
 import csv
-import importlib
 from functools import cache
 from pathlib import Path
 
 import pytest
 import yaml
-from forked_runs import forked, linked_copy, run_here
-from repository import PAPER, ROOT, TINY, leaves, merged
+from repository import PAPER, ROOT, TINY, leaves, linked_copy, merged, plan
 
 from hardcontact.config.configuration import get_key, set_keys
 from hardcontact.config.store_keys import STORE_KEYS
@@ -87,7 +85,7 @@ def second_study(keys):
 
 def summary(folder):
     """Return Snakemake's plan for each existing file of a study in the store."""
-    text = run_here(folder, "--detailed-summary", "--configfile", TINY, "overlay.yaml")
+    text = plan(folder, "--detailed-summary", "--configfile", TINY, "overlay.yaml")
     lines = text.splitlines()
     header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
     rows = csv.DictReader(lines[header:], delimiter="\t")
@@ -101,14 +99,13 @@ def summary(folder):
 @pytest.fixture(scope="module")
 def plans(finished, tmp_path_factory):
     """Return a function from changed keys to the plans for the store of the finished study."""
-    importlib.import_module("snakemake.cli")  # once, and not in every process
     top = tmp_path_factory.mktemp("second")
 
     @cache  # Some folders have the same keys.
     def planned(keys):
         folder = linked_copy(finished, top / str(len(list(top.iterdir()))))
         (folder / "overlay.yaml").write_text(yaml.safe_dump(second_study(keys)))
-        return forked(summary, folder)
+        return summary(folder)
 
     return planned
 
