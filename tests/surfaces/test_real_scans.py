@@ -1,9 +1,7 @@
-"""Measured scans: their numbers, and a study with one's own scan among substitutes."""
+"""Measured scans have their numbers and no defect."""
 
-import numpy as np
 import pytest
-import xarray as xr
-from repository import ROOT, copy_repository, run_snakemake
+from repository import ROOT
 
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.scan_defects import examine
@@ -46,45 +44,3 @@ def test_the_real_container_is_read_whole():
 def test_real_scans_have_no_defect():
     files = [(AFM, ""), *((CONTAINER, dataset) for dataset in list_scans(CONTAINER))]
     assert not any(examine(read_scan(*file)).defects for file in files)
-
-
-TABLE = f"""\
-surface\tlabel\tscan\tsource\tpath\tdataset
-uncd\tmy UNCD\t1\tmeasured\t{AFM}\t
-mcd\tMCD\t1\tsubstitute\tresources/spectra/mcd.csv\t
-mcd\tMCD\t2\tsubstitute\tresources/spectra/mcd.csv\t
-ruby\truby\t1\tsubstitute\tresources/spectra/ruby.csv\t
-"""
-#: The scan is 512 pixels of 19.5 nm, 1024 when mirrored; masters of more tiles need more pixels.
-#: Its relief needs ranges of 0.25 nm or more.
-OWN = {
-    "study": "own",
-    "surfaces": "own.tsv",
-    "adhesion": {"ranges": ["0.5 nm", "1 nm", "5.6 nm"]},
-    "scales": {"large": {"pixels": 4096}},
-    "scan": {"featured_surface": "none"},
-    "sets": {"small": {"pixels": 4096}, "large": {"pixels": 4096}},
-    "indent": {"surface": "uncd"},
-}
-
-
-@pytest.mark.study
-def test_a_study_with_an_own_scan(tmp_path):
-    folder = copy_repository(tmp_path / "study")
-    (folder / "own.tsv").write_text(TABLE)
-    run = run_snakemake(folder, "topography", "adhesion", overlays=[OWN])
-    assert run.returncode == 0, run.stdout[-3000:]
-    topography = xr.load_dataset(folder / "results/own/topography.nc")
-    adhesion = xr.load_dataset(folder / "results/own/adhesion.nc")
-    uncd = topography.sel(surface="uncd")
-    assert uncd.basis == "measured" and topography.basis.sel(surface="mcd") == "substitute"
-    assert float(uncd.rms_height.sel(scan=1)) == pytest.approx(14.3, abs=0.05)
-    assert np.isnan(uncd.rms_height.sel(scan=2))
-    assert float(uncd.scan_size) == pytest.approx(10_000.0)
-    force = adhesion.pull_off_force
-    scan_force = force.sel(surface="uncd", scan=1, sphere_scan=1)
-    rigid = scan_force.sel(contact_model="rigid")
-    plastic = scan_force.sel(contact_model="plastic")
-    assert (rigid > 0).all() and (plastic >= rigid).all()
-    assert force.sel(surface="uncd", scan=2).isnull().all()
-    assert force.sel(surface="mcd", sphere_scan=1).notnull().all()

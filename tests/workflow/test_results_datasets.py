@@ -3,11 +3,15 @@
 import numpy as np
 import pytest
 import xarray as xr
+from own_studies import rough
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
+from scan_files import scan
 from studies import TINY_PATTERNS
 
 from hardcontact.base import dataset
+from hardcontact.base.random import generator
+from hardcontact.surfaces.height_map import HeightMap, level
 
 
 @pytest.fixture(scope="module")
@@ -66,3 +70,42 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     )
     assert {f"{TINY_PATTERNS.store}/{path}" for path, _ in repeated_values} >= set(scans)
     assert all(reference_values[key] == values for key, values in repeated_values.items())
+
+
+# An own scan among substitutes
+
+TABLE = """\
+surface\tlabel\tscan\tsource\tpath\tdataset
+uncd\tmy UNCD\t1\tmeasured\tmine.nc\t
+mcd\tMCD\t1\tsubstitute\tresources/spectra/mcd.csv\t
+mcd\tMCD\t2\tsubstitute\tresources/spectra/mcd.csv\t
+ruby\truby\t1\tsubstitute\tresources/spectra/ruby.csv\t
+"""
+OWN = {
+    "study": "own", "surfaces": "own.tsv", "indent": {"surface": "uncd"},
+    "scan": {"featured_surface": "none"},
+}  # fmt: skip
+
+
+@pytest.mark.study
+def test_a_study_may_have_an_own_scan_among_substitutes(tmp_path):
+    folder = copy_repository(tmp_path / "study")
+    (folder / "own.tsv").write_text(TABLE)
+    heights = rough(generator(1), rms=3.0)
+    scan(folder / "mine.nc", heights.T, (2500.0, 2500.0))
+    run = run_snakemake(folder, "topography", "adhesion", overlays=[OWN])
+    assert run.returncode == 0, run.stdout[-3000:]
+    topography, adhesion = (
+        dataset.read(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")
+    )
+    uncd = topography.sel(surface="uncd")
+    assert uncd.basis == "measured" and topography.basis.sel(surface="mcd") == "substitute"
+    levelled_rms = level(HeightMap(heights, 2500 / 128)).heights.std()
+    np.testing.assert_allclose(uncd.rms_height, [levelled_rms, np.nan], rtol=1e-5)
+    assert uncd.scan_size == pytest.approx(2500)
+    force = adhesion.pull_off_force
+    scan_force = force.sel(surface="uncd", scan=1, sphere_scan=1)
+    rigid, plastic = (scan_force.sel(contact_model=model) for model in ("rigid", "plastic"))
+    assert (rigid > 0).all() and (plastic >= rigid).all()
+    assert force.sel(surface="uncd", scan=2).isnull().all()
+    assert force.sel(surface="mcd", sphere_scan=1).notnull().all()
