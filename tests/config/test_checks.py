@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from refusals import assert_says, refusal
-from repository import ROOT
+from repository import BANDS, ROOT
 from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
@@ -203,10 +203,7 @@ def test_a_substitute_of_the_paper_has_the_fixed_relief():
 
 def test_rms_height_counts_only_waves_within_the_domain(tmp_path):
     path = tmp_path / "a.csv"
-    path.write_text(
-        "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
-        "inf,0.1,self-affine,1e9,1000,1.0,,,measured,none\n"
-    )
+    path.write_text(f"{BANDS}inf,0.1,self-affine,1e9,1000,1.0,,,measured,none\n")
     # (1/2 pi) of C_0 q_r^2 over the plateau, up to the domain, and over the slope, q^-4.
     roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
     variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)

@@ -2,7 +2,7 @@
 
 import pytest
 from refusals import assert_says, refusal
-from repository import ROOT
+from repository import BANDS, ROOT
 
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
 from hardcontact.surfaces.spectrum import AFM_ROWS, TAIL_ROWS
@@ -10,9 +10,6 @@ from hardcontact.surfaces.spectrum import AFM_ROWS, TAIL_ROWS
 SURFACES = ["coating", "bare"]
 SPECTRA = ROOT / "resources/spectra"
 TABLE_1 = {*AFM_ROWS, *TAIL_ROWS}
-BANDS = (
-    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
-)
 
 # Forces
 

@@ -8,7 +8,7 @@ from copy import deepcopy
 import numpy as np
 import pytest
 import yaml
-from repository import PAPER, ROOT
+from repository import BANDS, PAPER, ROOT
 from scan_files import MAPS, nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
@@ -89,9 +89,9 @@ def texts(folder):
 POWER = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
     f"{10 ** (1 + k / 9):.4g},nm,{100 * 10 ** (k / 3):.4g},nm4\n" for k in range(19)
 )
-BANDS = (
-    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
-    "inf,10,self-affine,1e7,1000,0.8,,,published,none\n10,1,power law,,,0.8,,,assumed,none\n"
+DESCRIPTION = (
+    f"{BANDS}inf,10,self-affine,1e7,1000,0.8,,,published,none\n"
+    "10,1,power law,,,0.8,,,assumed,none\n"
 )
 OVERLAY = (
     "study: mine\nscan: {pixels: 100, size: 2 um}\nscales:\n  realizations: 3\n  small:\n"
@@ -121,7 +121,7 @@ KINDS = {
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
         lambda path: measured_forces(path, ["a", "b"]),
     ),
-    "description": (lambda _: {"a.csv": BANDS.encode()}, read_bands),
+    "description": (lambda _: {"a.csv": DESCRIPTION.encode()}, read_bands),
     "surfaces": (
         lambda _: {
             "a.tsv": b"surface\tlabel\tscan\tsource\tpath\tdataset\n"

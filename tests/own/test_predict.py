@@ -178,16 +178,6 @@ def test_unknown_quantities_have_a_status_and_no_number(table):
     assert "interval" not in numbers["pull_off_force"]
 
 
-def test_a_wide_contact_on_a_smooth_surface_loses_no_force(table):
-    """An almost smooth surface loses no force in any contact."""
-    options = ["--radius", "5um", "--hardness", "100MPa"]
-    numbers = numbers_of(table(*rows_of(rough(0.02, 1000, 0.8, 20))), *options)
-    assert numbers["force_ratio"]["value"] == pytest.approx(1, abs=0.01)
-    wider = table(*rows_of(rough(4, 1000, 0.8, 20)))
-    numbers = numbers_of(wider, *options, "--preload", "15uN")
-    assert numbers["apex_height"]["value"] < 0 and numbers["long_edge"]["value"] is None
-
-
 def test_short_waves_missing_from_the_table_are_extrapolated(table):
     """The missing waves of an optical spectrum change the force, unless the table ends with 0."""
     rows = rows_of(rough(17, 4000, 0.8, 1500))

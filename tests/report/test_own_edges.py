@@ -68,42 +68,31 @@ def test_open_edges_are_bounds():
     )
 
 
-def measurements_for(data):
-    """The measurements to make next for the first surface with these edges."""
-    return surface_answers(datasets(edges=data), setting())[0].next
+def with_long_edge(status):
+    """Return edges whose long edge is open."""
+    data = open_edges()
+    data["edge_status"].loc[{"side": "large"}] = status
+    return data
+
+
+SHORT_ADVICE = ("short_edge", "finer", 37.0)
 
 
 @pytest.mark.parametrize(
     ("data", "advice"),
     [
         (move_edge(120.0, 90.0, 150.0), []),
-        (move_edge(37.0, 20.0, 90.0), [("short_edge", "finer", 37.0)]),
+        (move_edge(37.0, 20.0, 90.0), [SHORT_ADVICE]),
         (move_edge(70.0, 40.0, 90.0), [("short_edge", "finer", 55.0)]),
         (unresolved_edges(), [("short_edge", "finer", 55.0), ("long_edge", "larger", 25_000.0)]),
+        (with_long_edge("open_above"), [SHORT_ADVICE, ("long_edge", "larger", 25_000.0)]),
+        (with_long_edge("open_below"), [SHORT_ADVICE, ("long_edge", "finer", 55.0)]),
     ],
 )
 def test_open_and_extrapolated_edges_recommend_a_measurement(data, advice):
     # The scans are reliable from 55 nm to 25 µm.
-    measurements = measurements_for(data)
-    assert [
-        (measurement.edge, measurement.code, measurement.limit.value)
-        for measurement in measurements
-    ] == advice
-
-
-@pytest.mark.parametrize(
-    ("status", "advice"), [("open_above", ("larger", 25_000.0)), ("open_below", ("finer", 55.0))]
-)
-def test_an_open_edge_recommends_finer_or_larger_scans(status, advice):
-    data = open_edges()
-    data["edge_status"].loc[{"side": "large"}] = status
-    measurements = measurements_for(data)
-    long = [
-        (measurement.code, measurement.limit.value)
-        for measurement in measurements
-        if measurement.edge == "long_edge"
-    ]
-    assert long == [advice]
+    measurements = surface_answers(datasets(edges=data), setting())[0].next
+    assert [(scan.edge, scan.code, scan.limit.value) for scan in measurements] == advice
 
 
 def test_an_edge_whose_interval_is_artificial_names_its_cutoffs():

@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from paper_numbers import SUBSTRATES, SURFACES
 from random_scans import PIXEL, UNCD, uncd
-from repository import ROOT
+from repository import BANDS, ROOT
 
 from hardcontact.base import published
 from hardcontact.base.random import generator
@@ -84,9 +84,6 @@ def test_a_tail_beyond_a_power_law_is_refused(longer_waves, rms_values, message)
         substitute_spectra.calibrate_tail(longer_waves, *rms_values)
 
 
-HEADER = (
-    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
-)
 WEIGHTS = transfer_weights(512, PIXEL, 128)
 NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 
@@ -97,7 +94,7 @@ def write_description(tmp_path):
 
     def write(*bands):
         path = tmp_path / "surface.csv"
-        path.write_text(HEADER + "".join(f"{band},assumed,none\n" for band in bands))
+        path.write_text(BANDS + "".join(f"{band},assumed,none\n" for band in bands))
         return path
 
     return write
