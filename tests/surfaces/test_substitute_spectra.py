@@ -8,6 +8,7 @@ import pytest
 from paper_numbers import SUBSTRATES, SURFACES
 from random_scans import PIXEL, UNCD, uncd
 from repository import ROOT
+from scipy import stats
 
 from hardcontact.base import published
 from hardcontact.base.random import generator
@@ -195,6 +196,33 @@ def test_a_band_that_cannot_be_made_is_named(write_description, band, message_pa
     path = write_description(band)
     with pytest.raises(ValueError, match=f"surface.csv: segment from inf nm: .*{message_part}"):
         substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
+
+
+def test_permitted_spectra_scatter_like_the_means_of_table_1(write_description):
+    table1 = published.table1(ROOT / "resources/paper/table1.csv")
+    table1 = substitute_spectra.rows_of_surface(table1, "uncd")
+    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    rows = list(spectrum.AFM_ROWS)
+    mean_errors = table1.uncertainty[rows] / np.sqrt(5)
+    weights = substitute_spectra.paper_weights(constants)
+    path = write_description("inf,6.5,self-affine,,,,,")
+    deviations = []
+    for k in range(8):
+        density = substitute_spectra.sample_permitted_spectrum(
+            generator(3, k), path, table1, constants
+        )
+        rms_values = expected_scan_rms(density, weights)
+        deviations.append((rms_values - table1.value[rows]) / mean_errors)
+    low, high = stats.chi2.ppf([0.001, 0.999], np.size(deviations))
+    assert low < np.square(deviations).sum() < high
+
+
+def test_a_description_without_blanks_permits_itself_alone(write_description):
+    path = write_description("inf,6.5,self-affine,5e7,1000,0.8,,")
+    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    drawn = substitute_spectra.sample_permitted_spectrum(generator(3), path, NO_TABLE1, constants)
+    described, *_ = substitute_spectra.spectrum_from_description(path, NO_TABLE1, WEIGHTS)
+    np.testing.assert_array_equal(drawn.density, described)
 
 
 RMS_METRICS = ("rms_height", "rms_gradient", "rms_half_laplacian")
