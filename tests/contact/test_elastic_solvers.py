@@ -97,7 +97,7 @@ def test_displacements_are_those_of_the_kernel_of_a_pixel():
 
 def test_lifting_the_gap_changes_no_pressure():
     gap = sphere_gap(64, 12.0)
-    near, far = (pressure_at_load(gap + lift, 12.0, MODULUS, LOAD) for lift in (0.0, 300.0))
+    near, far = (pressure_at_load(gap + lift, 12.0, MODULUS, LOAD / 10) for lift in (0.0, 300.0))
     np.testing.assert_allclose(near, far, rtol=1e-6, atol=1e-6 * near.max())
 
 
