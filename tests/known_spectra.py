@@ -1,7 +1,8 @@
-"""Spectra whose rms values are known, on the grid of the study."""
+"""Spectra whose rms values are known, on the grid of the study, and contacts of a known area."""
 
 import numpy as np
 
+from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine
 
 BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm, in rad/nm
@@ -27,3 +28,8 @@ def rounded(rms=4.0, length=100.0):
     return Spectrum(
         WAVEVECTORS, 2 * np.pi * (rms * length) ** 2 * np.exp(-((WAVEVECTORS * length) ** 2) / 2)
     )
+
+
+def contact_of_area(radius, rho, work, area):
+    """Return a contact whose preload an area in nm² carries, at a hardness of 1 N/nm²."""
+    return Contact(radius=radius, range=rho, work=work, preload=area, hardness=1e18)

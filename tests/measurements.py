@@ -1,14 +1,34 @@
-"""Measurements as a reader hands them over: maps and line scans of known surfaces."""
+"""Maps and line scans of known surfaces, most with the published spectrum of UNCD."""
 
 from functools import cache, partial
 
 import numpy as np
-from random_scans import gentle, uncd
 
 from hardcontact.base.random import generator
-from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import smooth_rolloff
+from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
+from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.synthesis import random_surface
+
+PIXEL = 2500 / 512  # nm, of the paper's scans
+
+
+def uncd(q):
+    """C_iso in nm4 at wavevectors in rad/nm."""
+    return smooth_rolloff(q, 6.1e7, 930.0, 0.84)
+
+
+def gentle(q):
+    """C_iso in nm4 of a surface whose slopes are small."""
+    return 0.05 * uncd(q)
+
+
+UNCD = Spectrum(WAVEVECTORS, uncd(WAVEVECTORS))
+
+
+def levelled_scan(rng, pixels, pixel_size=PIXEL):
+    """A scan of UNCD's spectrum, cut out of a surface of twice its size."""
+    return level(cut_scan(random_surface(rng, 2 * pixels, pixel_size, uncd), pixels))
 
 
 def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):

@@ -1,9 +1,12 @@
-"""Numbers that the paper prints about its surfaces, in their order, also as models take them."""
+"""Statements and numbers of the paper, those of its surfaces in their order."""
 
 import numpy as np
+from repository import ROOT
 
+from hardcontact.base import published
 from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.paper.classical_models import ElasticSphere, Roughness
+from hardcontact.paper.evaluation import read_statements
 from hardcontact.surfaces.features import ScanStatistics
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
@@ -34,3 +37,7 @@ AFM, UNCERTAINTY = (
 POLISHED = ScanStatistics(
     np.array([3.2, 0.04, 2e-3]), np.array([1.6, 0.01, 1.3e-3]), scans=5, all_rms_height=4.2
 )
+TABLES = ROOT / "resources/paper"
+STATEMENTS = read_statements(TABLES / "claims.csv")
+CONSTANTS = published.constants(TABLES / "parameters.csv")
+PARAMETERS = CONSTANTS["value"]

@@ -5,7 +5,6 @@ from functools import cache
 
 import numpy as np
 import yaml
-from paper_claims import CONSTANTS, STATEMENTS
 from paper_datasets import (
     band,
     features,
@@ -16,6 +15,7 @@ from paper_datasets import (
     sets,
     topography,
 )
+from paper_numbers import CONSTANTS, STATEMENTS
 from repository import PAPER, ROOT
 
 from hardcontact.paper.evaluation import COLUMNS

@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from random_scans import uncd
+from measurements import uncd
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact

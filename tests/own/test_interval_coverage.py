@@ -4,7 +4,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from known_contacts import contact_of_area
+from known_spectra import contact_of_area
 from measurements import line_of, map_of, measurement
 from scipy import stats
 

@@ -6,10 +6,8 @@ import json
 import numpy as np
 import pytest
 import scan_files
-from known_contacts import contact_of_area
-from known_spectra import rough
-from measurements import line_of, map_of, measurement, self_affine_heights
-from random_scans import PIXEL
+from known_spectra import contact_of_area, rough
+from measurements import PIXEL, line_of, map_of, measurement, self_affine_heights
 from refusals import assert_says, refusal
 
 import hardcontact as hc

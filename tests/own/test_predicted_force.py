@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 import xarray as xr
 from direct_sum import direct_total
-from known_contacts import contact_of_area
 from known_forces import FORCE_DIMS
 from known_masters import LARGE, SMALL, scales
-from known_spectra import rough
+from known_spectra import contact_of_area, rough
 from refusals import assert_says, refusal
 
 from hardcontact.base.random import generator

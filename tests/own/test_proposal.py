@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
-from random_scans import uncd
+from measurements import uncd
 from refusals import assert_says, refusal
 from repository import PAPER
 

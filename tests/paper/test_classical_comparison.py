@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from paper_claims import TABLES
-from paper_numbers import MEAN_FORCE, RADIUS, SUBSTRATES
+from paper_numbers import MEAN_FORCE, RADIUS, SUBSTRATES, TABLES
 
 from hardcontact.base import published
 from hardcontact.base.statistics import Sampling, bounds

@@ -4,8 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from paper_claims import CONSTANTS, STATEMENTS
-from paper_numbers import MEAN_FORCE, SUBSTRATES
+from paper_numbers import CONSTANTS, MEAN_FORCE, STATEMENTS, SUBSTRATES
 from set_sources import CONFIDENCE, SCANS, make_adhesion, make_masters, make_pool, make_sources
 
 from hardcontact.base.statistics import Sampling

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from paper_claims import PARAMETERS
+from paper_numbers import PARAMETERS
 from scipy import constants, stats
 from scipy.integrate import quad
 

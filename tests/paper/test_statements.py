@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from paper_claims import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
+from paper_numbers import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
 
 from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES
 from hardcontact.paper.verdicts import accepted_range

@@ -5,8 +5,8 @@ from functools import partial
 import numpy as np
 import pandas as pd
 import pytest
+from measurements import PIXEL, UNCD, uncd
 from paper_numbers import SUBSTRATES
-from random_scans import PIXEL, UNCD, uncd
 from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 

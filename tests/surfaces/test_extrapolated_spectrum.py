@@ -2,10 +2,8 @@
 
 import numpy as np
 import pytest
-from known_contacts import contact_of_area
-from known_spectra import BINS
-from measurements import map_of, measurement
-from random_scans import uncd
+from known_spectra import BINS, contact_of_area
+from measurements import map_of, measurement, uncd
 from scipy import stats
 
 from hardcontact.base.random import generator

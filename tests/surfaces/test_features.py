@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pandas as pd
 import pytest
+from measurements import UNCD
 from paper_numbers import POLISHED
 from periodic_maps import height_map
-from random_scans import UNCD
 
 from hardcontact.surfaces.featured_scans import FeaturedSurface, nearest_group, sample_group
 from hardcontact.surfaces.features import (

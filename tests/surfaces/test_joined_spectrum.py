@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import line_of, map_of, measurement, two_sizes_and_a_line
-from random_scans import gentle
+from measurements import gentle, line_of, map_of, measurement, two_sizes_and_a_line
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.extrapolated_spectrum import HURST_SCATTER

@@ -4,8 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from measurements import line_of, map_of, measurement
-from random_scans import gentle, uncd
+from measurements import gentle, line_of, map_of, measurement, uncd
 from refusals import assert_says
 
 from hardcontact.base.random import generator

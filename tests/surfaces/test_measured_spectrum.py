@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import line_of, map_of, measurement, profile_of
-from random_scans import PIXEL, uncd
+from measurements import PIXEL, line_of, map_of, measurement, profile_of, uncd
 from scipy.ndimage import gaussian_filter1d
 
 from hardcontact.base.random import generator

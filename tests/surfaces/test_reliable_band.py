@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from measurements import line_of, map_of, measurement
-from random_scans import uncd
+from measurements import line_of, map_of, measurement, uncd
 from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
 from hardcontact.base.random import generator

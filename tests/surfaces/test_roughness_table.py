@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
-from measurements import measurement
-from random_scans import PIXEL, UNCD, levelled_scan
+from measurements import PIXEL, UNCD, levelled_scan, measurement
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import bounds

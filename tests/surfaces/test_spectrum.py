@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from random_scans import levelled_scan, uncd
+from measurements import levelled_scan, uncd
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum

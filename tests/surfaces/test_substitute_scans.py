@@ -5,7 +5,7 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 import xarray as xr
-from random_scans import PIXEL, uncd
+from measurements import PIXEL, uncd
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator

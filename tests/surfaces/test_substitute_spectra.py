@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 import pandas as pd
 import pytest
+from measurements import PIXEL, UNCD, uncd
 from paper_numbers import SUBSTRATES, SURFACES
-from random_scans import PIXEL, UNCD, uncd
 from repository import BANDS, ROOT
 from scipy import stats
 

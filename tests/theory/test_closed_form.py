@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from known_contacts import contact_of_area
-from known_spectra import rough, rounded
+from known_spectra import contact_of_area, rough, rounded
 from scipy import stats
 
 from hardcontact.base.random import generator

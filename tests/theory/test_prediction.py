@@ -5,8 +5,7 @@ import sys
 import numpy as np
 import pandas as pd
 import pytest
-from known_contacts import contact_of_area
-from known_spectra import rough
+from known_spectra import contact_of_area, rough
 from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
