@@ -7,7 +7,6 @@ their own by value is tried one by one, or below tests/config.
 
 import csv
 from functools import cache
-from pathlib import Path
 
 import pytest
 import yaml
@@ -92,7 +91,7 @@ def summary(folder):
     return {
         row["output_file"]: row["plan"]
         for row in rows
-        if row["output_file"].startswith(STORE) and Path(row["output_file"]).exists()
+        if row["output_file"].startswith(STORE) and (folder / row["output_file"]).exists()
     }
 
 
