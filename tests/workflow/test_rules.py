@@ -4,7 +4,7 @@ import re
 
 import pytest
 import yaml
-from repository import ROOT, snakemake
+from repository import ROOT, plan, snakemake
 
 pytestmark = pytest.mark.study
 
@@ -14,7 +14,7 @@ PROFILE = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
 @pytest.fixture(scope="module")
 def rules(repository):
     """Return the names of all rules of the paper's study and its targets."""
-    return {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
+    return {line.split()[0] for line in plan(repository, "--list-rules").splitlines()}
 
 
 def test_lint_finds_only_missing_environments(repository):
