@@ -195,8 +195,8 @@ def band_parts(surface: HeightMap, shortest: float, longest: float) -> dict[str,
 
     The band has the wavelengths (nm) from `shortest` to below `longest`.
     """
-    without_shorter = _waves_from(surface, shortest)
-    longer = _waves_from(surface, longest)
+    without_shorter = waves_from(surface, shortest)
+    longer = waves_from(surface, longest)
     heights = (without_shorter - longer, without_shorter, surface.heights - longer)
     return {
         name: replace(surface, heights=part_heights)
@@ -204,7 +204,7 @@ def band_parts(surface: HeightMap, shortest: float, longest: float) -> dict[str,
     }
 
 
-def _waves_from(surface: HeightMap, cutoff: float) -> NDArray[np.float32]:
+def waves_from(surface: HeightMap, cutoff: float) -> NDArray[np.float32]:
     """Return the heights without all wavelengths below a cutoff (nm)."""
     return next(filtered_series(surface, "small", [cutoff], surface.pixels)).heights
 
