@@ -83,6 +83,22 @@ def test_the_interval_has_its_confidence():
     assert result["hindcast_fails"].mean() == pytest.approx(0.05, abs=0.015)
 
 
+def test_a_scan_without_an_octave_has_no_hindcast():
+    stitched = mirror_stitch(SCAN)
+    forces = hindcast.hindcast_forces(stitched, {"small": None}, UNCD, None, forces_with(CONTACT))
+    result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="small")
+    assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 0
+
+
+def test_errors_add_in_squares():
+    interval = ("bound", np.exp([-0.3, 0.4]))
+    force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"bound": ["low", "high"]})
+    wide = hindcast.widen(force, "force", xr.DataArray(np.exp(-0.4)))
+    np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
+    same = hindcast.widen(force, "force", xr.DataArray(np.nan))
+    np.testing.assert_allclose(same["force_interval"], force["force_interval"])
+
+
 @pytest.mark.parametrize(
     ("side", "limits", "octave"),
     [

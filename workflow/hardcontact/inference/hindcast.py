@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack
-from hardcontact.base.statistics import with_interval
+from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE
@@ -50,7 +50,7 @@ def last_octave(side: str, transition: float, shortest: float, longest: float) -
 
 def hindcast_forces(
     stitched: HeightMap,
-    octaves: Mapping[str, Octave],
+    octaves: Mapping[str, Octave | None],
     density: SpectrumFunction,
     generator: Callable[[str, int], np.random.Generator],
     forces: ForcesOnSurface,
@@ -59,9 +59,15 @@ def hindcast_forces(
 
     ``kept_force`` has the octave of the scan as the last one, ``replaced_force`` (side,
     realization, ...) artificial ones with C_iso `density`; `generator` takes side and realization.
+    Both are NaN without an octave.
     """
     sides = {}
     for side, octave in octaves.items():
+        if octave is None:
+            sides[(side,)] = _side_forces(
+                forces(stitched) * np.full((1 + REALIZATIONS, 1, 1), np.nan)
+            )
+            continue
         kept, rest = _parts_at_octave(stitched, side, octave)
         replaced = [
             forces(
@@ -74,13 +80,18 @@ def hindcast_forces(
             for number in range(REALIZATIONS)
         ]
         kept_force = forces(replace(stitched, heights=kept))
-        sides[(side,)] = xr.Dataset(
-            {
-                "kept_force": (CONTACT_AXES, kept_force, FORCE),
-                "replaced_force": (("realization", *CONTACT_AXES), np.array(replaced), FORCE),
-            }
-        )
-    return stack(sides, ["side"]) if sides else xr.Dataset()
+        sides[(side,)] = _side_forces(np.array([kept_force, *replaced]))
+    return stack(sides, ["side"])
+
+
+def _side_forces(forces: NDArray[np.float64]) -> xr.Dataset:
+    """Return the forces of one side; the first are those with the octave of the scan."""
+    return xr.Dataset(
+        {
+            "kept_force": (CONTACT_AXES, forces[0], FORCE),
+            "replaced_force": (("realization", *CONTACT_AXES), forces[1:], FORCE),
+        }
+    )
 
 
 def _parts_at_octave(
@@ -135,3 +146,28 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
         variables | {"hindcast_fails": ("side", fails.values.astype(int), FAILS)},
         {"side": forces["side"]},
     )
+
+
+def all_hindcasts(
+    maps: Mapping[str, xr.Dataset], tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return the `hindcasts` (surface, side) of all measured surfaces."""
+    return stack(
+        {(surface,): hindcasts(forces, tolerance, confidence) for surface, forces in maps.items()},
+        ["surface"],
+    )
+
+
+def widen(force: xr.Dataset, name: str, hindcast_ratio: xr.DataArray) -> xr.Dataset:
+    """Return a positive variable whose interval also contains the error of the hindcast.
+
+    The logarithms of the interval's half width and of the ratio add in squares.
+    """
+    value = force[name]
+    log_error = abs(np.log(hindcast_ratio.fillna(1)))
+    low, high = bounds(force, name)
+    low = value * np.exp(-np.hypot(np.log(value / low), log_error))
+    high = value * np.exp(np.hypot(np.log(high / value), log_error))
+    interval = force[f"{name}_interval"]
+    ends = xr.concat([low, high], interval["bound"]).transpose(*interval.dims)
+    return force.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
