@@ -47,6 +47,12 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     return [*bands, (float(spectra["longest_measured"]), np.inf)]
 
 
+def fails_hindcast(data: Datasets, side: str) -> bool:
+    """Return whether artificial roughness changes the force where the scans show the true one."""
+    fails = data.force.get("hindcast_fails")
+    return fails is not None and fails.sel(side=side).item() == 1
+
+
 def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
     """Return whether wavelengths from low to high (nm) overlap any band; False if either is NaN."""
     return any(shortest < high and low < longest for shortest, longest in bands)

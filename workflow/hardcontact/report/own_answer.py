@@ -94,7 +94,7 @@ def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> 
     if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
-        numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data.spectra)
+        numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
     by_name = {number.name: number for number in numbers}
     surface_cautions = cautions(data, by_name)
     edges = [by_name[name] for name in EDGES.values()]
