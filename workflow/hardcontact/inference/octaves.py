@@ -12,6 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack
+from hardcontact.base.number import Number
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
@@ -33,13 +34,15 @@ Floats = NDArray[np.float64]
 #: Forces on one surface, of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
 
-#: Limits of all octaves in nm: from below the pixels of the paper to above its surfaces.
-OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(12))
+#: Limits of all octaves in nm: from below the wavelengths of spectra, 0.1 nm, to above 1 mm.
+OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. A trade: smaller steps let single contact pixels decide, larger
 #: ones leave the central difference in error by their square.
 STEP = 0.05
 #: Factors on the amplitude of an octave.
 FACTORS = (1 - STEP, 1 + STEP)
+#: Octaves that an answer names.
+OCTAVES_NAMED = 3
 #: Parts of the roughness whose forces are compared with the force on all of it.
 BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
@@ -67,8 +70,8 @@ def forces_with(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSu
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:
-    """Return the limits (nm) of the octaves that lie between two wavelengths (nm)."""
-    return OCTAVE_LIMITS[(OCTAVE_LIMITS >= shortest) & (OCTAVE_LIMITS <= longest)]
+    """Return the limits (nm) of the octaves above one wavelength (nm) and up to another."""
+    return OCTAVE_LIMITS[(OCTAVE_LIMITS > shortest) & (OCTAVE_LIMITS <= longest)]
 
 
 def octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
@@ -107,6 +110,28 @@ def octaves_of_surface(
             "factor": ("factor", list(FACTORS), FACTOR),
         },
     )
+
+
+def middles_within(octaves: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
+    """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
+    middle = np.sqrt(2) * octaves
+    return np.asarray((shortest < middle) & (middle < longest))
+
+
+def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
+    """Yield the octaves whose amplitudes change the force most, and by how much.
+
+    ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` its
+    ``octave_sensitivity`` (octave). Octaves with NaN do not count.
+    """
+    known = sensitivity.dropna("octave", subset=["octave_sensitivity"])
+    strongest = np.argsort(-np.abs(known["octave_sensitivity"].values))[:OCTAVES_NAMED]
+    for rank, index in enumerate(strongest, start=1):
+        octave = known.isel(octave=index)
+        low, high = octave.get("octave_sensitivity_interval", (np.nan, np.nan))
+        value = float(octave["octave_sensitivity"])
+        yield Number(f"octave_{rank}", float(octave["octave"]), "nm")
+        yield Number(f"octave_{rank}_sensitivity", value, "1", float(low), float(high))
 
 
 def log_force_ratio(

@@ -7,10 +7,12 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.artificial import (
     MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,
+    shown_octaves,
     split_measurements,
 )
 from hardcontact.report.cautions import Caution, cautions
@@ -89,7 +91,11 @@ def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]
 
 def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> SurfaceAnswer:
     """Return the answer of one surface from its datasets."""
-    numbers = [*edge_numbers(data), *force_numbers(data)]
+    numbers = [
+        *strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))),
+        *edge_numbers(data),
+        *force_numbers(data),
+    ]
     # A user who gave both range and work of adhesion, or own forces, has a pair.
     if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
         numbers += pair_numbers(data.force, setting.pairs)
