@@ -16,7 +16,8 @@ from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.pull_off import FORCE
-from hardcontact.inference.octaves import ForcesOnSurface, waves_from
+from hardcontact.inference.octaves import ForcesOnSurface
+from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
 from hardcontact.surfaces.synthesis import random_surface
@@ -98,7 +99,8 @@ def _parts_at_octave(
     stitched: HeightMap, side: str, octave: Octave
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the heights up to an octave as the last one of a side, and those without it."""
-    from_octave, beyond_octave = (waves_from(stitched, end) for end in octave)
+    filtered = filtered_series(stitched, "small", list(octave), stitched.pixels)
+    from_octave, beyond_octave = (waves.heights.copy() for waves in filtered)
     kept = from_octave if side == "small" else stitched.heights - beyond_octave
     return kept, kept - (from_octave - beyond_octave)
 

@@ -4,7 +4,7 @@ The waves of one octave are amplified and attenuated on the same surface. Both f
 other waves, so that their ratio scatters little. F is the mean force over contacts.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -75,23 +75,30 @@ def octave_limits(shortest: float, longest: float) -> Floats:
 
 
 def octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
-    """Yield the waves of a periodic surface from each limit (nm, ascending) to the next."""
+    """Yield the waves of a periodic surface from each limit (nm, ascending) to the next.
+
+    The next octave overwrites the heights.
+    """
     longer_waves = filtered_series(surface, "small", list(limits), surface.pixels)
-    heights = next(longer_waves).heights.copy()
+    waves = next(longer_waves).heights.copy()
+    heights = np.empty_like(waves)
     for longer in longer_waves:
-        yield replace(surface, heights=heights - longer.heights)
-        heights = longer.heights.copy()
+        np.subtract(waves, longer.heights, out=heights)
+        yield replace(surface, heights=heights)
+        waves[...] = longer.heights
 
 
 def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
 ) -> Floats:
     """Return the forces (octave, factor, ...) with each octave times each of FACTORS."""
+    amplified = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
         """Return the forces with one octave times a factor."""
-        heights = surface.heights + (factor - 1) * octave.heights
-        return forces(replace(surface, heights=heights))
+        np.multiply(octave.heights, factor - 1, out=amplified.heights)
+        np.add(amplified.heights, surface.heights, out=amplified.heights)
+        return forces(amplified)
 
     return np.array(
         [[force(octave, factor) for factor in FACTORS] for octave in octaves(surface, limits)]
@@ -215,23 +222,22 @@ def sensitivities(
 # The band alone
 
 
-def band_parts(surface: HeightMap, shortest: float, longest: float) -> dict[str, HeightMap]:
-    """Return BAND_PARTS of a periodic surface, by name.
+def band_parts(
+    surface: HeightMap, bands: Iterable[tuple[float, float]]
+) -> Iterator[dict[str, HeightMap]]:
+    """Yield BAND_PARTS of a periodic surface, by name, for each band.
 
-    The band has the wavelengths (nm) from `shortest` to below `longest`.
+    A band has the wavelengths (nm) from its first to below its second.
     """
-    without_shorter = waves_from(surface, shortest)
-    longer = waves_from(surface, longest)
-    heights = (without_shorter - longer, without_shorter, surface.heights - longer)
-    return {
-        name: replace(surface, heights=part_heights)
-        for name, part_heights in zip(BAND_PARTS, heights, strict=True)
-    }
-
-
-def waves_from(surface: HeightMap, cutoff: float) -> NDArray[np.float32]:
-    """Return the heights without all wavelengths below a cutoff (nm)."""
-    return next(filtered_series(surface, "small", [cutoff], surface.pixels)).heights
+    cutoffs = [cutoff for ends in bands for cutoff in ends]
+    filtered = filtered_series(surface, "small", cutoffs, surface.pixels)
+    waves = (part.heights.copy() for part in filtered)
+    for without_shorter, longer in zip(waves, waves, strict=True):
+        heights = (without_shorter - longer, without_shorter, surface.heights - longer)
+        yield {
+            name: replace(surface, heights=part_heights)
+            for name, part_heights in zip(BAND_PARTS, heights, strict=True)
+        }
 
 
 def bands_of_surface(
@@ -244,7 +250,7 @@ def bands_of_surface(
     side) are the wavelengths.
     """
     part_forces = [
-        [forces(part) for part in band_parts(surface, *ends).values()] for ends in bands.values()
+        [forces(part) for part in parts.values()] for parts in band_parts(surface, bands.values())
     ]
     return xr.Dataset(
         {
