@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1323,
     "theory": 647,
     "paper": 1496,
-    "config": 1916,
+    "config": 1914,
     "own": 1542,
     "report": 2798,
     "api": 199,

@@ -1,8 +1,8 @@
 """The keys of a study, one field a key: type, unit, limits, default and documentation.
 
 The defaults are the paper's. The string below a key gives its meaning; `key` names the section of
-the paper that the default comes from. config/config.yaml and the tables of config/README.md are
-made from this module: ``python -m hardcontact.config.key_tables``.
+the paper that the default comes from. config/config.yaml is made from this module:
+``python -m hardcontact.config.key_tables``.
 """
 
 from typing import Annotated, Any, Literal
