@@ -43,7 +43,7 @@ class Contact:
         return self.preload / self.hardness * 1e18
 
     def pixel_count(self, pixel_size: float) -> int:
-        """Return the number of contact pixels (size in nm): the smallest one >= preload/(hardness A_pix).
+        """Return the least number of contact pixels (size in nm) that carry the preload.
 
         It is 1 in rigid contact. Source: the paper, plastic analysis.
         """

@@ -241,8 +241,9 @@ def add_extrapolated_force(
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     """Return predicted forces whose means and intervals never exceed that on a smooth sphere.
 
-    The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm². ``smooth_bound``
-    (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no such bound.
+    The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm².
+    ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no
+    such bound.
     """
     # A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
     # long waves bend the surface, this is 2 pi R W/sqrt(D), D = det(1 - R Hess h) at the point of
