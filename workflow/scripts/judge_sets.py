@@ -1,4 +1,4 @@
-"""The numbers of many equally good sets of substitute scans, all sets in one dataset."""
+"""The numbers of many sets of substitute scans, all sets in one dataset."""
 
 import pandas as pd
 
