@@ -24,28 +24,6 @@ rule compute_pool:
         "../scripts/compute_pool.py"
 
 
-rule average_smooth_sphere:
-    """Compute the mean forces of all scans of a surface on a smooth sphere."""
-    input:
-        scans=lambda w: [FILES.stitched(w.surface, scan) for scan in SELECTION.scans(w.surface)],
-        code=code_inputs("average_smooth_sphere.py"),
-    output:
-        PATTERNS.smooth_sphere,
-    log:
-        PATTERNS.log("average_smooth_sphere", PATTERNS.smooth_sphere),
-    benchmark:
-        PATTERNS.benchmark("average_smooth_sphere", PATTERNS.smooth_sphere)
-    params:
-        canonical=lambda w: parameters(
-            surface=w.surface,
-            scans=SELECTION.scans(w.surface),
-            contact=STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]},
-            ranges=RANGES,
-        ),
-    script:
-        "../scripts/average_smooth_sphere.py"
-
-
 rule compute_draws:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
@@ -72,7 +50,6 @@ rule judge_sets:
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
         draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
-        smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
         masters=FILES.paths(PATTERNS.filtered, FILES.masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],

@@ -19,7 +19,7 @@ with job(snakemake) as job:
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
         read_all(params["chunks"], job.input.pools),
         read_all(params["draw_chunks"], job.input.draws),
-        dict(zip(params["pooled"], map(read, job.input.smooth_spheres), strict=True)),
+        params["pooled"],
         stacked_forces(single_masters(masters, params["realizations"], params["load"])),
     )
     set_numbers = judge_sets(

@@ -59,7 +59,6 @@ class Patterns:
         # The band found here is the study's own.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.draws = f"{folder['draws']}/{settings}/{{features}}/draws-{{first}}-{{last}}.nc"
-        self.smooth_sphere = f"{folder['smooth_sphere']}/{settings}.nc"
         self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")

@@ -33,7 +33,6 @@ STORE_KEYS = {
     "pull_off": (*_CONTACTS, "adhesion.ranges"),
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
-    "smooth_sphere": (*_CONTACTS, "adhesion.ranges"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.large.tiles"),
     "octaves": _CONTACTS,
     "pool": (*_DRAWS, "sets.rms_heights"),

@@ -18,6 +18,7 @@ from hardcontact.config.model import NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
     QUANTITY_OPTIONS,
     add_shared_options,
@@ -109,6 +110,7 @@ def predict(arguments: Namespace) -> str:
     }
     tolerance = Study().scales.tolerance
     numbers |= prediction(user_spectrum.spectrum, contact, tolerance, arguments.file)
+    numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
     if "modulus" in quantities:

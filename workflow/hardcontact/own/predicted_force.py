@@ -15,6 +15,7 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
+from hardcontact.inference.hindcast import widen
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
@@ -42,6 +43,7 @@ def own_force(
     scales: xr.Dataset,
     topography: xr.Dataset,
     spectra: xr.Dataset,
+    sensitivity: xr.Dataset,
     *,
     contact: Contact,
     masters: Masters,
@@ -63,6 +65,10 @@ def own_force(
     )
     extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
+    if "hindcast_ratio" in sensitivity:
+        hindcast = sensitivity[["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails"]]
+        force = force.merge(hindcast, join="left")
+        force = widen(force, "extrapolated_force", force["hindcast_ratio"])
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
         name: spectrum_of_dataset(spectra.sel(surface=name))
