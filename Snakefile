@@ -44,6 +44,9 @@ include: "workflow/rules/targets.smk"
 include: "workflow/rules/records.smk"
 
 
+start.keep_logs(workflow, PATTERNS)
+
+
 onstart:
     start.check_folders(PATTERNS.results, PATTERNS.store)
 

@@ -33,6 +33,8 @@ else:
 include: "rules/targets.smk"
 
 
+start.keep_logs(workflow, PATTERNS)
+
 #: What is drawn from the final datasets alone.
 DRAWN = [target for target in available_targets(STUDY) if target in ("figures", "pages", "answer")]
 

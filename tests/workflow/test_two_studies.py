@@ -50,7 +50,7 @@ FILTERED = {
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {
-    "conditioning", "substitutes", "stitched", "measurements", "measured_spectra",
+    "conditioning", "stitched", "measurements", "measured_spectra",
     "sampled_spectra", "octaves",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}

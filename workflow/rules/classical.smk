@@ -11,10 +11,6 @@ rule apply_classical_models:
         code=code_inputs("apply_classical_models.py"),
     output:
         PATTERNS.dataset("classical"),
-    log:
-        PATTERNS.log("apply_classical_models"),
-    benchmark:
-        PATTERNS.benchmark("apply_classical_models")
     params:
         canonical=canonical(SAMPLING),
     script:

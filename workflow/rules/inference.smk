@@ -8,12 +8,8 @@ rule find_edges:
         code=code_inputs("find_edges.py"),
     output:
         PATTERNS.dataset("edges"),
-    log:
-        PATTERNS.log("find_edges"),
-    benchmark:
-        PATTERNS.benchmark("find_edges")
     params:
-        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], **SAMPLING),
+        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges.py"
 
@@ -25,10 +21,6 @@ rule fit_exponents:
         code=code_inputs("fit_exponents.py"),
     output:
         PATTERNS.dataset("scaling"),
-    log:
-        PATTERNS.log("fit_exponents"),
-    benchmark:
-        PATTERNS.benchmark("fit_exponents")
     params:
         canonical=canonical(
             {
@@ -53,11 +45,7 @@ rule fit_published:
         code=code_inputs("fit_published.py"),
     output:
         PATTERNS.dataset("fit"),
-    log:
-        PATTERNS.log("fit_published"),
-    benchmark:
-        PATTERNS.benchmark("fit_published")
     params:
-        canonical=parameters(reference_surface=STUDY["reference_surface"], **SAMPLING),
+        canonical=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
         "../scripts/fit_published.py"

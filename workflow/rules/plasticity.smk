@@ -11,10 +11,6 @@ rule measure_indents:
         code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),
-    log:
-        PATTERNS.log("measure_indents"),
-    benchmark:
-        PATTERNS.benchmark("measure_indents")
     params:
         canonical=parameters(
             **named(INDENTED),
@@ -35,16 +31,12 @@ rule compare_enhancement:
         code=code_inputs("compare_enhancement.py"),
     output:
         PATTERNS.dataset("enhancement"),
-    log:
-        PATTERNS.log("compare_enhancement"),
-    benchmark:
-        PATTERNS.benchmark("compare_enhancement")
     params:
         canonical=parameters(
             masters=[row.surface for row in FILES.masters("enhancement")],
             realizations=STUDY["scaling"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
-            **SAMPLING,
+            sampling=SAMPLING,
             **NAMED_SURFACES,
         ),
     script:

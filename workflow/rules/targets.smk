@@ -1,6 +1,6 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
-from hardcontact.config.configuration import PAGES, available_targets, omitted_targets
+from hardcontact.config.configuration import available_targets
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
 #: The datasets of each target that makes some.
@@ -49,13 +49,3 @@ for figure in PAPER_FIGURES if COMPARED else []:
             figure
         input:
             FIGURE_FILES[figure],
-
-
-for target, reason in omitted_targets(STUDY).items():
-
-    rule:
-        """Say why a target of the paper's study is left out."""
-        name:
-            target
-        message:
-            f"{target} is left out: {reason}"

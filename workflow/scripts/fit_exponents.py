@@ -2,16 +2,13 @@
 
 import xarray as xr
 
-from hardcontact.base.dataset import read
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import Described, single_masters, stacked_forces, with_names
+from hardcontact.contact.all_surfaces import read_masters, with_names
 from hardcontact.inference.scaling import force_exponent, short_edge_exponents
 
 with job(snakemake) as job:
     params = job.parameters
-    keys = [[surface] for surface in params["masters"]]
-    masters = zip(keys, map(read, job.input.masters), strict=True)
-    forces = stacked_forces(single_masters(masters, params["realizations"]))
+    forces = read_masters(params["masters"], job.input.masters, params["realizations"])
     forces = forces.squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
     exponents = xr.merge(
         [
@@ -20,8 +17,8 @@ with job(snakemake) as job:
         ]
     )
     job.write(
-        with_names(
-            exponents, Described(labels=params["labels"], basis=params["basis"])
-        ).assign_attrs({name: params[name] for name in ("area", "tolerance", "confidence")}),
+        with_names(exponents, params).assign_attrs(
+            {name: params[name] for name in ("area", "tolerance", "confidence")}
+        ),
         title="exponents of the pull-off force and of the short edge of the critical band",
     )

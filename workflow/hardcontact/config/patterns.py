@@ -39,7 +39,6 @@ class Patterns:
         self.calibrated_spectrum = f"{store}/spectra/{{surface}}/calibrated.nc"
         self.measured_spectrum = f"{folder['measured_spectra']}/{{surface}}/measured-{{shape}}.nc"
         self.conditioning = f"{folder['conditioning']}/{_SCAN}"  # scan: the first of its group
-        self.substitute = f"{folder['substitutes']}/{_SCAN}"
         self.measurement = f"{folder['measurements']}/{{surface}}/scan-{{scan}}.nc"
         self.levelled = f"{folder['scans']}/{_SCAN}"
         self.stitched = f"{folder['stitched']}/{_SCAN}"
@@ -87,20 +86,13 @@ class Patterns:
         """Return the path of a page of the report."""
         return f"{self.results}/report/{name}.html"
 
-    def log(self, rule: str, output: str = "") -> str:
-        """Return the path of the log of a rule, given its output if that has wildcards."""
-        return self._run_path("logs", rule, output, ".log")
-
-    def benchmark(self, rule: str, output: str = "") -> str:
-        """Return the path of the benchmark of a rule, given its output if that has wildcards."""
-        return self._run_path("benchmarks", rule, output, ".tsv")
-
-    def _run_path(self, kind: str, rule: str, output: str, suffix: str) -> str:
-        """Return a path that has the wildcards of an output below the folder of its rule."""
+    def run_record(self, kind: str, suffix: str, rule: str, output: str) -> str:
+        """Return the path of a record of the runs of a rule, with the wildcards of its output."""
         if "{" not in output:
             return f"{self.results}/{kind}/{rule}{suffix}"
-        _, *folders = PurePosixPath(output).relative_to(self.store).with_suffix(suffix).parts
-        return "/".join((self.store, kind, rule, *folders))
+        root = self.store if output.startswith(f"{self.store}/") else self.results
+        _, *folders = PurePosixPath(output).relative_to(root).with_suffix(suffix).parts
+        return "/".join((root, kind, rule, *folders))
 
 
 def study_patterns(configuration: Mapping[str, Any]) -> Patterns:

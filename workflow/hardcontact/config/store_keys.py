@@ -26,8 +26,7 @@ STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,
     "sampled_spectra": (*_MEASURED, "seed"),
-    "conditioning": SCAN_KEYS,  # which is made with the scans, as are the substitutes
-    "substitutes": SCAN_KEYS,
+    "conditioning": SCAN_KEYS,  # which is made with the scans
     "scans": SCAN_KEYS,
     "stitched": SCAN_KEYS,
     "pull_off": (*_CONTACTS, "adhesion.ranges"),

@@ -4,7 +4,6 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-import xarray as xr
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import HeightMap
@@ -72,24 +71,3 @@ def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) ->
     y, x = position - apex[0], position - apex[1]
     heights = roughness.heights - (y[:, None] ** 2 + x**2) / (2 * radius)
     return replace(roughness, heights=heights)
-
-
-def scan_file(scan: HeightMap) -> xr.Dataset:
-    """Return a substitute scan in the format that SurfaceTopography reads from a file.
-
-    `heights` (x, y) in nm are float64, for netCDF's classic format.
-    """
-    position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size
-    axis = {"length": scan.size, "unit": "nm", "units": "nm", "periodic": np.int32(scan.periodic)}
-    return xr.Dataset(
-        {"heights": (("x", "y"), scan.heights.T, {"unit": "nm", "units": "nm"})},
-        {"x": ("x", position, axis), "y": ("y", position, axis)},
-        {"basis": "substitute: synthesised, not measured"},
-    )
-
-
-def synthesized_map(synthesized: xr.Dataset, path: str) -> HeightMap:
-    """Return the scan of `scan_file` as if read from its file."""
-    heights = synthesized["heights"].values.T
-    pixel_size = float(synthesized["x"].attrs["length"] / len(heights))
-    return HeightMap(heights, pixel_size, basis="substitute", path=path, channel="Default")
