@@ -19,9 +19,8 @@ from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.published_fit import PublishedFit
+from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
     describe_features,
@@ -29,7 +28,8 @@ from hardcontact.surfaces.featured_scans import (
     sample_group,
 )
 from hardcontact.surfaces.features import KINDS, SIGNS
-from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
+from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level
+from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.substitute_scans import ScanGrid
 
 #: Largest factor between computed and published force of a draw that agrees. It holds for the mean
@@ -67,7 +67,7 @@ def read_draw_sources(inputs: Any, parameters: Mapping[str, Any]) -> DrawSources
 
 
 def compute_draws(kind: str, numbers: Sequence[int], sources: DrawSources) -> xr.Dataset:
-    """Return forces (draw, scan, contact_model, rho, contact) in N at 1 J/m², and METRICS.
+    """Return forces (draw, scan, contact_model, rho, contact) in N at 1 J/m², and metrics.
 
     The kind of surface is bumps, pits or gaussian.
     """
@@ -88,16 +88,10 @@ def _compute_draw(kind: str, number: int, sources: DrawSources) -> xr.Dataset:
 
 
 def _scan_forces(scan: HeightMap, sources: DrawSources) -> xr.Dataset:
-    """Return the forces of a smooth sphere on a levelled scan, and its METRICS."""
-    contact = sources.contact
-    contact_bodies = bodies(mirror_stitch(scan), None, contact)
-    pull_off = pull_off_of_pair(contact_bodies, contact, sources.ranges)
-    roughness = metrics(scan)
-    return pull_off[["pull_off_force"]].assign(
-        {
-            name: ((), roughness[name], {"units": unit, "long_name": long_name})
-            for name, (unit, long_name) in METRICS.items()
-        }
+    """Return the forces of a smooth sphere on a levelled scan, and its metrics of Table 1."""
+    roughness = measured_metrics(scan, TABLE1_METRICS.values())
+    return roughness.assign(
+        pull_off_force=smooth_sphere_forces(scan, sources.contact, sources.ranges)
     )
 
 
@@ -141,14 +135,8 @@ def compare_with_published(
         values = forces.transpose("draw", "contact", "rho").values
         pair_forces = work * interpolate_to_ranges(values, forces["rho"].values, np.array([rho]))
         statistics = _force_statistics(pair_forces[..., 0], targets)
-        metric_means = kind_draws[list(METRICS)].mean("scan", keep_attrs=True)
-        height_std = kind_draws["rms_height"].std("scan", ddof=1, keep_attrs=True)
         descriptions = [name for name in kind_draws if kind_draws[name].dims == ("draw",)]
-        kinds.append(
-            kind_draws[descriptions]
-            .merge(metric_means)
-            .assign({"rms_height_std": height_std} | statistics)
-        )
+        kinds.append(kind_draws[descriptions].assign(statistics))
     shape = lognormal_shape(targets["mean_force"], targets["median_force"])
     return xr.concat(kinds, pd.Index(list(draws), name="features"), join="outer").assign_attrs(
         surface=surface,
