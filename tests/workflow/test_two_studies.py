@@ -16,7 +16,7 @@ from forked_runs import forked, linked_copy, run_here
 from repository import PAPER, ROOT, TINY, leaves, merged
 
 from hardcontact.config.configuration import get_key, set_keys
-from hardcontact.config.store_keys import STORE_KEYS
+from hardcontact.config.patterns import STORE_KEYS
 
 pytestmark = pytest.mark.study
 

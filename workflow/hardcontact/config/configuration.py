@@ -11,7 +11,7 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import NONE, PAPER, Study, quantity_type
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, Study, quantity_type
 from hardcontact.contact.contact import Contact
 
 #: Targets of a study that is compared with the paper.
@@ -21,15 +21,6 @@ PAPER_TARGETS = (
 )  # fmt: skip
 #: Targets of a study of own surfaces; `fit` needs own forces.
 OWN_SURFACE_TARGETS = ("topography", "adhesion", "scales", "force", "fit", "answer")
-
-#: The key of each quantity of contacts, by its name in pages.
-CONTACT_QUANTITIES = {
-    "radius of the sphere": "sphere.radius",
-    "hardness": "contact.hardness",
-    "preload": "contact.preload",
-    "range of adhesion": "scales.range",
-    "work of adhesion": "adhesion.work",
-}
 
 
 def read_yaml(path: str) -> Any:
@@ -123,7 +114,7 @@ def available_targets(configuration: Mapping[str, Any]) -> list[str]:
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
     words = {"sphere": str(config["sphere"]["surface"])}
-    for name, key in CONTACT_QUANTITIES.items():
+    for key, name in CONTACT_QUANTITIES.values():
         words[name] = format_exact(get_key(config, key), quantity_type(key).unit)
     return words
 
@@ -133,6 +124,6 @@ def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
     paper = Study().model_dump(warnings=False)
     return [
         name
-        for name, key in CONTACT_QUANTITIES.items()
+        for key, name in CONTACT_QUANTITIES.values()
         if get_key(config, key) == get_key(paper, key)
     ]
