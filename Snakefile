@@ -63,5 +63,5 @@ rule all:
     """Make the whole study: datasets, verdicts, figures, pages and lists of what it has."""
     default_target: True
     input:
-        [getattr(rules, target).input for target in available_targets(STUDY)],
+        TARGETS.values(),
         rules.keep_records.output,

@@ -4,7 +4,6 @@ import datetime
 
 import pytest
 from refusals import assert_says, refusal
-from repository import PAPER
 from studies import numbers
 
 from hardcontact.config import configuration, model
@@ -108,13 +107,7 @@ def test_only_the_first_of_many_faults_are_reported():
     assert refusal(refuse_all, [lambda: refuse_lines(message.splitlines())]) == message
 
 
-# Targets and words
-
-
-@pytest.mark.parametrize("forces", ["none", "my.csv"])
-def test_only_own_forces_allow_a_fit_of_own_surfaces(forces):
-    targets = configuration.available_targets(PAPER | {"published": "none", "forces": forces})
-    assert ("fit" in targets) == (forces != "none")
+# Words
 
 
 def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():

@@ -1,7 +1,6 @@
 # The page that answers for own surfaces, and its figures.
 
 from hardcontact.config.configuration import contact_words, quantities_of_paper
-from hardcontact.config.model import NONE
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
 OWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"] != NONE]

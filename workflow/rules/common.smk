@@ -5,7 +5,7 @@ from hardcontact.base.origin import canonical
 from hardcontact.config import start
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
-from hardcontact.config.model import PAPER
+from hardcontact.config.model import NONE, PAPER
 
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)

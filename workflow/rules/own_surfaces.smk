@@ -1,7 +1,5 @@
 # Own surfaces: edges of the band, predicted force, fit to own forces.
 
-from hardcontact.config.model import NONE
-
 
 rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""

@@ -1,4 +1,4 @@
-"""Targets and pages that follow from a configuration, and its contacts in words."""
+"""Configurations as trees of keys, and what follows from their keys: contacts, also in words."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -11,16 +11,8 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, PAPER, Study, quantity_type
+from hardcontact.config.model import CONTACT_QUANTITIES, Study, quantity_type
 from hardcontact.contact.contact import Contact
-
-#: Targets of a study that is compared with the paper.
-PAPER_TARGETS = (
-    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
-    "claims", "figures", "pages", "answer",
-)  # fmt: skip
-#: Targets of a study of own surfaces; `fit` needs own forces.
-OWN_SURFACE_TARGETS = ("topography", "adhesion", "scales", "force", "fit", "answer")
 
 
 def read_yaml(path: str) -> Any:
@@ -101,14 +93,6 @@ def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str,
         for section_name in ("scales", section)
         for name in config[section_name][side]
     }
-
-
-def available_targets(configuration: Mapping[str, Any]) -> list[str]:
-    """Return the targets that the data of a study allow, in their order."""
-    if configuration["published"] == PAPER:
-        return [*PAPER_TARGETS]
-    has_forces = configuration["forces"] != NONE
-    return [target for target in OWN_SURFACE_TARGETS if target != "fit" or has_forces]
 
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
