@@ -9,6 +9,7 @@ BAND_SURFACES = FILES.substitutes if COMPARED else []
 rule compute_whole:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
+        **DESCRIPTION,
         **SUBSTITUTE_SOURCES,
         code=code_inputs("compute_whole.py"),
     output:
@@ -39,6 +40,7 @@ rule amplify_octaves:
 rule isolate_band:
     """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
     input:
+        **DESCRIPTION,
         **SUBSTITUTE_SOURCES,
         edges=PATTERNS.dataset("edges"),
         code=code_inputs("isolate_band.py"),

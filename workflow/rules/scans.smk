@@ -8,6 +8,11 @@ SCAN_GRID = {
     "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
 }
 
+#: The description of a substitute, and the tables that it names.
+DESCRIPTION = {
+    "description": lambda w: SELECTION.description(w.surface),
+    "tables": lambda w: SELECTION.tables(w.surface),
+}
 #: The inputs from which scans of a substitute are made.
 SUBSTITUTE_SOURCES = {
     "spectrum": lambda w: FILES.spectrum(w.surface),
@@ -19,8 +24,7 @@ SUBSTITUTE_SOURCES = {
 rule calibrate_spectrum:
     """Make the spectrum of a substitute from its description and Table 1."""
     input:
-        description=lambda w: SELECTION.description(w.surface),
-        tables=lambda w: SELECTION.tables(w.surface),  # named by the description
+        **DESCRIPTION,
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("calibrate_spectrum.py"),
