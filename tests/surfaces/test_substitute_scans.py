@@ -6,13 +6,13 @@ from random_scans import PIXEL, uncd
 
 from hardcontact.base.random import generator
 from hardcontact.surfaces.height_map import HeightMap, flatten, level
-from hardcontact.surfaces.substitute_scans import (
+from hardcontact.surfaces.synthesis import (
     ScanGrid,
     add_sphere,
     cut_scan,
+    random_surface,
     sample_scan,
 )
-from hardcontact.surfaces.synthesis import random_surface
 
 SPHERE_RADIUS = 250e3
 

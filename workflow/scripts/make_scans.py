@@ -6,25 +6,25 @@ from hardcontact.base import dataset, published
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import condition_group, conditioned_scan, scan_targets
-from hardcontact.surfaces.featured_scans import describe_group, featured_surface, nearest_group
+from hardcontact.surfaces.featured_scans import describe_group, nearest_group, read_featured_surface
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
-from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     numbers = params["scans"]
-    grid = ScanGrid(**params["scan"])
     spectrum = dataset.read(job.input.spectrum)
-    table1 = published.table1(job.input.published_table1)
-    constants = published.constants(job.input.published_constants)
     if params["has_features"]:
-        source = featured_surface(surface, spectrum, table1, constants, grid, params["seed"])
+        source = read_featured_surface(job.input, params)
         features, scans = nearest_group(source, numbers)
         conditioning = describe_group(features, numbers, spectrum, source.mean_rms_height)
     else:
-        targets = scan_targets(spectrum, rows_of_surface(table1, surface), constants, grid)
+        grid = ScanGrid(**params["scan"])
+        rows = rows_of_surface(published.table1(job.input.published_table1), surface)
+        constants = published.constants(job.input.published_constants)
+        targets = scan_targets(spectrum, rows, constants, grid)
         generator_functions = {
             number: partial(generator, params["seed"], surface, number, "scan")
             for number in numbers

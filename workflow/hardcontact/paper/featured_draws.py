@@ -12,7 +12,6 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.base import dataset, published
 from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import lognormal_shape
@@ -24,13 +23,12 @@ from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
     describe_features,
-    featured_surface,
+    read_featured_surface,
     sample_group,
 )
 from hardcontact.surfaces.features import KINDS, SIGNS
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level
 from hardcontact.surfaces.roughness_table import measured_metrics
-from hardcontact.surfaces.substitute_scans import ScanGrid
 
 #: Largest factor between computed and published force of a draw that agrees. It holds for the mean
 #: and for the median force, at the published range and work of adhesion.
@@ -54,14 +52,7 @@ class DrawSources(NamedTuple):
 
 def read_draw_sources(inputs: Any, parameters: Mapping[str, Any]) -> DrawSources:
     """Read the sources of draws: the spectrum, Table 1 and constants at the paths of the inputs."""
-    featured = featured_surface(
-        parameters["surface"],
-        dataset.read(inputs.spectrum),
-        published.table1(inputs.published_table1),
-        published.constants(inputs.published_constants),
-        ScanGrid(**parameters["scan"]),
-        parameters["seed"],
-    )
+    featured = read_featured_surface(inputs, parameters)
     contact = Contact(radius=parameters["radius"], **parameters["contact"])
     return DrawSources(featured, parameters["scans"], contact, parameters["ranges"])
 

@@ -22,8 +22,8 @@ from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
 from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
+from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
 #: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
 MIN_HEIGHT_RATIO = 0.05
