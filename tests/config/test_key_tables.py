@@ -13,7 +13,7 @@ def test_the_configuration_and_its_documentation_are_made_from_the_model():
     assert key_tables.configuration_yaml() == (ROOT / "config/config.yaml").read_text("utf-8"), (
         instead
     )
-    assert key_tables.update_tables(DOCUMENTATION) == DOCUMENTATION, instead
+    assert key_tables.update_columns(DOCUMENTATION) == DOCUMENTATION, instead
 
 
 def test_the_configuration_of_the_paper_has_every_key_and_its_default():

@@ -173,7 +173,7 @@ def test_default_spectra_meet_table_1(surface):
 
 
 def test_default_uncd_is_near_the_public_measurements():
-    """The ratios that workflow/report/departures.md reports."""
+    """The ratios whose range workflow/report/departures.md reports."""
     table1, default = default_spectrum("uncd")
     path = ROOT / "resources/spectra/uncd-measured.csv"
     measured_density, *_ = substitute_spectra.spectrum_from_description(path, table1, WEIGHTS)

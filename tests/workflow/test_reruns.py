@@ -196,8 +196,7 @@ def overlay(key, value):
 @pytest.mark.parametrize(
     ("key", "value", "concerned"),
     [
-        ("scales.tolerance", 0.2, {"find_edges", "judge_sets",
-                                   "fit_exponents", "compare_enhancement"}),
+        ("scales.tolerance", 0.2, {"find_edges", "judge_sets", "compare_short_edges"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),
         ("scales.small.transition", "90 nm", {

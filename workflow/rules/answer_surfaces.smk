@@ -9,7 +9,10 @@ OWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"
 rule answer_surfaces:
     """Write the numbers of the answer, its figures, then the page that shows them."""
     input:
-        **{name: PATTERNS.dataset(name) for name in ("topography", "spectra", "edges", "force")},
+        **{
+            name: PATTERNS.dataset(name)
+            for name in ("topography", "spectra", "edges", "force", "sensitivity")
+        },
         fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
         code=code_inputs("answer_surfaces.py"),
         templates=TEMPLATES,

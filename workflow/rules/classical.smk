@@ -4,8 +4,8 @@
 rule apply_classical_models:
     """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
-        fit=rules.fit_published.output[0],
         **PUBLISHED_TABLES,
+        fit=rules.fit_published.output[0],
         code=code_inputs("apply_classical_models.py"),
     output:
         PATTERNS.dataset("classical"),

@@ -14,26 +14,29 @@ rule find_edges:
         "../scripts/find_edges.py"
 
 
-rule fit_exponents:
-    """Fit how the force and the short edge scale with the radius and the load: scaling.nc."""
+rule compare_short_edges:
+    """Compare short edges and forces by radius and load (scaling.nc), by range and plasticity (enhancement.nc)."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
-        code=code_inputs("fit_exponents.py"),
+        scaling=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
+        enhancement=FILES.paths(PATTERNS.filtered, FILES.masters("enhancement")),
+        code=code_inputs("compare_short_edges.py"),
     output:
-        PATTERNS.dataset("scaling"),
+        scaling=PATTERNS.dataset("scaling"),
+        enhancement=PATTERNS.dataset("enhancement"),
     params:
-        canonical=canonical(
-            {
-                "masters": [row.surface for row in FILES.masters("scaling")],
-                "realizations": STUDY["scaling"]["realizations"],
-                **NAMED_SURFACES,
-                "tolerance": STUDY["scales"]["tolerance"],
-                "confidence": STUDY["inference"]["confidence"],
-                "area": FILES.contact.area,
-            }
+        canonical=parameters(
+            masters={
+                purpose: [row.surface for row in FILES.masters(purpose)]
+                for purpose in ("scaling", "enhancement")
+            },
+            realizations=STUDY["scaling"]["realizations"],
+            tolerance=STUDY["scales"]["tolerance"],
+            area=FILES.contact.area,
+            sampling=SAMPLING,
+            **NAMED_SURFACES,
         ),
     script:
-        "../scripts/fit_exponents.py"
+        "../scripts/compare_short_edges.py"
 
 
 rule fit_published:

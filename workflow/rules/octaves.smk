@@ -1,6 +1,7 @@
 # Octaves: how the force follows the amplitude of each, and the force on the band alone.
 
 from hardcontact.config.files import SHORTEST_WHOLE_RANGE
+from hardcontact.surfaces.synthesis import SIDES
 
 # Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if COMPARED else []
@@ -24,15 +25,23 @@ rule compute_whole:
 
 
 rule amplify_octaves:
-    """Compute the forces on a measured scan with each octave of its waves amplified."""
+    """Compute the forces on a measured scan with each octave amplified, or the last replaced."""
     input:
         stitched=PATTERNS.stitched_substrate,
+        spectrum=lambda w: FILES.spectrum(w.surface),
         sphere=FILES.first_sphere if SELECTION.scans(SPHERE) else [],
         code=code_inputs("amplify_octaves.py"),
     output:
         PATTERNS.octaves,
     params:
-        canonical=lambda w: parameters(scan=int(w.scan), contact=CONTACT),
+        canonical=lambda w: parameters(
+            surface=w.surface,
+            scan=int(w.scan),
+            measurement=SELECTION.all_scans(w.surface).index(int(w.scan)),
+            seed=STUDY["seed"],
+            contact=CONTACT,
+            transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},
+        ),
     script:
         "../scripts/amplify_octaves.py"
 
@@ -73,6 +82,7 @@ rule aggregate_sensitivity:
             **NAMED_SURFACES,
             radius=STUDY["sphere"]["radius"],
             rho=STUDY["scales"]["range"],
+            tolerance=STUDY["scales"]["tolerance"],
             confidence=STUDY["inference"]["confidence"],
         ),
     script:

@@ -49,6 +49,7 @@ rule predict_force:
         scales=rules.aggregate_scales.output[0],
         topography=rules.aggregate_topography.output[0],
         spectra=rules.aggregate_spectra.output[0],
+        sensitivity=rules.aggregate_sensitivity.output[0],
         code=code_inputs("predict_force.py"),
     output:
         edges=PATTERNS.dataset("edges"),

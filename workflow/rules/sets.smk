@@ -1,4 +1,4 @@
-# Sets: many equally good sets of substitute scans, sampled from pools, and the numbers of each.
+# Sets: many sets of substitute scans, equal in mean and ± of the rms height, sampled from pools, and the numbers of each.
 
 from hardcontact.paper.evaluation import replicated_statements
 
@@ -16,24 +16,6 @@ rule compute_pool:
         ),
     script:
         "../scripts/compute_pool.py"
-
-
-rule average_smooth_sphere:
-    """Compute the mean forces of all scans of a surface on a smooth sphere."""
-    input:
-        scans=lambda w: [FILES.stitched(w.surface, scan) for scan in SELECTION.scans(w.surface)],
-        code=code_inputs("average_smooth_sphere.py"),
-    output:
-        PATTERNS.smooth_sphere,
-    params:
-        canonical=lambda w: parameters(
-            surface=w.surface,
-            scans=SELECTION.scans(w.surface),
-            contact=STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]},
-            ranges=RANGES,
-        ),
-    script:
-        "../scripts/average_smooth_sphere.py"
 
 
 rule compute_draws:
@@ -56,7 +38,6 @@ rule judge_sets:
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
         draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
-        smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
         masters=FILES.paths(PATTERNS.filtered, FILES.masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],

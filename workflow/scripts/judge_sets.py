@@ -1,4 +1,4 @@
-"""The numbers of many equally good sets of substitute scans, all sets in one dataset."""
+"""The numbers of many sets of substitute scans, all sets in one dataset."""
 
 import pandas as pd
 
@@ -17,7 +17,7 @@ with job(snakemake) as job:
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
         read_all(params["chunks"], job.input.pools),
         read_all(params["draw_chunks"], job.input.draws),
-        dict(zip(params["pooled"], map(read, job.input.smooth_spheres), strict=True)),
+        params["pooled"],
         read_masters(params["masters"], job.input.masters, params["realizations"], params["load"]),
     )
     set_numbers = judge_sets(

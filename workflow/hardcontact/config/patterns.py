@@ -44,7 +44,6 @@ STORE_KEYS = {
     "pull_off": (*_CONTACTS, "adhesion.ranges"),
     "elastic": (*_CONTACTS, "elastic.contacts"),
     "asperities": (*_CONTACTS, "asperities"),
-    "smooth_sphere": (*_CONTACTS, "adhesion.ranges"),
     "whole": (*_CONTACTS, "adhesion.ranges", "scales.large.tiles"),
     "octaves": _CONTACTS,
     "pool": (*_DRAWS, "sets.rms_heights"),
@@ -108,7 +107,6 @@ class Patterns:
         # The band found here is the study's own.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.draws = f"{folder['draws']}/{settings}/{{features}}/draws-{{first}}-{{last}}.nc"
-        self.smooth_sphere = f"{folder['smooth_sphere']}/{settings}.nc"
         self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")

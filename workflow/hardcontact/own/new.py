@@ -244,7 +244,7 @@ def overlay_text(command: str, choices: Sequence[Choice], quick: Sequence[Choice
     reasons["quick"] = "With --config effort=quick these keys replace those above."
     tree = set_keys({}, values_by_key(choices)) | {"quick": set_keys({}, values_by_key(quick))}
     lines = commented_yaml(tree, reasons)
-    head = "# Written by `hardcontact new`; config/README.md explains every key.\n"
+    head = "# Written by `hardcontact new`; config/config.yaml explains every key.\n"
     return f"{head}# {command}\n" + "".join(f"{line}\n" for line in lines)
 
 

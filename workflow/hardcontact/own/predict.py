@@ -18,6 +18,7 @@ from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
     add_shared_options,
     implausible_quantities,
@@ -108,6 +109,7 @@ def predict(arguments: Namespace) -> str:
     }
     tolerance = Study().scales.tolerance
     numbers |= prediction(user_spectrum.spectrum, contact, tolerance, arguments.file)
+    numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
     if "modulus" in quantities:

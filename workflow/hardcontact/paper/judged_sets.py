@@ -4,7 +4,7 @@ A set consists of scans of a pool. Each scan gets a new rms height, from which i
 Scans of a surface with features are a draw of that surface, which no set shares.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,22 +70,22 @@ def gather_sources(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     draw_chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    smooth: Mapping[str, xr.Dataset],
+    pooled: Sequence[str],
     masters: xr.Dataset,
 ) -> Sources:
     """Join the chunks of pools and draws, and compute the factor of the rough sphere.
 
     `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `draw_chunks` from
-    `featured_draws.compute_draws`, by substrate, kind, first and last draw. `smooth` are mean
-    forces of the scans of the study on a smooth sphere, by substrate.
+    `featured_draws.compute_draws`, by substrate, kind, first and last draw. `pooled` are the
+    substrates with a pool or draws.
     """
     pools = concatenate(chunks, "scan", 1)
     forces = study["adhesion"]["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
-    for surface, scans in smooth.items():
-        smooth_mean = scans["pull_off_force"].mean("scan")
-        factor.loc[{"surface": surface}] = rough.sel(surface=surface, drop=True) / smooth_mean
+    smooth = study["adhesion"]["smooth_sphere_force"].mean("scan")
+    for surface in pooled:
+        factor.loc[{"surface": surface}] = (rough / smooth).sel(surface=surface, drop=True)
     return Sources(
         study["topography"],
         study["adhesion"],

@@ -21,11 +21,12 @@ class Datasets(NamedTuple):
     spectra: xr.Dataset
     edges: xr.Dataset
     force: xr.Dataset
+    sensitivity: xr.Dataset
     fit: xr.Dataset | None = None
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""
-        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:4]))._replace(
+        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:5]))._replace(
             fit=self.fit
         )
 
