@@ -32,7 +32,9 @@ from hardcontact.surfaces.substitute_spectra import (
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)
 #: Rows of Table 1 of a surface, and the geometry of its scans, as in GRID.
-TABLE1 = pd.DataFrame({"value": [20.0], "uncertainty": [5.0]}, index=["afm_rms_height"])
+TABLE1 = pd.DataFrame(
+    {"value": [20.0, 0.4, 0.05], "uncertainty": [5.0, 0.1, 0.01]}, index=list(AFM_ROWS)
+)
 CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL}})
 
 
@@ -109,20 +111,27 @@ def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
     assert_met(targets, synthesized_metrics(spectrum, group, grid, PAPER["seed"], surface))
 
 
-def test_targets_on_the_paper_s_pixels_are_the_expected_rms_values(spectrum):
-    rms_values = spectrum.attrs["expected_scan_rms"]
+def test_targets_on_the_paper_s_pixels_are_those_of_table_1(spectrum):
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, GRID)
+    np.testing.assert_array_equal(list(targets.means.values()), TABLE1["value"])
+    assert targets.rms_height_std == pytest.approx(5.0)
+    assert targets.met_rows == AFM_ROWS
+
+
+def test_a_spectrum_that_is_not_calibrated_has_its_own_targets(spectrum):
+    given_spectrum = spectrum.assign_attrs(table1_rows_met="")
+    targets = conditioning.scan_targets(given_spectrum, TABLE1, CONSTANTS, GRID)
+    rms_values = spectrum.attrs["expected_scan_rms"]
     np.testing.assert_array_equal(list(targets.means.values()), rms_values)
     assert targets.rms_height_std == pytest.approx(0.25 * rms_values[0])
-    assert targets.met_rows == AFM_ROWS
+    assert targets.met_rows == ()
 
 
 def test_coarser_pixels_keep_the_rms_height(spectrum):
     coarse = ScanGrid(32, GRID.size, 128)
     targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, coarse)
-    height = spectrum.attrs["expected_scan_rms"][0]
     rms_values = expected_scan_rms(uncd, transfer_weights(128, 2 * PIXEL, 32))
-    np.testing.assert_allclose(list(targets.means.values()), [height, *rms_values[1:]], rtol=1e-3)
+    np.testing.assert_allclose(list(targets.means.values()), [20.0, *rms_values[1:]], rtol=1e-3)
     assert targets.met_rows == ("afm_rms_height",)
     group = conditioning.condition_group(spectrum, targets, generators(1, 2), coarse)
     assert group.attrs["table1_rows_met"] == "afm_rms_height,all_rms_slope"

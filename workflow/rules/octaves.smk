@@ -13,6 +13,8 @@ BAND_SURFACES = FILES.substitutes if COMPARED else []
 rule compute_whole:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
+        description=lambda w: SELECTION.description(w.surface),
+        tables=lambda w: SELECTION.tables(w.surface),  # named by the description
         spectrum=lambda w: FILES.spectrum(w.surface),
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
@@ -59,6 +61,8 @@ rule amplify_octaves:
 rule isolate_band:
     """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
     input:
+        description=lambda w: SELECTION.description(w.surface),
+        tables=lambda w: SELECTION.tables(w.surface),  # named by the description
         spectrum=lambda w: FILES.spectrum(w.surface),
         edges=PATTERNS.dataset("edges"),
         published_table1=PUBLISHED_TABLES["published_table1"],

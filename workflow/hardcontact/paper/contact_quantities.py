@@ -127,8 +127,13 @@ def median_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
 
 
 def median_short_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return d ln(short edge)/d ln(root of a quantity), the median over surfaces (exponent_of)."""
-    return variable_as_number(scaling, "short_edge_exponent").median("surface", skipna=False)
+    """Return d ln(short edge)/d ln(root of a quantity), the median over surfaces (exponent_of).
+
+    The interval is that of the surfaces whose edges determine one.
+    """
+    exponent = variable_as_number(scaling, "short_edge_exponent")
+    is_known = exponent["value"].notnull().all("surface")
+    return exponent.median("surface").where(is_known)
 
 
 def elastic_pressure_over_hardness(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:

@@ -142,7 +142,7 @@ def study_numbers(
     sensitivity = datasets["sensitivity"]
     yield from _strongest_octaves(sensitivity)
     yield Number("whole_surface_size", float(sensitivity["map_size"].max()), "nm", source="given")
-    yield from _fit_samples(datasets)
+    yield from _fit_samples(datasets, constants)
     yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
     yield from _settings(datasets, constants)
     for row in summary(claims).to_dict("records"):
@@ -228,8 +228,11 @@ def _decisive_surface(sets: xr.Dataset) -> str:
     return str(ranges["left_out"].values[np.log(ranges.values).std(axis=1).argmin()])
 
 
-def _fit_samples(datasets: Mapping[str, xr.Dataset]) -> Iterator[Number]:
-    """Yield range and work of adhesion with all surfaces, and without the decisive one."""
+def _fit_samples(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
+    """Yield range and work of adhesion with all surfaces, and without the decisive one.
+
+    Also the standard deviation of the best pairs over the sets, and the printed uncertainty.
+    """
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
@@ -237,6 +240,9 @@ def _fit_samples(datasets: Mapping[str, xr.Dataset]) -> Iterator[Number]:
         yield _median("all_surfaces", name, sets[name].values, confidence)
         sample = without_decisive[WITHOUT_SURFACE[name]].values
         yield _median("without_decisive", name, sample, confidence)
+        yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), FITTED_UNITS[name])
+        uncertainty = constants["uncertainty"][name]
+        yield Number(f"{name}_uncertainty", uncertainty, FITTED_UNITS[name], source="published")
 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:

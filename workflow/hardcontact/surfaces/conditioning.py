@@ -56,32 +56,33 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on the study's pixels.
 
-    None if no rms height is published. On the paper's pixels and size they are the spectrum's
-    `expected_scan_rms`. On others, slope and curvature follow from the spectrum; on another size,
-    the height too. `table1` comes from `rows_of_surface`.
+    None if no rms height is published. On the paper's pixels and size, calibrated rows are those of
+    Table 1. All else is expected from the spectrum. `table1` comes from `rows_of_surface`.
     """
     if "afm_rms_height" not in table1.index:
         return None
     pixels = int(constants["value"]["scan_pixels"])
     size = float(constants["value"]["scan_size"])
-    rms_values = np.array(spectrum_data.attrs["expected_scan_rms"])
     same_size = math.isclose(grid.size, size)
     same_pixels = same_size and grid.pixels == pixels
-    is_published = np.array([same_size, same_pixels, same_pixels])
-    if not is_published.all():
+    rms_values = np.array(spectrum_data.attrs["expected_scan_rms"])
+    if not same_pixels:
         spectrum = spectrum_of_dataset(spectrum_data)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-        rms_values = np.where(is_published, rms_values, expected_scan_rms(spectrum, weights))
-    height = table1.loc["afm_rms_height"]
+        rms_values = expected_scan_rms(spectrum, weights)
     calibrated_rows = rows_met(spectrum_data.attrs["table1_rows_met"])
+    met_rows = []
+    for i, (row, is_published) in enumerate(
+        zip(AFM_ROWS, (same_size, same_pixels, same_pixels), strict=True)
+    ):
+        if is_published and row in calibrated_rows:
+            rms_values[i] = table1.loc[row, "value"]
+            met_rows.append(row)
+    height = table1.loc["afm_rms_height"]
     return Targets(
         dict(zip(TABLE1_METRICS.values(), rms_values.tolist(), strict=True)),
         float(rms_values[0] * height["uncertainty"] / height["value"]),
-        tuple(
-            row
-            for row, is_kept in zip(AFM_ROWS, is_published, strict=True)
-            if is_kept and row in calibrated_rows
-        ),
+        tuple(met_rows),
     )
 
 

@@ -30,7 +30,7 @@ from hardcontact.surfaces.features import (
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import AFM_ROWS, Spectrum, spectrum_of_dataset
 from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan, whole_surface
-from hardcontact.surfaces.substitute_spectra import rows_of_surface
+from hardcontact.surfaces.substitute_spectra import rows_of_surface, sample_permitted_spectrum
 
 #: Draws of features among which that of the study's scans is the nearest to Table 1: enough for all
 #: of its numbers to be within half of a standard error.
@@ -104,18 +104,29 @@ def featured_surface(
 def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:
     """Return a function that makes a whole surface by its number, with or without features.
 
-    `inputs` are paths of the spectrum, Table 1 and the constants.
+    Each without features has its own spectrum, among those that Table 1 permits. `inputs` are paths
+    of the description, the calibrated spectrum, Table 1 and the constants.
     """
     surface, seed = parameters["surface"], parameters["seed"]
-    spectrum_data = dataset.read(inputs.spectrum)
+    table1 = published.table1(inputs.published_table1)
+    constants = published.constants(inputs.published_constants)
     if parameters["has_features"]:
-        table1 = published.table1(inputs.published_table1)
-        constants = published.constants(inputs.published_constants)
+        spectrum_data = dataset.read(inputs.spectrum)
         grid = ScanGrid(**parameters["scan"])
         source = featured_surface(surface, spectrum_data, table1, constants, grid, seed)
         return partial(source.whole_surface, **parameters["grid"])
-    spectrum = spectrum_of_dataset(spectrum_data)
-    return partial(whole_surface, seed, surface, density=spectrum, **parameters["grid"])
+
+    def make_surface(realization: int) -> HeightMap:
+        """Return a whole surface with a spectrum of its own."""
+        spectrum = sample_permitted_spectrum(
+            generator(seed, surface, realization, "permitted spectrum"),
+            inputs.description,
+            rows_of_surface(table1, surface),
+            constants,
+        )
+        return whole_surface(seed, surface, realization, spectrum, **parameters["grid"])
+
+    return make_surface
 
 
 def sample_group(

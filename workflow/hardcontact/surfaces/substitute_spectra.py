@@ -41,6 +41,10 @@ SEARCHED_PARAMETERS = {
     "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
 }
 LOGARITHMIC_PARAMETERS = ("plateau_nm4", "rolloff_nm")
+#: Factor by which an assumed roll-off may differ: that of NCD and MCD reaches up to their longest
+#: wave. And draws among which one can be calibrated: one in two of NCD and MCD can.
+ROLLOFF_FACTOR = 1.5
+MAX_DRAWS = 100
 #: Bounds of the Hurst exponent of a tail.
 TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
@@ -201,7 +205,14 @@ def spectrum_from_description(
     if its model is in CALIBRATION_ROWS. Raises ValueError, with file and segment, if one cannot be
     made.
     """
-    segments = read_segments(path)
+    return _spectrum_of_segments(read_segments(path), Path(path), table1, weights)
+
+
+def _spectrum_of_segments(
+    segments: pd.DataFrame, path: Path, table1: pd.DataFrame, weights: Weights
+) -> tuple[Floats, pd.DataFrame, list[str]]:
+    """Return what `spectrum_from_description` returns; the path is that of the description."""
+    segments = segments.copy()
     density = np.zeros_like(WAVEVECTORS)
     calibrated = list[str]()
     for i, segment in segments.iterrows():
@@ -214,7 +225,7 @@ def spectrum_from_description(
                     parameters = {"hurst": hurst, "shortest_nm": shortest}
                 segment = pd.Series(dict(segment) | parameters)
                 calibrated += CALIBRATION_ROWS[segment.model]
-            density += _segment_density(segment, density, Path(path).parent)
+            density += _segment_density(segment, density, path.parent)
         except (KeyError, ValueError, OSError) as error:
             raise ValueError(f"{path}: segment from {segment.longest_nm:g} nm: {error}") from None
         segments.loc[i] = segment
@@ -244,6 +255,48 @@ def _segment_density(segment: pd.Series, longer_waves: Floats, folder: Path) -> 
     )
 
 
+def paper_weights(constants: pd.DataFrame) -> Weights:
+    """Return the `transfer_weights` of a scan with the paper's pixels and size."""
+    pixels = int(constants["value"]["scan_pixels"])
+    return transfer_weights(4 * pixels, constants["value"]["scan_size"] / pixels, pixels)
+
+
+def sample_permitted_spectrum(
+    rng: np.random.Generator,
+    description: str | Path,
+    table1: pd.DataFrame,
+    constants: pd.DataFrame,
+) -> Spectrum:
+    """Sample a spectrum that Table 1 permits; one without blanks is what the description says.
+
+    AFM rows get the errors of means over the paper's scans. A given roll-off is multiplied by a
+    factor up to ROLLOFF_FACTOR or its inverse. Raises ValueError if no draw can be calibrated.
+    """
+    segments = read_segments(description)
+    weights = paper_weights(constants)
+    rows = list(AFM_ROWS)
+    is_free = segments.hurst.isna() & segments.model.isin(SPECTRAL_MODELS)
+    for _ in range(MAX_DRAWS):
+        drawn_rows, drawn_segments = table1.copy(), segments.copy()
+        if is_free.any():
+            errors = table1.loc[rows, "uncertainty"] / np.sqrt(
+                constants["value"]["scans_per_surface"]
+            )
+            drawn_rows.loc[rows, "value"] += rng.standard_normal(len(rows)) * errors
+            factor = ROLLOFF_FACTOR ** rng.uniform(-1, 1)
+            drawn_segments.loc[is_free, "rolloff_nm"] *= factor
+        try:
+            with np.errstate(over="ignore"):  # of a form that no draw of the rows has
+                density, *_ = _spectrum_of_segments(
+                    drawn_segments, Path(description), drawn_rows, weights
+                )
+        except ValueError as error:
+            refusal = error
+        else:
+            return Spectrum(WAVEVECTORS, density)
+    raise refusal
+
+
 def described_rms_height(path: str | Path, longest: float) -> float:
     """Return the rms height (nm) of the waves up to a wavelength (nm), from a description.
 
@@ -263,8 +316,7 @@ def substitute_spectrum(
     Attributes of `spectrum` (nm⁴) are the segments, the rows of Table 1 to which they were
     calibrated, and the expected rms values of a scan with the paper's pixels and size.
     """
-    window = int(constants["value"]["scan_pixels"])
-    weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
+    weights = paper_weights(constants)
     density, segments, calibrated = spectrum_from_description(description, table1, weights)
     return spectrum_dataset(density).assign_attrs(
         basis="substitute",
