@@ -16,13 +16,13 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 639,
+    "base": 640,
     "surfaces": 3037,
-    "contact": 1356,
-    "inference": 1323,
+    "contact": 1374,
+    "inference": 1330,
     "theory": 647,
-    "paper": 1496,
-    "config": 1916,
+    "paper": 1500,
+    "config": 1914,
     "own": 1542,
     "report": 2798,
     "api": 199,

@@ -75,7 +75,8 @@ def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
         quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
         for upper, lower in pairwise(groups)
     ]
-    return reduce(np.minimum, ratios)
+    smallest: xr.Dataset = reduce(xr.ufuncs.minimum, ratios)
+    return smallest
 
 
 #: Basis of a number that needs no scan.
