@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 from intervals import between_multiples
 
+from hardcontact.base.statistics import with_interval
 from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.report.own_answer import surface_answers
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
@@ -332,10 +333,25 @@ def extrapolated_work(count):
     }
 
 
+OCTAVES = [20.0, 40.0, 80.0, 160.0, 320.0]
+#: Derivatives of the force by the amplitude of each octave; no scan shows the first one.
+SENSITIVITIES = [-2.0, -0.2, -0.9, -0.4, np.nan]
+
+
+def sensitivity(count=1, factor=1.0):
+    """Return how the force follows each octave, with intervals; `factor` multiplies all values."""
+    values = factor * np.tile(SENSITIVITIES, (count, 1))
+    interval = np.stack([values - 0.5, values + 0.5], axis=-1)
+    data = with_interval(
+        "octave_sensitivity", ("surface", "octave"), values, interval, {}, CONFIDENCE
+    )
+    return xr.Dataset(data, {"surface": SURFACES[:count], "octave": OCTAVES})
+
+
 def datasets(count=1, **others):
     """Return all datasets of a number of surfaces, without a fit; `others` replace datasets."""
     defaults = {"topography": topography(count), "spectra": spectra(count), "edges": edges(count),
-            "force": force(count), "fit": None}  # fmt: skip
+            "force": force(count), "sensitivity": sensitivity(count), "fit": None}  # fmt: skip
     return Datasets(**defaults | others)
 
 
@@ -349,14 +365,14 @@ PAIRS = [
 ]  # fmt: skip
 
 
-def setting(left_out=(), effort="full"):
+def setting():
     """Return the setting of a study."""
     contact = {
         "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "25 GPa",
         "preload": "10 µN",
     }  # fmt: skip
     paper_values = ["hardness", "work of adhesion"]
-    return Setting("my-coating", effort, contact, paper_values, list(left_out), "1.0.0", PAIRS)
+    return Setting("my-coating", "full", contact, paper_values, "1.0.0", PAIRS)
 
 
 def numbers_of(own_setting=None, **others):

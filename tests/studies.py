@@ -11,8 +11,7 @@ from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
 from hardcontact.config.files import Files
 from hardcontact.config.model import numeric_configuration
-from hardcontact.config.patterns import Patterns
-from hardcontact.config.store_keys import STORE_KEYS, store_digests
+from hardcontact.config.patterns import STORE_KEYS, Patterns, store_digests
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
 #: The paths of the tiny study.

@@ -132,7 +132,6 @@ def lists_of_files(study):
         (PATTERNS.pool, study.chunks),
     ):
         computed_at |= dict.fromkeys(study.paths(pattern, rows), study_values)
-    computed_at[study.path(PATTERNS.smooth_sphere, "uncd")] = study_values
     for pattern in (PATTERNS.elastic, PATTERNS.asperities):
         computed_at |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), study_values[:2])
     return computed_at

@@ -19,7 +19,7 @@ from hardcontact.paper.judged_sets import (
     set_edges,
     set_topography,
 )
-from hardcontact.surfaces.height_map import METRICS
+from hardcontact.surfaces.height_map import TABLE1_METRICS
 
 SETTINGS = SetSettings(
     seed=1,
@@ -81,10 +81,7 @@ def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
 def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
     adhesion = make_adhesion()
     means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
-    smooth = {
-        name: xr.Dataset({"pull_off_force": 2 * means.sel(surface=name, drop=True)})
-        for name in SUBSTRATES
-    }
+    adhesion["smooth_sphere_force"] = 2 * means
     pools = {name: make_pool(name) for name in SUBSTRATES}
     chunks = {
         (name, first, first + 5): pool.sel(scan=slice(first, first + 5))
@@ -92,7 +89,7 @@ def test_the_factor_of_the_sphere_is_the_ratio_of_mean_forces():
         for first in (1, 7)
     }
     study = {"topography": make_sources().topography, "adhesion": adhesion}
-    sources = gather_sources(study, chunks, {}, smooth, make_masters())
+    sources = gather_sources(study, chunks, {}, SUBSTRATES, make_masters())
     np.testing.assert_allclose(sources.sphere_factor, 0.5, rtol=1e-12)
     assert set(sources.sphere_factor.dims) == {"contact_model", "surface", "rho"}
     for name, pool in pools.items():
@@ -119,7 +116,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
     sampled_scans = sample_set_scans(sources, *DRAW)
     study = sources.topography
     topography = set_topography(study, sampled_scans, CONFIDENCE)
-    for name in METRICS:
+    for name in TABLE1_METRICS.values():
         uncd_metric = topography[name].sel(surface="uncd")
         np.testing.assert_allclose(uncd_metric, sampled_scans["uncd"][name], rtol=1e-12)
         mean = topography[f"{name}_mean"].sel(surface="uncd").item()

@@ -80,6 +80,15 @@ def test_the_answer_has_the_numbers_of_the_datasets():
     assert surface_rows["measurement_1_shortest_reliable"]["value"] == 55.0
 
 
+def test_the_answer_has_the_three_octaves_that_matter_most_and_that_a_scan_shows():
+    rows = quantities("one")
+    assert [rows[f"octave_{rank}"]["value"] for rank in (1, 2, 3)] == [80, 160, 40]
+    numbers = [rows[f"octave_{rank}_sensitivity"] for rank in (1, 2, 3)]
+    assert [number["value"] for number in numbers] == [-0.9, -0.4, -0.2]
+    assert (numbers[0]["low"], numbers[0]["high"]) == (-1.4, -0.4)
+    assert "octave_4" not in rows
+
+
 def test_cautions_are_codes_with_their_numbers():
     cautions = [note for note in content("contradiction")["notes"] if note["kind"] == "caution"]
     assert {"contradiction", "tail"} <= {note["code"] for note in cautions}

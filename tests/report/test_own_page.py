@@ -10,7 +10,9 @@ import pytest
 from answer_inputs import (
     CUTOFFS,
     LABELS,
+    OCTAVES,
     RHOS,
+    SENSITIVITIES,
     SURFACES,
     datasets,
     drop_interval,
@@ -20,6 +22,7 @@ from answer_inputs import (
     move_edge,
     open_edges,
     scale_extrapolated_force,
+    sensitivity,
     setting,
     spectra,
     topography,
@@ -37,12 +40,16 @@ from hardcontact.report.page import render_page
 from hardcontact.report.quantities import answer_text
 
 FORCES = "two substitutes, forces"
-LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
+LONG = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
 CASES = {
     "one": (datasets(), setting()),
     "open, one force": (
-        datasets(edges=open_edges(), fit=fit()),
-        setting([("a < b", "x & <b>y</b>"), (LONG, "the reason " * 9)]),
+        datasets(
+            edges=open_edges(),
+            fit=fit(),
+            spectra=spectra().assign(path=spectra()["path"].astype(object) + LONG),
+        ),
+        setting(),
     ),
     FORCES: (datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()),
 }
@@ -56,9 +63,8 @@ PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 
 def page_of(own_datasets, own_setting=None):
     """The page of an answer as answer.json has it."""
-    own_setting = own_setting or setting()
-    answer = json.loads(answer_text(own_answer(own_datasets, own_setting)))
-    return render_page(answer, PICTURES, CITATION, left_out=own_setting.left_out)
+    answer = json.loads(answer_text(own_answer(own_datasets, own_setting or setting())))
+    return render_page(answer, PICTURES, CITATION)
 
 
 @cache
@@ -152,13 +158,39 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
     assert words_on_edges in line and ("extrapolated" in line) == bool(words_on_edges)
 
 
+@pytest.mark.parametrize(
+    ("factor", "verb", "amplitude", "gain"),
+    [
+        (1, "Polish", "less", "0.9 [0.4, 1.4] %."),
+        (-1, "Roughen", "more", "0.9 [0.4, 1.4] %."),
+        (0.5, "Polish", "less", "0.45 [-0.05, 0.95] % (not certain: the interval includes zero)."),
+    ],
+)
+def test_the_page_says_which_octave_to_polish_or_to_roughen(factor, verb, amplitude, gain):
+    text = page_of(datasets(sensitivity=sensitivity(factor=factor))).replace("\u00a0", " ")
+    sentence = f"{verb} waves of 80 nm to 160 nm for more force: 1 % {amplitude} amplitude raises "
+    sentence += f"it by {gain}"
+    positions = [text.index(part) for part in (sentence, 'id="octaves-figure"', 'id="numbers"')]
+    assert positions == sorted(positions)
+
+
+def test_the_figure_of_octaves_has_a_bar_an_octave_and_hatches_those_that_no_scan_shows():
+    figure = figures.draw_octaves(datasets(2))
+    (axes,) = figure.axes
+    bars = [[bar.get_height() for bar in container] for container in axes.containers[::2]]
+    np.testing.assert_array_equal(bars, [SENSITIVITIES] * 2)
+    hatched = [patch for patch in axes.patches if patch.get_hatch()]
+    ends = np.array([(patch.get_x(), patch.get_x() + patch.get_width()) for patch in hatched])
+    assert len(hatched) == 2 and (OCTAVES[0] < ends).all() and (ends < OCTAVES[1]).all()
+
+
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
     data = datasets()
     paths = data.spectra["path"].astype(object) + hostile
-    labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:4]))
+    labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:5]))
     labelled = labelled._replace(spectra=labelled.spectra.assign(path=paths))
-    text = page_of(labelled, setting([(hostile, "x & <b>y</b>")]))
+    text = page_of(labelled)
     assert "<b>" not in text and Page(text).texts["h1"]
 
 

@@ -15,9 +15,8 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
-from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 
 def band(model, rolloff=np.nan):
@@ -171,7 +170,7 @@ def test_default_spectra_meet_table_1(surface):
 
 
 def test_default_uncd_is_near_the_public_measurements():
-    """The ratios that workflow/report/departures.md reports."""
+    """The ratios whose range workflow/report/departures.md reports."""
     table1, default = default_spectrum("uncd")
     path = ROOT / "resources/spectra/uncd-measured.csv"
     measured_density, *_ = substitute_spectra.spectrum_from_description(path, table1, WEIGHTS)

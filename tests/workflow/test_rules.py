@@ -27,7 +27,7 @@ def test_the_cluster_profile_names_existing_rules(rules):
     own_rules = set()
     for name in ("own_surfaces", "answer_surfaces"):
         text = (ROOT / f"workflow/rules/{name}.smk").read_text()
-        own_rules |= set(re.findall(r"^rule (\w+):", text, re.M))
+        own_rules |= set(re.findall(r"^ *rule (\w+):", text, re.M))
     named_rules = PROFILE["groups"].keys() | PROFILE["set-resources"].keys()
     assert named_rules - rules - own_rules == set()
     assert PROFILE["default-resources"].keys() == {"mem_mb", "runtime"}

@@ -38,9 +38,9 @@ from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
-from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
+from hardcontact.surfaces.scans import RefusedFile
 from hardcontact.surfaces.scans import read_scan as read_any_scan
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
@@ -258,9 +258,9 @@ def pull_off_forces(
     check_contact(surface, contact, ranges)
     contact_bodies = bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
-    forces = pull_off_of_pair(contact_bodies, contact, ranges).merge(
-        wider_window_change([contact_bodies], longest)
-    )
+    forces = pull_off_of_pair(contact_bodies, contact, ranges)
+    plastic_forces = forces["pull_off_force"].sel(contact_model=["plastic"], rho=longest.range)
+    forces = forces.merge(wider_window_change([contact_bodies], longest, plastic_forces))
     force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
     return forces.assign(pull_off_force=force_at_work.assign_attrs(attributes)).assign_attrs(

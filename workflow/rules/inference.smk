@@ -8,40 +8,35 @@ rule find_edges:
         code=code_inputs("find_edges.py"),
     output:
         PATTERNS.dataset("edges"),
-    log:
-        PATTERNS.log("find_edges"),
-    benchmark:
-        PATTERNS.benchmark("find_edges")
     params:
-        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], **SAMPLING),
+        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges.py"
 
 
-rule fit_exponents:
-    """Fit how the force and the short edge scale with the radius and the load: scaling.nc."""
+rule compare_short_edges:
+    """Compare short edges and forces by radius and load (scaling.nc), by range and plasticity (enhancement.nc)."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
-        code=code_inputs("fit_exponents.py"),
+        scaling=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
+        enhancement=FILES.paths(PATTERNS.filtered, FILES.masters("enhancement")),
+        code=code_inputs("compare_short_edges.py"),
     output:
-        PATTERNS.dataset("scaling"),
-    log:
-        PATTERNS.log("fit_exponents"),
-    benchmark:
-        PATTERNS.benchmark("fit_exponents")
+        scaling=PATTERNS.dataset("scaling"),
+        enhancement=PATTERNS.dataset("enhancement"),
     params:
-        canonical=canonical(
-            {
-                "masters": [row.surface for row in FILES.masters("scaling")],
-                "realizations": STUDY["scaling"]["realizations"],
-                **NAMED_SURFACES,
-                "tolerance": STUDY["scales"]["tolerance"],
-                "confidence": STUDY["inference"]["confidence"],
-                "area": FILES.contact.area,
-            }
+        canonical=parameters(
+            masters={
+                purpose: [row.surface for row in FILES.masters(purpose)]
+                for purpose in ("scaling", "enhancement")
+            },
+            realizations=STUDY["scaling"]["realizations"],
+            tolerance=STUDY["scales"]["tolerance"],
+            area=FILES.contact.area,
+            sampling=SAMPLING,
+            **NAMED_SURFACES,
         ),
     script:
-        "../scripts/fit_exponents.py"
+        "../scripts/compare_short_edges.py"
 
 
 rule fit_published:
@@ -53,11 +48,7 @@ rule fit_published:
         code=code_inputs("fit_published.py"),
     output:
         PATTERNS.dataset("fit"),
-    log:
-        PATTERNS.log("fit_published"),
-    benchmark:
-        PATTERNS.benchmark("fit_published")
     params:
-        canonical=parameters(reference_surface=STUDY["reference_surface"], **SAMPLING),
+        canonical=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
         "../scripts/fit_published.py"

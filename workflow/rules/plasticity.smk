@@ -1,4 +1,4 @@
-# Plasticity: the indents that contacts leave in the sphere, and how it enhances the range of adhesion.
+# Plasticity: the indents that contacts leave in the sphere.
 
 INDENTED = STUDY["indent"]["surface"]
 
@@ -11,10 +11,6 @@ rule measure_indents:
         code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),
-    log:
-        PATTERNS.log("measure_indents"),
-    benchmark:
-        PATTERNS.benchmark("measure_indents")
     params:
         canonical=parameters(
             **named(INDENTED),
@@ -26,26 +22,3 @@ rule measure_indents:
         ),
     script:
         "../scripts/measure_indents.py"
-
-
-rule compare_enhancement:
-    """Find the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
-    input:
-        masters=FILES.paths(PATTERNS.filtered, FILES.masters("enhancement")),
-        code=code_inputs("compare_enhancement.py"),
-    output:
-        PATTERNS.dataset("enhancement"),
-    log:
-        PATTERNS.log("compare_enhancement"),
-    benchmark:
-        PATTERNS.benchmark("compare_enhancement")
-    params:
-        canonical=parameters(
-            masters=[row.surface for row in FILES.masters("enhancement")],
-            realizations=STUDY["scaling"]["realizations"],
-            tolerance=STUDY["scales"]["tolerance"],
-            **SAMPLING,
-            **NAMED_SURFACES,
-        ),
-    script:
-        "../scripts/compare_enhancement.py"

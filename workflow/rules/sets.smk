@@ -1,4 +1,4 @@
-# Sets: many equally good sets of substitute scans, sampled from pools, and the numbers of each.
+# Sets: many sets of substitute scans, equal in mean and ± of the rms height, sampled from pools, and the numbers of each.
 
 from hardcontact.paper.evaluation import replicated_statements
 
@@ -6,16 +6,10 @@ from hardcontact.paper.evaluation import replicated_statements
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
+        **SUBSTITUTE_SOURCES,
         code=code_inputs("compute_pool.py"),
     output:
         PATTERNS.pool,
-    log:
-        PATTERNS.log("compute_pool", PATTERNS.pool),
-    benchmark:
-        PATTERNS.benchmark("compute_pool", PATTERNS.pool)
     params:
         canonical=lambda w: parameters(
             **group_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
@@ -24,41 +18,13 @@ rule compute_pool:
         "../scripts/compute_pool.py"
 
 
-rule average_smooth_sphere:
-    """Compute the mean forces of all scans of a surface on a smooth sphere."""
-    input:
-        scans=lambda w: [FILES.stitched(w.surface, scan) for scan in SELECTION.scans(w.surface)],
-        code=code_inputs("average_smooth_sphere.py"),
-    output:
-        PATTERNS.smooth_sphere,
-    log:
-        PATTERNS.log("average_smooth_sphere", PATTERNS.smooth_sphere),
-    benchmark:
-        PATTERNS.benchmark("average_smooth_sphere", PATTERNS.smooth_sphere)
-    params:
-        canonical=lambda w: parameters(
-            surface=w.surface,
-            scans=SELECTION.scans(w.surface),
-            contact=STUDY["contact"] | {"radius": STUDY["sphere"]["radius"]},
-            ranges=RANGES,
-        ),
-    script:
-        "../scripts/average_smooth_sphere.py"
-
-
 rule compute_draws:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
+        **SUBSTITUTE_SOURCES,
         code=code_inputs("compute_draws.py"),
     output:
         PATTERNS.draws,
-    log:
-        PATTERNS.log("compute_draws", PATTERNS.draws),
-    benchmark:
-        PATTERNS.benchmark("compute_draws", PATTERNS.draws)
     params:
         canonical=lambda w: parameters(**group_parameters(w), features=w.features),
     script:
@@ -72,17 +38,12 @@ rule judge_sets:
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
         draws=FILES.paths(PATTERNS.draws, FILES.draw_chunks),
-        smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
         masters=FILES.paths(PATTERNS.filtered, FILES.masters("sets")),
         published_pull_off=PUBLISHED_TABLES["published_pull_off"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("judge_sets.py"),
     output:
         PATTERNS.dataset("sets"),
-    log:
-        PATTERNS.log("judge_sets"),
-    benchmark:
-        PATTERNS.benchmark("judge_sets")
     params:
         canonical=parameters(
             chunks=FILES.chunks,
@@ -115,10 +76,6 @@ rule compare_features:
         code=code_inputs("compare_features.py"),
     output:
         PATTERNS.dataset("features"),
-    log:
-        PATTERNS.log("compare_features"),
-    benchmark:
-        PATTERNS.benchmark("compare_features")
     params:
         canonical=parameters(draw_chunks=FILES.draw_chunks, labels=SELECTION.labels),
     script:
@@ -134,11 +91,7 @@ rule fit_posterior:
         code=code_inputs("fit_posterior.py"),
     output:
         PATTERNS.dataset("posterior"),
-    log:
-        PATTERNS.log("fit_posterior"),
-    benchmark:
-        PATTERNS.benchmark("fit_posterior")
     params:
-        canonical=parameters(whole=FILES.whole_chunks, **SAMPLING),
+        canonical=parameters(whole=FILES.whole_chunks, sampling=SAMPLING),
     script:
         "../scripts/fit_posterior.py"

@@ -5,6 +5,7 @@ import xarray as xr
 from hardcontact.base.dataset import concatenate, read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import with_names
+from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.mean_forces import fewest_places
 from hardcontact.inference.octaves import all_band_ratios, all_sensitivities
 
@@ -16,6 +17,9 @@ with job(snakemake) as job:
     places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
     results = [all_sensitivities(maps, radius, rho, places, confidence)]
+    measured_maps = {name: forces for name, forces in maps.items() if "kept_force" in forces}
+    if measured_maps:
+        results.append(all_hindcasts(measured_maps, params["tolerance"], confidence))
     if bands:  # Measured scans are too small for the long waves of the band.
         results.append(all_band_ratios(bands, radius, rho, confidence))
     job.write(

@@ -1,18 +1,40 @@
-"""Forces on a measured scan with each octave of its own waves amplified."""
+"""Forces on a measured scan with each octave of its own waves amplified, or the last replaced."""
 
+from functools import partial
+
+from hardcontact.base.dataset import read
 from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
+from hardcontact.inference.hindcast import hindcast_forces, last_octave
 from hardcontact.inference.octaves import forces_with, octave_limits, octaves_of_surface
 from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.spectrum import spectrum_of_dataset
 
 with job(snakemake) as job:
     params = job.parameters
     stitched = read_height_map(job.input.stitched)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
+    forces = forces_with(Contact(**params["contact"]), sphere)
     # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
     limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
-    octaves = octaves_of_surface(
-        stitched, limits, forces_with(Contact(**params["contact"]), sphere)
+    octaves = octaves_of_surface(stitched, limits, forces)
+    spectrum = read(job.input.spectrum)
+    measurement = spectrum.isel(measurement=params["measurement"])
+    band = [measurement[f"{end}_reliable"].item() for end in ("shortest", "longest")]
+    hindcast = hindcast_forces(
+        stitched,
+        {
+            side: last_octave(side, transition, *band)
+            for side, transition in params["transitions"].items()
+        },
+        spectrum_of_dataset(spectrum),
+        partial(generator, params["seed"], params["surface"], params["scan"], "hindcast"),
+        forces,
     )
-    octaves = octaves.expand_dims(map=[params["scan"]]).assign_attrs(map_size=stitched.size / 2)
-    job.write(octaves, title="pull-off forces of one scan with each octave amplified")
+    job.write(
+        octaves.merge(hindcast)
+        .expand_dims(map=[params["scan"]])
+        .assign_attrs(map_size=stitched.size / 2),
+        title="pull-off forces of one scan with each octave amplified, or the last replaced",
+    )

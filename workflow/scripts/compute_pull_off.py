@@ -1,4 +1,4 @@
-"""Rigid and plastic pull-off of a scan on all scans of the sphere, and the effect of the window."""
+"""Pull-off of a scan on all scans of the sphere and on a smooth one, and the effect of the grid."""
 
 from dataclasses import replace
 
@@ -6,7 +6,12 @@ from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import over_sphere_scans
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.contact.pull_off import finer_pixel_ratio, pull_off_of_pair, wider_window_change
+from hardcontact.contact.pull_off import (
+    finer_pixel_ratio,
+    mean_pull_off_of_pair,
+    pull_off_of_pair,
+    wider_window_change,
+)
 
 with job(snakemake) as job:
     params = job.parameters
@@ -21,11 +26,21 @@ with job(snakemake) as job:
             for number, pair in pairs.items()
         }
     )
+    plastic_force = forces["pull_off_force"].sel(contact_model="plastic")
+    shortest = min(params["ranges"])
     first_pair = next(iter(pairs.values()))
-    at_shortest_range = replace(contact, range=min(params["ranges"]))
+    smooth = mean_pull_off_of_pair(replace(first_pair, roughness=None), contact, params["ranges"])
     job.write(
-        forces.assign(wider_window_change(pairs.values(), contact)).assign(
-            finer_pixel_ratio(first_pair, at_shortest_range)
-        ),
+        forces.assign(
+            wider_window_change(pairs.values(), contact, plastic_force.sel(rho=contact.range))
+        )
+        .assign(
+            finer_pixel_ratio(
+                first_pair,
+                replace(contact, range=shortest),
+                plastic_force.isel(sphere_scan=0).sel(rho=shortest),
+            )
+        )
+        .assign(smooth_sphere_force=smooth["pull_off_force"]),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

@@ -27,6 +27,7 @@ with job(snakemake) as job:
             scales,
             read(job.input.topography),
             read(job.input.spectra),
+            read(job.input.sensitivity),
             contact=contact,
             masters=masters,
             **limits,

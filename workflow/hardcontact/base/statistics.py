@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
 
@@ -99,7 +98,9 @@ def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> x
 
 def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     """Return both ends of an interval in one array, along a new last dimension `bound`."""
-    return xr.concat([low, high], pd.Index(BOUNDS, name="bound")).transpose(..., "bound")
+    low, high = xr.broadcast(low, high)
+    ends = np.stack([low.values, high.values], axis=-1)  # xr.concat takes five times as long
+    return xr.DataArray(ends, {**low.coords, "bound": BOUNDS}, (*low.dims, "bound"))
 
 
 def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:

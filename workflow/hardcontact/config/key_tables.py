@@ -1,4 +1,4 @@
-"""Write the configuration of the paper and the tables of `config/README.md` from the keys.
+"""Write the configuration of the paper and the table of columns in `config/README.md`.
 
 ``python -m hardcontact.config.key_tables``, in the top folder, writes both.
 """
@@ -22,39 +22,36 @@ README = Path("config/README.md")
 YAML_HEADER = """\
 # The paper: the defaults of the study, made from workflow/hardcontact/config/keys.py by
 # python -m hardcontact.config.key_tables
-# README.md beside this file has the values that each key may have. Another study: a file with the
-# few keys that differ, given as  snakemake --configfile my-study.yaml
+# Above each key: its meaning (section of the paper with the default) [values that it may have].
+# Another study: a file with the few keys that differ, given as
+# snakemake --configfile my-study.yaml
 """
 #: Accepted values in words, by type.
 VALUES_IN_WORDS = {bool: "`true` or `false`", dict[Any, Any]: "a mapping", list[int]: "a list"}
 
 
 def configuration_yaml() -> str:
-    """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
+    """Return the YAML of all keys; comments have meanings, sections of the paper and values."""
     fields = dict(_fields(StudyKeys))
-    comments = {key: _meaning(field) + _paper_section(field) for key, field in fields.items()}
+    comments = {
+        key: f"{_meaning(field)}{_paper_section(field)} [{_values(field)}]"
+        for key, field in fields.items()
+    }
     tree = set_keys({}, {key: field.default for key, field in fields.items()})
     return "\n".join([YAML_HEADER, *commented_yaml(tree, comments)]) + "\n"
 
 
-def update_tables(text: str) -> str:
-    """Return Markdown with renewed tables of keys and of the columns of a table of surfaces.
+def update_columns(text: str) -> str:
+    """Return Markdown whose table of the columns of a table of surfaces is renewed.
 
-    The tables are between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, with the
-    names ``keys`` and ``columns``.
+    It is between the lines ``<!-- columns: begin -->`` and ``<!-- columns: end -->``.
     """
-    tables = {"keys": _fields(StudyKeys), "columns": SurfaceRow.model_fields.items()}
-    for name, fields in tables.items():
-        rows = [f"| `{key}` | {_meaning(field)} | {_values(field)} |" for key, field in fields]
-        head = f"| {name.removesuffix('s')} | meaning | values |\n| --- | --- | --- |"
-        text = _replace_between_markers(text, name, "\n".join([head, *rows]))
-    return text
-
-
-def _replace_between_markers(text: str, name: str, content: str) -> str:
-    begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
+    begin, end = "<!-- columns: begin -->\n", "<!-- columns: end -->\n"
+    fields = SurfaceRow.model_fields.items()
+    rows = [f"| `{name}` | {_meaning(field)} | {_values(field)} |" for name, field in fields]
+    table = "\n".join(["| column | meaning | values |", "| --- | --- | --- |", *rows])
     head, _, tail = text.partition(begin)
-    return f"{head}{begin}\n{content}\n\n{end}{tail.partition(end)[2]}"
+    return f"{head}{begin}\n{table}\n\n{end}{tail.partition(end)[2]}"
 
 
 def _meaning(field: FieldInfo) -> str:
@@ -123,4 +120,4 @@ def _inline_yaml(value: Any) -> str:
 
 if __name__ == "__main__":
     CONFIGURATION.write_text(configuration_yaml(), "utf-8")
-    README.write_text(update_tables(README.read_text("utf-8")), "utf-8")
+    README.write_text(update_columns(README.read_text("utf-8")), "utf-8")

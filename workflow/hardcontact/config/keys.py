@@ -1,8 +1,8 @@
 """The keys of a study, one field a key: type, unit, limits, default and documentation.
 
 The defaults are the paper's. The string below a key gives its meaning; `key` names the section of
-the paper that the default comes from. config/config.yaml and the tables of config/README.md are
-made from this module: ``python -m hardcontact.config.key_tables``.
+the paper that the default comes from. config/config.yaml is made from this module:
+``python -m hardcontact.config.key_tables``.
 """
 
 from typing import Annotated, Any, Literal
@@ -77,13 +77,11 @@ class ScanKeys(Keys):
     featured_surface: SurfaceId = "polished_uncd"
     """Substrate whose substitutes have bumps or pits on a Gaussian base, or `none`."""
     undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
-    """Undefined pixels of measured scans: `refuse` the scan, or fill them with a `harmonic`
-    function."""
+    """Measured scans with undefined pixels: `refuse`, or fill with a `harmonic` function."""
     unit: Annotated[str, UNIT] = "none"
-    """Unit of measured scans whose files state none, or units of positions and heights; `none`:
-    such files are refused."""
+    """Unit, or units of positions and heights, of files that state none; `none`: refuse them."""
     map_size: Annotated[Length, or_word("none")] = key("none")
-    """Longer side of measured scans whose files state no size; `none`: such files are refused."""
+    """Longer side of scans whose files state no size; `none`: refuse them."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
     """What is subtracted from measured scans: a `plane`, offsets of `lines` and a plane, or a
     `quadratic` polynomial."""
@@ -216,11 +214,11 @@ class SetsKeys(Keys):
     """Sets."""
 
     replicates: Annotated[int, Field(ge=1, le=10000)] = 100
-    """Number of sets of scans, each as good as the substitutes of the study."""
+    """Number of sets of scans, all equal in the mean and the ± of the rms height."""
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
-    """Number of scans of each substrate from which sets are sampled."""
+    """Scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
-    """Number of rms heights at which forces on the pool are computed, and interpolated between."""
+    """Rms heights at which forces on the pool are computed, and interpolated between."""
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20

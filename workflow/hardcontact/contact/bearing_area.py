@@ -6,6 +6,7 @@ that most tiles are never read.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -16,10 +17,12 @@ from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
 
-#: Pixels along a side of a tile, tiles along a side of a group, and tiles that are read at once.
-TILE = 64
-GROUP = 8
-BATCH = 64
+#: Pixels along a side of a tile, tiles along a side of a group, tiles that are read at once, and
+#: contacts that are searched at once.
+TILE = 32
+GROUP = 16
+BATCH = 256
+CONTACTS = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,10 +229,10 @@ def _limits_of_gaps(windows: _Windows, tiles: WindowTiles, contact_pixel_count: 
     It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
     """
     tile_count = -(-contact_pixel_count // TILE**2)
-    ends = np.searchsorted(tiles.contact, np.arange(1, tiles.contact[-1] + 1))
+    ends = np.searchsorted(tiles.contact, np.arange(tiles.contact[-1] + 2))
     best = [
-        start + _lowest_columns(bounds[None], tile_count)[0]
-        for start, bounds in zip([0, *ends], np.split(tiles.bounds, ends), strict=True)
+        start + _lowest_columns(tiles.bounds[None, start:end], tile_count)[0]
+        for start, end in pairwise(ends.tolist())
     ]
     gaps, _, _ = windows.gaps(tiles.select(np.concatenate(best)))
     gaps = gaps.reshape(len(best), -1)
@@ -277,12 +280,14 @@ def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int,
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
     geometry = bodies.geometry
-    positions = bodies.geometry.positions
-    rows = (np.column_stack([np.full_like(positions, y), positions]) for y in positions)
-    return {
-        (i, j): contact
-        for i, row in enumerate(rows)
-        for j, contact in enumerate(
-            lowest_gaps(substrate, roughness, geometry, row, contact_pixel_count)
+    numbers = range(len(geometry.positions))
+    places = [(i, j) for i in numbers for j in numbers]
+    positions = geometry.positions[np.array(places)]
+    contacts = [
+        contact
+        for start in range(0, len(places), CONTACTS)
+        for contact in lowest_gaps(
+            substrate, roughness, geometry, positions[start : start + CONTACTS], contact_pixel_count
         )
-    }
+    ]
+    return dict(zip(places, contacts, strict=True))

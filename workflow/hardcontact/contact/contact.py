@@ -37,13 +37,13 @@ class Contact:
 
     @property
     def area(self) -> float:
-        """The area F/H that carries the preload, in nm²; zero in rigid contact: a point."""
+        """The area, preload over hardness, in nm²; zero in rigid contact: a point."""
         if not self.plastic:
             return 0.0
         return self.preload / self.hardness * 1e18
 
     def pixel_count(self, pixel_size: float) -> int:
-        """Return the number of contact pixels (size in nm): the smallest one >= F/(H A_pix).
+        """Return the least number of contact pixels (size in nm) that carry the preload.
 
         It is 1 in rigid contact. Source: the paper, plastic analysis.
         """

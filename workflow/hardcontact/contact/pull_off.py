@@ -162,9 +162,9 @@ def touched_places(bodies: Bodies, contacts: Contacts) -> int:
         (bodies.geometry.positions[list(index)] + offsets) % pixels
         for index, (_, offsets) in contacts.items()
     ]
-    # Fold the mirror images back onto the scan.
+    # Fold the mirror images back onto the scan, a quarter of the map.
     scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_points]
-    is_touched = np.zeros((pixels, pixels), bool)
+    is_touched = np.zeros((-(-pixels // 2),) * 2, bool)
     for points in scan_pixels:
         is_touched[points] = True
     patches, _ = label(is_touched, np.ones((3, 3)))
@@ -187,10 +187,11 @@ def mean_pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     )
 
 
-def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
+def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
     """Return the mean plastic force on pixels of half the size, relative to those of a pair.
 
-    Both maps are Fourier interpolated, so that the surfaces stay the same.
+    Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the
+    pair in N at 1 J/m² are those at the range of the contact.
     """
     geometry = bodies.geometry
     substrate = bodies.substrate
@@ -205,31 +206,29 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact) -> xr.Dataset:
             positions=2 * geometry.positions,
         ),
     )
-    coarse = pull_off_forces(bodies, [contact], [contact.range]).mean()
     fine = pull_off_forces(finer, [contact], [contact.range]).mean()
     attributes = {
         "units": "1",
         "long_name": "force on pixels of half the size, relative to the scan's pixels",
     }
-    change = ((), fine / coarse, attributes | {"rho": contact.range})
+    change = ((), fine / forces.values.mean(), attributes | {"rho": contact.range})
     return xr.Dataset({"finer_pixel_ratio": change})
 
 
-def wider_window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
+def wider_window_change(
+    pairs: Iterable[Bodies], contact: Contact, forces: xr.DataArray
+) -> xr.Dataset:
     """Return how much the plastic force changes in a window larger by a period on each side.
 
-    The pairs have one substrate; the largest relative change over contacts and pairs is returned.
+    The forces (pair, contact, contact) in N at 1 J/m² are those at the range of the contact. The
+    pairs have one substrate; the largest relative change over contacts and pairs is returned.
     """
     changes = []
-    for bodies in pairs:
-        geometry = bodies.geometry
-        contact_pixel_count = contact.pixel_count(geometry.pixel_size)
-        contacts = all_lowest_gaps(bodies, contact_pixel_count)
-        window = geometry.window + 2 * bodies.substrate.pixels
-        wider = replace(bodies, geometry=replace(geometry, window=window))
-        narrow = outside_sums(bodies, contacts, [contact.range]) + contact_pixel_count
-        wide = outside_sums(wider, contacts, [contact.range]) + contact_pixel_count
-        changes.append(float(np.abs(wide / narrow - 1).max()))
+    for bodies, pair_forces in zip(pairs, forces.values, strict=True):
+        window = bodies.geometry.window + 2 * bodies.substrate.pixels
+        wider = replace(bodies, geometry=replace(bodies.geometry, window=window))
+        wide = pull_off_forces(wider, [contact], [contact.range])[0, 0]
+        changes.append(float(np.abs(wide / pair_forces - 1).max()))
     attributes = {
         "units": "1",
         "long_name": "change of the force in a window wider by a period on each side",

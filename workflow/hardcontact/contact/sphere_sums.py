@@ -95,6 +95,9 @@ SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 ROWS = 64  # in a block: small enough for the cache
 
+#: Smallest sum, relative to the norms of its factors, that Fourier transforms give to 1e-9.
+SMALLEST_TRANSFORMED = 1e-6
+
 #: Largest penetration of a contact relative to the range at which contact pixels are subtracted, by
 #: the precision of the heights: exp(2) of 7 digits are lost, or exp(6) of 16.
 MAX_PENETRATION = {np.float32: 2.0, np.float64: 6.0}
@@ -340,7 +343,34 @@ def _folded_by_shift(
 def _correlation(
     attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
 ) -> Floats:
-    """Return the sum (contact, contact) of attraction * kernel, shifted to each contact."""
+    """Return the sum (contact, contact) of attraction * kernel, shifted to each contact.
+
+    Fourier transforms take a third of the time of products, but their error is relative to the
+    norms of both factors: they give the sums if all of these are large enough.
+    """
+    total = _correlation_by_transforms(attraction, kernel, positions)
+    norm = np.linalg.norm(attraction) * np.linalg.norm(kernel)
+    if total.min() > SMALLEST_TRANSFORMED * norm:
+        return total
+    return _correlation_by_products(attraction, kernel, positions)
+
+
+def _correlation_by_transforms(
+    attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
+) -> Floats:
+    """Return `_correlation` with an error of some 1e-16 of the norms of both factors."""
+    from scipy import fft
+
+    product = fft.rfft2(attraction)
+    product *= np.conj(fft.rfft2(kernel))
+    rows = fft.ifft(product, axis=0, overwrite_x=True)[positions]
+    return np.asarray(fft.irfft(rows, len(kernel), axis=1)[:, positions])
+
+
+def _correlation_by_products(
+    attraction: NDArray[np.floating], kernel: Floats, positions: NDArray[np.int_]
+) -> Floats:
+    """Return `_correlation` with an error relative to each sum."""
     # Each row of the kernel times one row of the attraction for every contact: matrices again.
     pixels = len(kernel)
     step = 4

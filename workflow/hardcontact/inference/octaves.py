@@ -4,7 +4,7 @@ The waves of one octave are amplified and attenuated on the same surface. Both f
 other waves, so that their ratio scatters little. F is the mean force over contacts.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.base.dataset import stack
+from hardcontact.base.number import Number
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
@@ -33,13 +34,15 @@ Floats = NDArray[np.float64]
 #: Forces on one surface, of any shape.
 ForcesOnSurface = Callable[[HeightMap], Floats]
 
-#: Limits of all octaves in nm: from below the pixels of the paper to above its surfaces.
-OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(12))
+#: Limits of all octaves in nm: from below the wavelengths of spectra, 0.1 nm, to above 1 mm.
+OCTAVE_LIMITS: Floats = np.ldexp(10.0, np.arange(-7, 18))
 #: Relative change of an amplitude. A trade: smaller steps let single contact pixels decide, larger
 #: ones leave the central difference in error by their square.
 STEP = 0.05
 #: Factors on the amplitude of an octave.
 FACTORS = (1 - STEP, 1 + STEP)
+#: Octaves that an answer names.
+OCTAVES_NAMED = 3
 #: Parts of the roughness whose forces are compared with the force on all of it.
 BAND_PARTS = ("only the band", "no shorter waves", "no longer waves")
 
@@ -67,28 +70,35 @@ def forces_with(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSu
 
 
 def octave_limits(shortest: float, longest: float) -> Floats:
-    """Return the limits (nm) of the octaves that lie between two wavelengths (nm)."""
-    return OCTAVE_LIMITS[(OCTAVE_LIMITS >= shortest) & (OCTAVE_LIMITS <= longest)]
+    """Return the limits (nm) of the octaves above one wavelength (nm) and up to another."""
+    return OCTAVE_LIMITS[(OCTAVE_LIMITS > shortest) & (OCTAVE_LIMITS <= longest)]
 
 
 def octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
-    """Yield the waves of a periodic surface from each limit (nm, ascending) to the next."""
+    """Yield the waves of a periodic surface from each limit (nm, ascending) to the next.
+
+    The next octave overwrites the heights.
+    """
     longer_waves = filtered_series(surface, "small", list(limits), surface.pixels)
-    heights = next(longer_waves).heights.copy()
+    waves = next(longer_waves).heights.copy()
+    heights = np.empty_like(waves)
     for longer in longer_waves:
-        yield replace(surface, heights=heights - longer.heights)
-        heights = longer.heights.copy()
+        np.subtract(waves, longer.heights, out=heights)
+        yield replace(surface, heights=heights)
+        waves[...] = longer.heights
 
 
 def octave_forces(
     surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
 ) -> Floats:
     """Return the forces (octave, factor, ...) with each octave times each of FACTORS."""
+    amplified = replace(surface, heights=np.empty_like(surface.heights))
 
     def force(octave: HeightMap, factor: float) -> Floats:
         """Return the forces with one octave times a factor."""
-        heights = surface.heights + (factor - 1) * octave.heights
-        return forces(replace(surface, heights=heights))
+        np.multiply(octave.heights, factor - 1, out=amplified.heights)
+        np.add(amplified.heights, surface.heights, out=amplified.heights)
+        return forces(amplified)
 
     return np.array(
         [[force(octave, factor) for factor in FACTORS] for octave in octaves(surface, limits)]
@@ -107,6 +117,28 @@ def octaves_of_surface(
             "factor": ("factor", list(FACTORS), FACTOR),
         },
     )
+
+
+def middles_within(octaves: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
+    """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
+    middle = np.sqrt(2) * octaves
+    return np.asarray((shortest < middle) & (middle < longest))
+
+
+def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
+    """Yield the octaves whose amplitudes change the force most, and by how much.
+
+    ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` its
+    ``octave_sensitivity`` (octave). Octaves with NaN do not count.
+    """
+    known = sensitivity.dropna("octave", subset=["octave_sensitivity"])
+    strongest = np.argsort(-np.abs(known["octave_sensitivity"].values))[:OCTAVES_NAMED]
+    for rank, index in enumerate(strongest, start=1):
+        octave = known.isel(octave=index)
+        low, high = octave.get("octave_sensitivity_interval", (np.nan, np.nan))
+        value = float(octave["octave_sensitivity"])
+        yield Number(f"octave_{rank}", float(octave["octave"]), "nm")
+        yield Number(f"octave_{rank}_sensitivity", value, "1", float(low), float(high))
 
 
 def log_force_ratio(
@@ -190,23 +222,22 @@ def sensitivities(
 # The band alone
 
 
-def band_parts(surface: HeightMap, shortest: float, longest: float) -> dict[str, HeightMap]:
-    """Return BAND_PARTS of a periodic surface, by name.
+def band_parts(
+    surface: HeightMap, bands: Iterable[tuple[float, float]]
+) -> Iterator[dict[str, HeightMap]]:
+    """Yield BAND_PARTS of a periodic surface, by name, for each band.
 
-    The band has the wavelengths (nm) from `shortest` to below `longest`.
+    A band has the wavelengths (nm) from its first to below its second.
     """
-    without_shorter = _waves_from(surface, shortest)
-    longer = _waves_from(surface, longest)
-    heights = (without_shorter - longer, without_shorter, surface.heights - longer)
-    return {
-        name: replace(surface, heights=part_heights)
-        for name, part_heights in zip(BAND_PARTS, heights, strict=True)
-    }
-
-
-def _waves_from(surface: HeightMap, cutoff: float) -> NDArray[np.float32]:
-    """Return the heights without all wavelengths below a cutoff (nm)."""
-    return next(filtered_series(surface, "small", [cutoff], surface.pixels)).heights
+    cutoffs = [cutoff for ends in bands for cutoff in ends]
+    filtered = filtered_series(surface, "small", cutoffs, surface.pixels)
+    waves = (part.heights.copy() for part in filtered)
+    for without_shorter, longer in zip(waves, waves, strict=True):
+        heights = (without_shorter - longer, without_shorter, surface.heights - longer)
+        yield {
+            name: replace(surface, heights=part_heights)
+            for name, part_heights in zip(BAND_PARTS, heights, strict=True)
+        }
 
 
 def bands_of_surface(
@@ -219,7 +250,7 @@ def bands_of_surface(
     side) are the wavelengths.
     """
     part_forces = [
-        [forces(part) for part in band_parts(surface, *ends).values()] for ends in bands.values()
+        [forces(part) for part in parts.values()] for parts in band_parts(surface, bands.values())
     ]
     return xr.Dataset(
         {

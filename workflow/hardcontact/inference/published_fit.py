@@ -14,6 +14,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, JOULE_PER_M2, NM
+from hardcontact.contact.contact import CONTACT_AXES
 from hardcontact.contact.force_curves import (
     force_curves,
     force_statistics,
@@ -121,10 +122,10 @@ def _forces_at_pair(
     means, mean_samples = mean_forces(pair_forces.expand_dims("rho"), sampling)
     ratio = means[:, 0] / means[reference_index, 0]
     ratio_samples = mean_samples[:, :, 0] / mean_samples[:, [reference_index], 0]
-    contacts = pair_forces.stack(contact=["contact_y", "contact_x"])
+    contacts = pair_forces.transpose("surface", "scan", "sphere_scan", *CONTACT_AXES).values
+    contacts = contacts.reshape(*contacts.shape[:3], -1)
     statistics = [
-        force_statistics(contacts.sel(surface=surface).values, force_floor, sampling)
-        for surface in forces.surface.values
+        force_statistics(surface_forces, force_floor, sampling) for surface_forces in contacts
     ]
     return xr.concat(statistics, pd.Index(forces.surface.values, name="surface")).assign(
         sampling.with_interval("ratio_at_pair", "surface", ratio, ratio_samples, DIMENSIONLESS)

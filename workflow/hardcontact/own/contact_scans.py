@@ -195,9 +195,23 @@ def choose_window(
 
 def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:
     """Return the side of the window (nm) for a range of adhesion (nm), and the reason."""
-    rms_height = max(scan.rms_height for scan in scans)
-    finest = min(scan.pixel_size for scan in scans)
-    smallest = min(scan.size for scan in scans)
+    return window_on_scans(
+        max(scan.rms_height for scan in scans),
+        min(scan.pixel_size for scan in scans),
+        min(scan.size for scan in scans),
+        radius,
+        rho,
+    )
+
+
+def window_on_scans(
+    rms_height: float, finest: float, smallest: float, radius: float, rho: float
+) -> tuple[float, str]:
+    """Return the side of a window (nm), and the reason.
+
+    All lengths are in nm: the largest rms height of scans, their finest pixels and smallest size,
+    radius of the sphere and range of adhesion.
+    """
     height = RANGES_IN_WINDOW * rho
     height_words = f"{RANGES_IN_WINDOW} ranges of adhesion"
     if RMS_IN_WINDOW * rms_height > height:

@@ -16,7 +16,7 @@ import numpy as np
 from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import quote_key
 from hardcontact.config.tables import Row, UserTable, parse_number, user_table
-from hardcontact.surfaces.height_map import metrics
+from hardcontact.surfaces.height_map import HeightMap, metrics
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, reliable_spectrum
 from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
@@ -61,6 +61,7 @@ class OwnSpectrum(NamedTuple):
 
     spectrum: Spectrum  #: Of scans a `ScanSpectrum`.
     notes: tuple[str, ...]
+    scans: tuple[HeightMap, ...] = ()  #: Levelled; none of a table.
 
 
 def own_spectrum(
@@ -125,7 +126,7 @@ def own_spectrum(
     notes += [f"{TAKE_CARE}{name}: {line}" for name, line in defects]
     skewnesses = [metrics(scan)["skewness"] for scan in scans if scan.kind == "map"]
     spectrum = reliable_spectrum(joined, max(skewnesses, key=abs, default=0.0))
-    return OwnSpectrum(spectrum, tuple(notes))
+    return OwnSpectrum(spectrum, tuple(notes), tuple(scans))
 
 
 def _is_table(path: str | Path) -> bool:

@@ -14,12 +14,12 @@ from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
-from hardcontact.config.model import NONE, Study
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
-    QUANTITY_OPTIONS,
     add_shared_options,
     implausible_quantities,
     parse_quantities,
@@ -105,10 +105,11 @@ def predict(arguments: Namespace) -> str:
             name, option.number, option.unit, status="given" if option.is_given else "paper"
         )
         for name, option in quantities.items()
-        if name in QUANTITY_OPTIONS
+        if name in CONTACT_QUANTITIES
     }
     tolerance = Study().scales.tolerance
     numbers |= prediction(user_spectrum.spectrum, contact, tolerance, arguments.file)
+    numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
     if "modulus" in quantities:
@@ -116,7 +117,7 @@ def predict(arguments: Namespace) -> str:
         status = "given"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
-    texts = {name: quantities[name].text for name in QUANTITY_OPTIONS}
+    texts = {name: quantities[name].text for name in CONTACT_QUANTITIES}
     cautions = [f"take care: {line}" for line in cautions]
     of_scans = isinstance(user_spectrum.spectrum, ScanSpectrum)
     report = "\n".join([*user_spectrum.notes, _report(numbers, texts, of_scans), *cautions])
@@ -174,7 +175,7 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str], of_scans: b
     )
     environment.filters |= {"length": format_length, "quantity": format_quantity}
     environment.tests["known"] = math.isfinite
-    meanings = {name: meaning for name, (_, meaning) in QUANTITY_OPTIONS.items()}
+    meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(
         numbers=numbers,
         texts=texts,

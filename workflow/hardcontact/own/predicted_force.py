@@ -15,6 +15,7 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
+from hardcontact.inference.hindcast import widen
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
@@ -42,6 +43,7 @@ def own_force(
     scales: xr.Dataset,
     topography: xr.Dataset,
     spectra: xr.Dataset,
+    sensitivity: xr.Dataset,
     *,
     contact: Contact,
     masters: Masters,
@@ -63,6 +65,10 @@ def own_force(
     )
     extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
+    if "hindcast_ratio" in sensitivity:
+        hindcast = sensitivity[["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails"]]
+        force = force.merge(hindcast, join="left")
+        force = widen(force, "extrapolated_force", force["hindcast_ratio"])
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
         name: spectrum_of_dataset(spectra.sel(surface=name))
@@ -241,8 +247,9 @@ def add_extrapolated_force(
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     """Return predicted forces whose means and intervals never exceed that on a smooth sphere.
 
-    The forces come from `add_extrapolated_force`; the area F/H is in nm². ``smooth_bound``
-    (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no such bound.
+    The forces come from `add_extrapolated_force`; the `area` in plastic contact is in nm².
+    ``smooth_bound`` (contact_model, rho) in N is added. Single contacts (`force_quantile`) have no
+    such bound.
     """
     # A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. If only
     # long waves bend the surface, this is 2 pi R W/sqrt(D), D = det(1 - R Hess h) at the point of
@@ -251,7 +258,7 @@ def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:
     # 2 pi R W sqrt(D) over the surface, and sqrt(D) is at most 1 - R lap(h)/2, whose mean is one.
     # Short waves lower the force, since their peaks keep the bodies apart. Pixels raise it by the
     # factor 1 + A_pix/(12 R rho), since the highest pixel is not the highest point. In plastic
-    # contact, the area F/H touches at zero gap and adds W/rho times this area.
+    # contact, the area touches at zero gap and adds W/rho times this area.
     radius = force.attrs["sphere_radius"]
     work = force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])

@@ -47,7 +47,7 @@ CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
 SECONDS_A_PIXEL = 4e-7
-SECONDS_A_TILE = 4e-8
+SECONDS_A_TILE = 1e-8
 #: The smallest ratio of neighbouring cutoffs. Trial on the forces of the paper's study: each was
 #: interpolated between its neighbours. A median of 1 to 2 % is wrong if these are a factor 1.1 to
 #: 1.6 apart, whatever the factor, so that closer cutoffs gain nothing beside a tolerance of 10 %.

@@ -4,7 +4,7 @@ A set consists of scans of a pool. Each scan gets a new rms height, from which i
 Scans of a surface with features are a draw of that surface, which no set shares.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,7 +23,7 @@ from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_draws import draw_of_set, draws_by_surface
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
-from hardcontact.surfaces.height_map import METRICS
+from hardcontact.surfaces.height_map import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
 Floats = NDArray[np.float64]
@@ -33,8 +33,6 @@ SampledScans = Mapping[str, xr.Dataset]
 
 #: Largest number of tries to find a set with possible heights.
 MAX_TRIES = 1000
-#: Metrics that do not change with the height of a scan.
-HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
 #: Variables of the fit of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
@@ -72,22 +70,22 @@ def gather_sources(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     draw_chunks: Mapping[tuple[Any, ...], xr.Dataset],
-    smooth: Mapping[str, xr.Dataset],
+    pooled: Sequence[str],
     masters: xr.Dataset,
 ) -> Sources:
     """Join the chunks of pools and draws, and compute the factor of the rough sphere.
 
     `chunks` come from `pool.compute_pool`, by substrate, first and last scan; `draw_chunks` from
-    `featured_draws.compute_draws`, by substrate, kind, first and last draw. `smooth` are mean
-    forces of the scans of the study on a smooth sphere, by substrate.
+    `featured_draws.compute_draws`, by substrate, kind, first and last draw. `pooled` are the
+    substrates with a pool or draws.
     """
     pools = concatenate(chunks, "scan", 1)
     forces = study["adhesion"]["pull_off_force"]
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
-    for surface, scans in smooth.items():
-        smooth_mean = scans["pull_off_force"].mean("scan")
-        factor.loc[{"surface": surface}] = rough.sel(surface=surface, drop=True) / smooth_mean
+    smooth = study["adhesion"]["smooth_sphere_force"].mean("scan")
+    for surface in pooled:
+        factor.loc[{"surface": surface}] = (rough / smooth).sel(surface=surface, drop=True)
     return Sources(
         study["topography"],
         study["adhesion"],
@@ -128,10 +126,10 @@ def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     variables = {
         name: (
             "scan",
-            pool_scans[name].values * (1.0 if name in HEIGHT_INDEPENDENT_METRICS else factor),
+            pool_scans[name].values * factor,
             pool_scans[name].attrs,
         )
-        for name in METRICS
+        for name in TABLE1_METRICS.values()
     } | {
         "pull_off_force": (axes, np.exp(log_forces), {"units": "N"}),
         "number": ("scan", pool_scans["scan"].values),
@@ -168,12 +166,12 @@ def sample_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, 
 
 
 def set_topography(study: xr.Dataset, sampled_scans: SampledScans, confidence: float) -> xr.Dataset:
-    """Return the topography of a set, as in topography.nc: METRICS, their averages and labels."""
+    """Return the topography of a set, as in topography.nc: metrics, their averages and labels."""
     surface_scans = [
         sampled_scans[name] if name in sampled_scans else study.sel(surface=name, drop=True)
         for name in study["surface"].values
     ]
-    metrics = [scans[list(METRICS)] for scans in surface_scans]
+    metrics = [scans[list(TABLE1_METRICS.values())] for scans in surface_scans]
     set_scans = xr.concat(metrics, study["surface"], join="outer")
     constant = [name for name in study if str(name).startswith("all_scales_")]
     labels = study[[*constant, "label", "basis", "table1_rows_met"]]

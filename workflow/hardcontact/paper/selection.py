@@ -4,6 +4,7 @@ A number is a dataset of `value` and `value_interval` (`paper.numbers`).
 """
 
 from collections.abc import Iterable, Mapping
+from functools import reduce
 from itertools import chain, pairwise
 from typing import Any
 
@@ -74,7 +75,7 @@ def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
         quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
         for upper, lower in pairwise(groups)
     ]
-    return xr.concat(ratios, dim="pair_of_groups").min("pair_of_groups", skipna=False)
+    return reduce(xr.ufuncs.minimum, ratios)
 
 
 #: Basis of a number that needs no scan.

@@ -1,6 +1,6 @@
 """Rules that turn a number, its interval and the published limits into a verdict.
 
-If many equally good sets of scans have the number, the share of sets that agree decides.
+If many sets of scans have the number, the share of sets that agree decides.
 """
 
 from collections.abc import Sequence
@@ -46,7 +46,7 @@ class AcceptedRange:
         return (self.low < values) & (values < self.high)
 
     def verdict_of_sets(self, replicas: np.ndarray) -> str:
-        """Judge the numbers (set,) of equally good sets by the share of sets that agree.
+        """Judge the numbers (set,) of sets of scans by the share of sets that agree.
 
         A set without a number does not agree.
         """

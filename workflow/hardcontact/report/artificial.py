@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.inference.edges import computed_cutoffs
+from hardcontact.inference.octaves import middles_within
 from hardcontact.report.datasets import Datasets
 
 #: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements
@@ -47,9 +48,22 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     return [*bands, (float(spectra["longest_measured"]), np.inf)]
 
 
+def fails_hindcast(data: Datasets, side: str) -> bool:
+    """Return whether artificial roughness changes the force where the scans show the true one."""
+    fails = data.force.get("hindcast_fails")
+    return fails is not None and fails.sel(side=side).item() == 1
+
+
 def overlaps_any(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
     """Return whether wavelengths from low to high (nm) overlap any band; False if either is NaN."""
     return any(shortest < high and low < longest for shortest, longest in bands)
+
+
+def shown_octaves(data: Datasets) -> np.ndarray:
+    """Return the mask (octave,) of octaves at whose middle a scan of one surface is reliable."""
+    octaves = data.sensitivity["octave"].values
+    hidden = [middles_within(octaves, *band) for band in artificial_bands(data.spectra)]
+    return np.asarray(np.logical_not(hidden).all(axis=0))
 
 
 def parts_of_change(

@@ -13,11 +13,17 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
-from hardcontact.report.artificial import measurement_name, measurements, split_measurements
+from hardcontact.report.artificial import (
+    fails_hindcast,
+    measurement_name,
+    measurements,
+    split_measurements,
+)
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
+from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 
 #: Smallest share of the force on a smooth sphere in a window without a caution.
@@ -66,6 +72,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
+        *_hindcasts(data),
         _tail(data),
         _long_waves(data),
     ]
@@ -89,7 +96,7 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
     defects = []
     for index, measurement in enumerate(split_measurements(measurements(spectra)), start=1):
         for code in codes:
-            units = DEFECTS[code].units
+            units = DEFECTS[code]
             values = {name: measurement[name].item() for name in units}
             if not np.isfinite(list(values.values())).all():
                 continue
@@ -252,6 +259,21 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
         "factor": Number("factor", float(factor)),
     }
     return Caution("more_than_measured", numbers=numbers)
+
+
+def _hindcasts(data: Datasets) -> list[Caution]:
+    """Return what artificial roughness in place of the last octave of a side does to the force."""
+    if "hindcast_ratio" not in data.force:
+        return []
+    found = []
+    for side in SIDES:
+        force = data.force.sel(side=side)
+        ratio = number_of(force, "hindcast_ratio", name="ratio")
+        if np.isfinite(ratio.value):
+            numbers = {"ratio": ratio, "start": number_of(force, "transition", "nm", name="start")}
+            code = f"hindcast_{side}"
+            found.append(Caution(code, fails_hindcast(data, side), numbers, {"side": side}))
+    return found
 
 
 def _tail(data: Datasets) -> Caution:

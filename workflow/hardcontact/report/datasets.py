@@ -21,11 +21,12 @@ class Datasets(NamedTuple):
     spectra: xr.Dataset
     edges: xr.Dataset
     force: xr.Dataset
+    sensitivity: xr.Dataset
     fit: xr.Dataset | None = None
 
     def select_surface(self, surface: str) -> "Datasets":
         """Return the datasets of one surface, with the fit to the forces of all surfaces."""
-        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:4]))._replace(
+        return Datasets(*(dataset.sel(surface=surface) for dataset in self[:5]))._replace(
             fit=self.fit
         )
 
@@ -48,7 +49,6 @@ class Setting(NamedTuple):
     contact: Mapping[str, str]
     #: Names of those inputs that the user did not give, so that they are the paper's.
     of_paper: Sequence[str]
-    left_out: Sequence[tuple[str, str]]  #: Parts that these data do not allow, and why.
     version: str  #: Version of the software.
     #: Pairs of range and work of adhesion, rows of resources/adhesion/pairs.csv.
     pairs: Sequence[Mapping[str, Any]]

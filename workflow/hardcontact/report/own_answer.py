@@ -7,10 +7,12 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.artificial import (
     MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,
+    shown_octaves,
     split_measurements,
 )
 from hardcontact.report.cautions import Caution, cautions
@@ -89,12 +91,16 @@ def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]
 
 def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> SurfaceAnswer:
     """Return the answer of one surface from its datasets."""
-    numbers = [*edge_numbers(data), *force_numbers(data)]
+    numbers = [
+        *strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))),
+        *edge_numbers(data),
+        *force_numbers(data),
+    ]
     # A user who gave both range and work of adhesion, or own forces, has a pair.
     if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
-        numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data.spectra)
+        numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
     by_name = {number.name: number for number in numbers}
     surface_cautions = cautions(data, by_name)
     edges = [by_name[name] for name in EDGES.values()]

@@ -11,6 +11,7 @@ from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
     classify_edge,
+    fails_hindcast,
     measured_share_at_edge,
     overlaps_any,
 )
@@ -42,8 +43,8 @@ class Verdict(NamedTuple):
     answer: "yes" if there is one force, neither edge is a bound, and all three come from
         wavelengths at which a scan is reliable. "no" if none of them does, if contacts touch too
         few places, or if there is no band. Otherwise "partly".
-    band: "few_places", "none" if no resolved wavelength changes the force, "overlapping" if the
-        short edge is the longer one, otherwise "found".
+    band: "few_places", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
+        fails, "overlapping" if the short edge is the longer one, otherwise "found".
     extrapolated: sides with a known force with extrapolated roughness.
     """
 
@@ -94,7 +95,12 @@ def edge_numbers(data: Datasets) -> list[Number]:
 
 
 def _known_ends(data: Datasets, side: str) -> Number:
-    """Return an edge without the ends of its interval at artificial wavelengths."""
+    """Return an edge without the ends of its interval at artificial wavelengths.
+
+    It has no value if the hindcast fails: the force that it compares with has artificial roughness.
+    """
+    if fails_hindcast(data, side):
+        return Number(EDGES[side], np.nan, "nm", status="no_hindcast", source="artificial")
     source = EDGE_SOURCES[classify_edge(data, side)]
     edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
     bands = artificial_bands(data.spectra)
@@ -134,7 +140,7 @@ def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
     bands = artificial_bands(spectra)
     wavelength = edge.value
     is_finer = edge.name == "short_edge"
-    if edge.status == "no_band":
+    if np.isnan(wavelength):
         measured_end = "shortest_measured" if is_finer else "longest_measured"
         wavelength = spectra[measured_end].item()
     if edge.status in BOUND:
@@ -156,8 +162,10 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
     sources = {short.source, long.source, numbers["force_mean_change"].source}
     if numbers["force_mean"].status == "few_places":
         band = "few_places"
-    elif np.isnan(short.value):
+    elif short.status == "no_band":
         band = "none"
+    elif "no_hindcast" in (short.status, long.status):
+        band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"
     if band in ("few_places", "none") or sources == {"artificial"}:
@@ -172,4 +180,5 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
 
 def _whole(number: Number) -> Number:
     """Return a number without its interval if an end of it is not known."""
-    return number if np.isfinite([number.low, number.high]).all() else bare(number)
+    is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
+    return number if is_whole else bare(number)

@@ -7,7 +7,12 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.artificial import NEARLY_ALL, parts_of_change, reliable_share
+from hardcontact.report.artificial import (
+    NEARLY_ALL,
+    fails_hindcast,
+    parts_of_change,
+    reliable_share,
+)
 from hardcontact.report.datasets import Datasets, forces_at_range, preferred_model
 from hardcontact.report.own_edges import interval_status
 from hardcontact.report.quantities import ends_only, number_of
@@ -66,7 +71,7 @@ def _extrapolated_forces(data: Datasets) -> list[Number]:
     for side in differing_sides(data.force):
         force = data.force.sel(side=side)
         name = f"force_extrapolated_{side}"
-        number = extrapolated_number(force, "extrapolated_force", name, data.spectra)
+        number = extrapolated_number(force, "extrapolated_force", name, data)
         numbers += [
             with_status(number, force["extrapolated_force_interval_source"]),
             number_of(force, "transition", "nm", name=f"{name}_start"),
@@ -80,16 +85,19 @@ def differing_sides(data: xr.Dataset) -> list[str]:
     return [side for side in SIDES if data["extrapolation_matters"].sel(side=side).item() == 1]
 
 
-def extrapolated_number(
-    side_data: xr.Dataset, variable: str, name: str, spectra: xr.Dataset
-) -> Number:
+def extrapolated_number(side_data: xr.Dataset, variable: str, name: str, data: Datasets) -> Number:
     """Return the force, or the work of adhesion, with roughness extrapolated at one side.
 
-    At the small side it has no value if the scans do not tell how the spectrum goes on.
+    It has no value if the hindcast fails or, at the small side, if the scans do not tell how the
+    spectrum goes on.
     """
     number = number_of(side_data, variable, name=name, source="extrapolated")
-    if side_data["side"] == "small" and spectra["tail_known"].item() != 1:
-        return Number(name, np.nan, number.unit, status="no_exponent", source=number.source)
+    side = str(side_data["side"].item())
+    unknown = Number(name, np.nan, number.unit, source=number.source)
+    if fails_hindcast(data, side):
+        return unknown._replace(status="no_hindcast")
+    if side == "small" and data.spectra["tail_known"].item() != 1:
+        return unknown._replace(status="no_exponent")
     return number
 
 
@@ -136,10 +144,10 @@ def preferred_fit(fit: xr.Dataset) -> xr.Dataset:
     return fit.sel(contact_model=preferred_model(fit))
 
 
-def measured_numbers(fit: xr.Dataset, spectra: xr.Dataset) -> list[Number]:
+def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
     """Return the force measured on one surface, and the works of adhesion that fit it.
 
-    Both datasets hold this surface alone.
+    The datasets and the fit hold this surface alone.
     """
     at_range = fit.sel(rho_fine=fit.attrs["assumed_range"], method="nearest")
     numbers = [
@@ -151,7 +159,7 @@ def measured_numbers(fit: xr.Dataset, spectra: xr.Dataset) -> list[Number]:
         side_fit = fit.sel(side=side)
         name = f"extrapolated_work_{side}"
         numbers += [
-            extrapolated_number(side_fit, "extrapolated_work", name, spectra),
+            extrapolated_number(side_fit, "extrapolated_work", name, data),
             number_of(side_fit, "transition", "nm", name=f"{name}_start"),
         ]
     return numbers

@@ -12,6 +12,7 @@ from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
+from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.verdicts import interval_with_sets, open_end, summary
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.quantities import all_quantities, number_of
@@ -43,8 +44,6 @@ FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 FORCE_UNITS = {"mean_force": "N", "median_force": "N", "log_force_std": "1"}
 #: Part of the roughness whose force says whether the published band is sufficient.
 BAND_ALONE = {"band": "published", "band_part": "only the band"}
-#: Octaves that the headline names.
-OCTAVES_NAMED = 3
 #: Sizes in the study that the paper also prints, with units.
 GRID_UNITS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 
@@ -140,7 +139,7 @@ def study_numbers(
         if claim in rows:
             yield from _claim_numbers(name, rows[claim], datasets)
     sensitivity = datasets["sensitivity"]
-    yield from _strongest_octaves(sensitivity)
+    yield from strongest_octaves(sensitivity[["octave_sensitivity"]].mean("surface"))
     yield Number("whole_surface_size", float(sensitivity["map_size"].max()), "nm", source="given")
     yield from _fit_samples(datasets, constants)
     yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
@@ -206,20 +205,6 @@ def _forces_on_scans(datasets: Mapping[str, xr.Dataset]) -> xr.Dataset:
     table = datasets["scan_size"]
     windows = table.sel(map_size=table["mirrored"] == 1)
     return windows.sel(map_size=datasets["topography"]["scan_size"].min(), method="nearest")
-
-
-def _strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
-    """Yield the octaves whose amplitudes change the force most, and by how much, over surfaces.
-
-    ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` the
-    mean over the surfaces of d ln F / d ln a there.
-    """
-    mean = sensitivity["octave_sensitivity"].mean("surface")
-    strongest = np.argsort(-np.abs(mean.values))[:OCTAVES_NAMED]
-    for rank, index in enumerate(strongest, start=1):
-        octave = mean.isel(octave=index)
-        yield Number(f"octave_{rank}", float(octave["octave"]), "nm")
-        yield Number(f"octave_{rank}_sensitivity", float(octave))
 
 
 def _decisive_surface(sets: xr.Dataset) -> str:

@@ -34,9 +34,14 @@ MAX_POISSON_CLUMPS = 50.0
 MIN_COMPLEMENT = 1e-3
 #: Logarithm of a probability that does not count beside one, to the last digit.
 LOG_NEGLIGIBLE_PROBABILITY = -45.0
-#: Below this level heights have no clumps: those of this level stand for them.
+#: Below this level heights have no clumps: those of this level stand for them. With 1 the logarithm
+#: of the force changes by 0.04 (median; at most 1.66) on 48 designed surfaces that were not held
+#: out. With 2 it changes by 0.02 (0.45) and its rms error falls from 0.21 to 0.12, which was found
+#: late and is not used.
 LOWEST_CLUMP_LEVEL = 1.2
-#: A sphere follows waves whose total curvature is less than this share of its own curvature.
+#: A sphere follows waves whose total curvature is less than this share of its own curvature. With
+#: 0.05 the logarithm of the force changes by 0.002 (median; at most 0.09) on these surfaces, with
+#: 0.2 by 0.003 (0.10), that of the long edge by at most 0.44.
 MAX_FOLLOWED_CURVATURE = 0.1
 
 

@@ -1,4 +1,4 @@
-"""Figures of own surfaces: force ratios, height maps, spectra, forces and fits.
+"""Figures of own surfaces: octaves, force ratios, height maps, spectra, forces and fits.
 
 Each figure has a panel or a curve for every surface.
 """
@@ -10,12 +10,14 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
     measurement_name,
     measurements,
+    shown_octaves,
     split_measurements,
 )
 from hardcontact.report.datasets import Datasets, preferred_model
@@ -38,6 +40,7 @@ FITS_ALL_LOOK: style.Look = {"color": "0.3", "label": "fits all"}
 MAX_UNRELIABLE_CURVES = 3
 MAX_MARKED_POINTS = 30  # on a line
 MAP_RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
+MAX_OCTAVE_MARGIN = 2.0  # of the axis relative to the largest bar; intervals may be much longer
 PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
 
 
@@ -55,6 +58,23 @@ def write_figures(datasets: Datasets, outputs: Mapping[str, Sequence[str]]) -> d
             drawing.save(figure, describe_figure(name).title, files, MAP_RESOLUTION)
         pictures[name] = Path(files["svg"]).read_bytes()
     return pictures
+
+
+def draw_octaves(datasets: Datasets) -> Figure:
+    """Draw the change of the force with the amplitude of each octave, for all surfaces."""
+    labels = datasets.labels()
+    is_shown = [shown_octaves(datasets.select_surface(surface)) for surface in labels]
+    sensitivity = datasets.sensitivity.sel(surface=list(labels))
+    figure = Figure(figsize=(PAGE_WIDTH, 3.0), layout="constrained")
+    axes = figure.subplots()
+    panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
+    low, high = axes.get_ylim()
+    limit = MAX_OCTAVE_MARGIN * float(np.abs(sensitivity["octave_sensitivity"]).max())
+    axes.set_ylim(max(low, -limit), min(high, limit))
+    looks = style.colours(labels).items()
+    handles = [Patch(color=colour, label=labels[surface]) for surface, colour in looks]
+    style.legend_above(figure, handles, max_columns=2)
+    return figure
 
 
 def draw_maps(datasets: Datasets) -> Figure:
@@ -168,6 +188,7 @@ def draw_works(datasets: Datasets) -> Figure:
 
 
 OWN_DRAWINGS: dict[str, Callable[[Datasets], Figure]] = {
+    "octaves": draw_octaves,
     "cutoffs": draw_cutoffs,
     "maps": draw_maps,
     "spectra": draw_spectra,

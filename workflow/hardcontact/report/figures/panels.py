@@ -75,7 +75,8 @@ def draw_edges(axes: Axes, edges: xr.Dataset, labels: xr.DataArray, end: float, 
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     """Draw d ln F / d ln a of each octave, a bar for each surface, with its interval.
 
-    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data.
+    ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data. Octaves are hatched
+    where ``is_shown`` (surface, octave), if there, is false.
     """
     octaves = sensitivity["octave"].values
     surfaces = style.looks(sensitivity["surface"].values)
@@ -84,6 +85,9 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     for column, (surface, look) in enumerate(surfaces.items()):
         positions = octaves * 2 ** ((1 - OCTAVE_SHARE) / 2 + width * column)
         curve = bars.sel(surface=surface)
+        if "is_shown" in sensitivity:
+            for position in positions[~sensitivity["is_shown"].sel(surface=surface).values]:
+                axes.axvspan(position, position * 2**width, zorder=-1, **style.ARTIFICIAL_LOOK)
         axes.bar(
             positions, curve["value"], positions * (2**width - 1), align="edge", color=look["color"]
         )

@@ -1,0 +1,114 @@
+"""Hindcasts: a Gaussian scan passes, others fail, and the scan's own octave is what is replaced."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+from measurements import PIXEL, UNCD
+
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.inference import hindcast
+from hardcontact.inference.octaves import forces_with
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.synthesis import random_surface
+
+PIXELS = 128
+CONTACT = Contact(radius=5e3, range=5.6, hardness=25e9, preload=1e-6, window=600.0, count=6)
+SCAN = random_surface(generator(5), PIXELS, PIXEL, UNCD)
+OCTAVE = (8 * PIXEL, 16 * PIXEL)
+
+
+def ratios(heights, side):
+    """Hindcasts of a scan whose spectrum is that of the Gaussian one."""
+    stitched = mirror_stitch(replace(SCAN, heights=heights))
+    forces = hindcast.hindcast_forces(
+        stitched,
+        {side: OCTAVE},
+        UNCD,
+        lambda side, number: generator(1, side, number),
+        forces_with(CONTACT),
+    )
+    return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
+
+
+@pytest.mark.parametrize("side", ["small", "large"])
+def test_a_gaussian_scan_passes(side):
+    result = ratios(SCAN.heights, side)
+    low, high = result["hindcast_ratio_interval"].values
+    assert low < 1 < high or abs(result["hindcast_ratio"] - 1) < 0.1
+    assert result["hindcast_fails"] == 0
+
+
+def test_a_plateau_with_pits_fails():
+    """Cut off all heights above the mean: the force is higher, and no random octave has it."""
+    heights = np.minimum(SCAN.heights, 0) * 2
+    result = ratios(heights, "small")
+    assert result["hindcast_fails"] == 1 and result["hindcast_ratio"] < 1
+
+
+@pytest.mark.parametrize("side", ["small", "large"])
+def test_parts_differ_by_the_octave(side):
+    """The force is replaced by that on a wave of the octave alone."""
+    stitched = mirror_stitch(SCAN)
+    kept, rest = hindcast._parts_at_octave(stitched, side, OCTAVE)
+    wave = np.fft.fftfreq(stitched.pixels, PIXEL)
+    wavelength = 1 / np.maximum(np.hypot(wave[:, None], wave), 1e-9)
+    power = np.abs(np.fft.fft2(kept - rest)) ** 2
+    is_inside = (wavelength >= OCTAVE[0] * 0.999) & (wavelength < OCTAVE[1] * 1.001)
+    assert power[is_inside].sum() > 0.999 * power.sum()
+    kept_power = np.abs(np.fft.fft2(kept)) ** 2
+    is_beyond = (
+        wavelength < OCTAVE[0] * 0.999 if side == "small" else wavelength > OCTAVE[1] * 1.001
+    )
+    is_beyond[0, 0] = False
+    assert kept_power[is_beyond].sum() < 1e-6 * kept_power.sum()
+
+
+def test_the_interval_has_its_confidence():
+    """Means of forces of a log-normal distribution: the kept one is a draw like the others."""
+    rng = np.random.default_rng(3)
+    trials = 2000
+    draws = np.exp(0.3 * rng.standard_normal((hindcast.REALIZATIONS + 1, trials)))
+    shape = dict(zip(CONTACT_AXES, (1, 1), strict=True))
+    forces = xr.Dataset(
+        {
+            "kept_force": ("side", draws[0]),
+            "replaced_force": (("realization", "side"), draws[1:]),
+        },
+        {"side": np.arange(trials)},
+    ).expand_dims(map=1, **shape)
+    result = hindcast.hindcasts(forces, 0.0, 0.95)
+    assert result["hindcast_fails"].mean() == pytest.approx(0.05, abs=0.015)
+
+
+def test_a_scan_without_an_octave_has_no_hindcast():
+    stitched = mirror_stitch(SCAN)
+    forces = hindcast.hindcast_forces(stitched, {"small": None}, UNCD, None, forces_with(CONTACT))
+    result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="small")
+    assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 0
+
+
+def test_errors_add_in_squares():
+    interval = ("bound", np.exp([-0.3, 0.4]))
+    force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"bound": ["low", "high"]})
+    wide = hindcast.widen(force, "force", xr.DataArray(np.exp(-0.4)))
+    np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
+    same = hindcast.widen(force, "force", xr.DataArray(np.nan))
+    np.testing.assert_allclose(same["force_interval"], force["force_interval"])
+
+
+@pytest.mark.parametrize(
+    ("side", "limits", "octave"),
+    [
+        ("small", (20, 10, 1000), (20, 40)),
+        ("small", (20, 30, 1000), (30, 60)),
+        ("large", (1000, 10, 2000), (500, 1000)),
+        ("large", (1000, 10, 800), (400, 800)),
+        ("small", (20, 30, 50), None),
+        ("large", (1000, 600, 2000), None),
+    ],
+)
+def test_the_octave_is_the_last_that_the_scan_shows(side, limits, octave):
+    assert hindcast.last_octave(side, *limits) == octave

@@ -1,0 +1,39 @@
+"""How forces and short edges scale (scaling.nc), and what moves these edges (enhancement.nc)."""
+
+import xarray as xr
+
+from hardcontact.base.job import job
+from hardcontact.base.statistics import Sampling
+from hardcontact.contact.all_surfaces import read_masters, with_names
+from hardcontact.inference.enhancement import edges_by_contact
+from hardcontact.inference.scaling import force_exponent, short_edge_exponents
+
+with job(snakemake) as job:
+    params = job.parameters
+    area, tolerance = params["area"], params["tolerance"]
+    sampling = Sampling(**params["sampling"])
+    confidence = sampling.confidence
+    forces = {
+        purpose: read_masters(surfaces, job.input[purpose], params["realizations"])
+        for purpose, surfaces in params["masters"].items()
+    }
+    scaled = forces["scaling"].squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
+    exponents = xr.merge(
+        [
+            force_exponent(scaled, area, confidence),
+            short_edge_exponents(scaled, tolerance, confidence),
+        ]
+    )
+    job.write(
+        with_names(exponents, params).assign_attrs(
+            area=area, tolerance=tolerance, confidence=confidence
+        ),
+        title="exponents of the pull-off force and of the short edge of the critical band",
+        output="scaling",
+    )
+    edges = edges_by_contact(forces["enhancement"], tolerance, sampling)
+    job.write(
+        with_names(edges, params).assign_attrs(tolerance=tolerance, confidence=confidence),
+        title="short edges of plastic and rigid contact at two ranges of adhesion",
+        output="enhancement",
+    )
