@@ -50,7 +50,7 @@ def test_the_answer_shows_every_figure_in_few_words_and_no_page_is_missing(resul
     page = Page((results / "answer.html").read_text())
     assert len(page.values("src")) == len(PAPER_FIGURES)
     assert len(" ".join(page.texts["main"]).split()) <= 3000
-    pages = {path.stem: path.read_text() for path in (results / "report").glob("*.*")}
+    pages = {path.stem: path.read_text() for path in (results / "report").glob("*.html")}
     assert set(pages) == set(PAGES)
     assert "study: tiny" in pages["parameters"] and "numpy" in pages["parameters"]
 
