@@ -23,9 +23,9 @@ BUDGET = {
     "theory": 647,
     "paper": 1498,
     "config": 1916,
-    "own": 1627,
+    "own": 1761,
     "report": 2863,
-    "api": 199,
+    "api": 204,
 }
 NO_CODE = {
     tokenize.COMMENT,
