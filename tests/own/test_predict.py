@@ -228,7 +228,7 @@ SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
 )
 def test_an_unknown_error_has_a_stated_cause(table, spectrum, options, cause):
     report = printed(table(*rows_of(spectrum)), *options, "--work", "25 N/m", "--verbose")
-    assert_says(report, "error not known", cause)
+    assert_says(report, "error is not known", cause)
     # The work scales the force alone.
     assert_says(report, "take care: --work 25 N/m: is the unit right? 0.1 mJ/m2 to 10.6 J/m2 are")
 

@@ -148,8 +148,8 @@ def _closed_form_numbers(
 ) -> Iterator[Number]:
     """Yield the search size, and the closed form for all waves of the stitched map.
 
-    It agrees if its interval, with the factor that a scan of this size (nm) may add, overlaps that
-    of the force on the map, or contains this force if it has no interval.
+    It agrees if its interval, with the factor that a scan of this size (nm) may add, contains the
+    force on the map. Heights are not Gaussian if both intervals have nothing in common.
     """
     wavevector, _, density = measured_psds(surface)
     has_waves = np.isfinite(density)
@@ -166,7 +166,9 @@ def _closed_form_numbers(
     force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
     if low > force_high or high < force_low:
         status = NOT_GAUSSIAN
+    elif low <= force.value <= high and is_validated(spectrum, contact, form):
+        status = AGREES
     else:
-        status = AGREES if is_validated(spectrum, contact, form) else OUTSIDE
+        status = OUTSIDE
     interval = (low, high) if status == AGREES else (math.nan, math.nan)
     yield Number("closed_form_on_scan", form.force, "N", *interval, status)
