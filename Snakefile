@@ -44,6 +44,9 @@ include: "workflow/rules/targets.smk"
 include: "workflow/rules/records.smk"
 
 
+start.keep_logs(workflow, PATTERNS)
+
+
 onstart:
     start.check_folders(PATTERNS.results, PATTERNS.store)
 
@@ -60,5 +63,5 @@ rule all:
     """Make the whole study: datasets, verdicts, figures, pages and lists of what it has."""
     default_target: True
     input:
-        [getattr(rules, target).input for target in available_targets(STUDY)],
+        TARGETS.values(),
         rules.keep_records.output,

@@ -16,11 +16,6 @@ SHARED = ROOT.parent / "shared" / "scans"
 COUNT = 0.1
 #: Range in nm (a computed one) and work in J/m² of the own forces.
 RANGE, WORK = 5.6, 0.05
-#: Targets of the paper's study that own surfaces leave out.
-LEFT_OUT = {
-    "elastic", "plasticity", "asperities", "classical", "sets", "claims", "figures",
-    "pages",
-}  # fmt: skip
 
 
 def new(folder, *arguments):

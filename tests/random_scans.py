@@ -2,8 +2,7 @@
 
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
-from hardcontact.surfaces.substitute_scans import cut_scan
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 PIXEL = 2500 / 512  # nm, of the paper's scans
 

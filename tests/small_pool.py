@@ -9,8 +9,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.paper.pool import PoolSources, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level
-from hardcontact.surfaces.substitute_scans import ScanGrid, cut_scan
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import ScanGrid, cut_scan, random_surface
 
 GRID = ScanGrid(pixels=64, size=640.0, realization_pixels=128)
 CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, count=2)

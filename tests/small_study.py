@@ -8,9 +8,8 @@ from repository import PAPER, ROOT, TINY, merged
 
 from hardcontact.config import model
 from hardcontact.config.files import Files
-from hardcontact.config.patterns import Patterns
+from hardcontact.config.patterns import STORE_KEYS, Patterns, store_digests
 from hardcontact.config.selection import CONTACT, Selection
-from hardcontact.config.store_keys import STORE_KEYS, store_digests
 
 DIGESTS = {kind: "digest" for kind in STORE_KEYS}
 PATTERNS = Patterns("results/paper", "results/store", "ruby", DIGESTS)

@@ -1,7 +1,6 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
 from hardcontact.config import start
-from hardcontact.config.configuration import available_targets
 from hardcontact.base.code import write_pins
 
 start.prepare(workflow)
@@ -33,8 +32,7 @@ else:
 include: "rules/targets.smk"
 
 
-#: What is drawn from the final datasets alone.
-DRAWN = [target for target in available_targets(STUDY) if target in ("figures", "pages", "answer")]
+start.keep_logs(workflow, PATTERNS)
 
 
 onstart:
@@ -53,4 +51,4 @@ rule redraw:
     """Draw all figures and write all pages of a finished study again."""
     default_target: True
     input:
-        [getattr(rules, target).input for target in DRAWN],
+        [TARGETS[target] for target in ("figures", "pages", "answer") if target in TARGETS],

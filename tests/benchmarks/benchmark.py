@@ -33,8 +33,7 @@ from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces import height_map, spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
-from hardcontact.surfaces.substitute_scans import cut_scan
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 RADIUS, RHO = 250e3, 5.6
 CONTACTS = 20

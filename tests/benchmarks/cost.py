@@ -8,6 +8,7 @@ but not Snakemake's own process.
 """
 
 import argparse
+import re
 from math import log2
 from pathlib import Path
 
@@ -39,6 +40,7 @@ def jobs(folders):
         for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):
             row = pd.read_csv(path, sep="\t").iloc[-1]
             rule, *wildcards = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
+            rule = re.sub(r"(_\d+)+$", "", rule)  # the numbers of scans that are made together
             if rule == "filter_masters":  # by their purpose: scales, sets, enhancement, scaling
                 rule = f"{rule}/{wildcards[0]}"
             rows.append(

@@ -30,9 +30,8 @@ from hardcontact.inference.edges import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Floats, Spectrum, SpectrumFunction, spectrum_of_dataset
-from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/scan_size.nc"

@@ -26,8 +26,7 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flatten, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-from hardcontact.surfaces.substitute_scans import add_sphere, cut_scan
-from hardcontact.surfaces.synthesis import synthesize_master
+from hardcontact.surfaces.synthesis import add_sphere, cut_scan, synthesize_master
 
 
 def lengths(low, high, count):

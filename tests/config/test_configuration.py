@@ -4,7 +4,6 @@ import datetime
 
 import pytest
 from refusals import assert_says, refusal
-from repository import PAPER
 from studies import numbers
 
 from hardcontact.config import configuration, model
@@ -108,20 +107,7 @@ def test_only_the_first_of_many_faults_are_reported():
     assert refusal(refuse_all, [lambda: refuse_lines(message.splitlines())]) == message
 
 
-# Targets and words
-
-
-@pytest.mark.parametrize("forces", ["none", "my.csv"])
-def test_every_target_is_made_or_left_out_with_a_reason(forces):
-    own_configuration = PAPER | {"published": "none", "forces": forces}
-    targets, left_out = (
-        set(configuration.available_targets(own_configuration)),
-        configuration.omitted_targets(own_configuration),
-    )
-    assert not targets & left_out.keys() and all(left_out.values())
-    assert set(configuration.available_targets(PAPER)) <= targets | left_out.keys()
-    assert ("fit" in targets) == (forces != "none")
-    assert configuration.omitted_targets(PAPER) == {}
+# Words
 
 
 def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():

@@ -18,8 +18,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
-from hardcontact.surfaces.substitute_scans import cut_scan
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import cut_scan, random_surface
 from hardcontact.theory.summits import moment, search_size, spectrum_between
 
 RADIUS, PIXEL = 250e3, 10e3 / 256

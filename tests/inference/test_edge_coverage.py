@@ -15,8 +15,12 @@ from hardcontact.inference.mean_forces import Masters
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, sample_spectra
 from hardcontact.surfaces.spectrum import self_affine, smooth_rolloff, spectrum_of_dataset
-from hardcontact.surfaces.substitute_scans import cut_scan
-from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
+from hardcontact.surfaces.synthesis import (
+    cut_scan,
+    large_scale_master,
+    random_surface,
+    small_scale_master,
+)
 
 SIZE = 2500.0
 CONTACT = Contact(radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, count=4, range=5.6)

@@ -13,7 +13,7 @@ from hardcontact.paper.judged_sets import (
     set_edges,
     set_topography,
 )
-from hardcontact.surfaces.height_map import METRICS
+from hardcontact.surfaces.height_map import TABLE1_METRICS
 
 #: Seed of the study and number of the set.
 DRAW = 1, 3
@@ -26,7 +26,7 @@ def test_topography_of_a_set_replaces_only_sampled_scans():
     sampled_scans = sample_set_scans(sources, *DRAW)
     study = sources.topography
     topography = set_topography(study, sampled_scans, CONFIDENCE)
-    for name in METRICS:
+    for name in TABLE1_METRICS.values():
         uncd_metric = topography[name].sel(surface="uncd")
         np.testing.assert_allclose(uncd_metric, sampled_scans["uncd"][name], rtol=1e-12)
         mean = topography[f"{name}_mean"].sel(surface="uncd").item()

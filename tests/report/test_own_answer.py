@@ -138,7 +138,7 @@ def run_script(folder, own_datasets):
         start = len(output)
         output.extend(str(folder / f"{name}.{kind}") for name in OWN_FIGURES)
         output._set_name(kind, start, end=len(output))
-    parameters = setting([("part", "why")])._asdict()
+    parameters = setting()._asdict()
     del parameters["pairs"]
     job = SimpleNamespace(
         input=script_inputs,

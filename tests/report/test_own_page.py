@@ -40,12 +40,16 @@ from hardcontact.report.page import render_page
 from hardcontact.report.quantities import answer_text
 
 FORCES = "two substitutes, forces"
-LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
+LONG = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
 CASES = {
     "one": (datasets(), setting()),
     "open, one force": (
-        datasets(edges=open_edges(), fit=fit()),
-        setting([("a < b", "x & <b>y</b>"), (LONG, "the reason " * 9)]),
+        datasets(
+            edges=open_edges(),
+            fit=fit(),
+            spectra=spectra().assign(path=spectra()["path"].astype(object) + LONG),
+        ),
+        setting(),
     ),
     FORCES: (datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()),
 }
@@ -59,9 +63,8 @@ PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 
 def page_of(own_datasets, own_setting=None):
     """The page of an answer as answer.json has it."""
-    own_setting = own_setting or setting()
-    answer = json.loads(answer_text(own_answer(own_datasets, own_setting)))
-    return render_page(answer, PICTURES, CITATION, left_out=own_setting.left_out)
+    answer = json.loads(answer_text(own_answer(own_datasets, own_setting or setting())))
+    return render_page(answer, PICTURES, CITATION)
 
 
 @cache
@@ -187,7 +190,7 @@ def test_names_of_the_user_are_escaped():
     paths = data.spectra["path"].astype(object) + hostile
     labelled = type(data)(*(dataset.assign(label=("surface", [hostile])) for dataset in data[:5]))
     labelled = labelled._replace(spectra=labelled.spectra.assign(path=paths))
-    text = page_of(labelled, setting([(hostile, "x & <b>y</b>")]))
+    text = page_of(labelled)
     assert "<b>" not in text and Page(text).texts["h1"]
 
 

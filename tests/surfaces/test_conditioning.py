@@ -21,13 +21,13 @@ from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     spectrum_dataset,
 )
-from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.substitute_spectra import (
     expected_scan_rms,
     rows_of_surface,
     substitute_spectrum,
     transfer_weights,
 )
+from hardcontact.surfaces.synthesis import ScanGrid
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)

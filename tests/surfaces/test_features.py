@@ -21,7 +21,7 @@ from hardcontact.surfaces.features import (
     sample_features,
 )
 from hardcontact.surfaces.height_map import TABLE1_METRICS, level, metrics
-from hardcontact.surfaces.substitute_scans import ScanGrid
+from hardcontact.surfaces.synthesis import ScanGrid
 
 PIXELS, PIXEL = 250, 10.0  # 2.5 µm
 SIZE = PIXELS * PIXEL

@@ -21,7 +21,7 @@ import yaml
 from refusals import assert_says, refusal
 from scan_files import heights, scan
 
-from hardcontact.surfaces import limited_process, scan_formats, scans  # noqa: F401
+from hardcontact.surfaces import scans
 
 
 class Payload:
@@ -188,8 +188,8 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
-    monkeypatch.setattr(limited_process, "SMALL_FILE_MEMORY", 2**26)
-    monkeypatch.setattr(limited_process, "SMALL_FILE_SECONDS", 1)
+    monkeypatch.setattr(scans, "SMALL_FILE_MEMORY", 2**26)
+    monkeypatch.setattr(scans, "SMALL_FILE_SECONDS", 1)
     write, message_part = HOSTILE[name]
     path = folder / "a.zip"
     write(path)
@@ -223,7 +223,7 @@ def hoard(_):
 
 
 def write_a_file(_):
-    with open(limited_process.__file__, "a"):
+    with open(scans.__file__, "a"):
         return {}
 
 
@@ -250,9 +250,9 @@ def chatter(_):
     ],
 )
 def test_a_misbehaving_reader_is_stopped(folder, monkeypatch, capfd, reader, message_part):
-    monkeypatch.setattr(limited_process, "MAX_SECONDS", 1)
+    monkeypatch.setattr(scans, "MAX_SECONDS", 1)
     path = scan(folder / "a.nc")
-    message = refusal(limited_process.read_in_child, reader, path)
+    message = refusal(scans.read_in_child, reader, path)
     assert_says(message, "a.nc: expected a readable", "found", message_part)
     assert capfd.readouterr() == ("", "")
     assert multiprocessing.active_children() == []
@@ -265,7 +265,7 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
             file.write(b"reader was here")
             return {}
 
-        assert_says(refusal(limited_process.read_in_child, write, scan(folder / "a.nc")), "OSError")
+        assert_says(refusal(scans.read_in_child, write, scan(folder / "a.nc")), "OSError")
     assert (folder / "open.txt").read_bytes() == b""
 
 

@@ -13,7 +13,7 @@ from hardcontact.base.statistics import bounds
 from hardcontact.surfaces.height_map import METRICS, flatten, level_and_stitch, metrics
 from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table, scan_averages
 from hardcontact.surfaces.spectrum import measured_psds, spectrum_dataset
-from hardcontact.surfaces.substitute_scans import add_sphere
+from hardcontact.surfaces.synthesis import add_sphere
 
 SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},

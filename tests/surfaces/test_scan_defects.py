@@ -100,14 +100,14 @@ def test_each_defect_is_named_with_its_numbers(case):
     defects = defects_of(heights)
     assert set(defects) == set(true_defects)
     for code, numbers in true_defects.items():
-        assert list(defects[code]) == list(DEFECTS[code].units)
+        assert list(defects[code]) == list(DEFECTS[code])
         for number, true_number in zip(defects[code].values(), numbers, strict=True):
             assert true_number is None or number == pytest.approx(true_number, rel=0.05)
 
 
 @pytest.mark.parametrize("code", DEFECTS)
 def test_a_sentence_has_every_number_with_its_unit(code):
-    units = DEFECTS[code].units
+    units = DEFECTS[code]
     numbers = {name: 0.25 if name.endswith("_share") else 3100.0 for name in units}
     sentence = defect_sentence(code, numbers)
     for name, unit in units.items():

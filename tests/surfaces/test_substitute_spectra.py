@@ -15,9 +15,8 @@ from hardcontact.base.random import generator
 from hardcontact.surfaces import spectrum, substitute_spectra
 from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_rms
-from hardcontact.surfaces.substitute_scans import cut_scan
 from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import cut_scan, random_surface
 
 
 def band(model, rolloff=np.nan):

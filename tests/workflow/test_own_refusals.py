@@ -1,11 +1,9 @@
-"""Studies of own surfaces that are refused or left out, with a reason; nothing is written."""
+"""Studies of own surfaces that are refused, with a reason; nothing is written."""
 
 import pytest
 import yaml
-from own_studies import LEFT_OUT, quick
+from own_studies import quick
 from refusals import assert_says
-
-from hardcontact.config.configuration import NONE, omitted_targets
 
 pytestmark = pytest.mark.study
 
@@ -19,15 +17,6 @@ def errors(run):
 def files_of(folder):
     """Return the files of a study, without what Snakemake keeps for itself."""
     return {path for path in folder.rglob("*") if ".snakemake" not in path.parts}
-
-
-def test_omitted_targets_report_the_reason(folder, probe):
-    targets = sorted(LEFT_OUT | {"fit"})
-    run = quick(folder, "probe", *targets, "-n", overlays=["few.yaml"])
-    assert run.returncode == 0
-    reasons = omitted_targets({"published": NONE, "forces": NONE})
-    for target in targets:
-        assert f"{target} is left out: {reasons[target]}" in run.stdout
 
 
 @pytest.mark.parametrize(

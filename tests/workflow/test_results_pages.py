@@ -10,11 +10,13 @@ from paper_numbers import SUBSTRATES
 from repository import ROOT, run_snakemake
 
 from hardcontact.base import dataset
-from hardcontact.config.configuration import PAGES
+from hardcontact.config.configuration import read_yaml
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.paper_answer import ANSWER_CLAIMS
+
+PAGES = read_yaml("workflow/report/pages.yaml")
 
 
 def test_every_claim_has_a_verdict_and_a_basis(results):

@@ -16,7 +16,7 @@ def test_the_cluster_profile_names_existing_rules(repository):
     rules = {line.split()[0] for line in snakemake(repository, "--list-rules").stdout.splitlines()}
     for name in ("own_surfaces", "answer_surfaces"):  # of studies of own surfaces
         text = (repository / f"workflow/rules/{name}.smk").read_text()
-        rules |= set(re.findall(r"^rule (\w+):", text, re.M))
+        rules |= set(re.findall(r"^ *rule (\w+):", text, re.M))
     profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
     assert (profile["groups"].keys() | profile["set-resources"].keys()) - rules == set()
     assert profile["default-resources"].keys() == {"mem_mb", "runtime"}

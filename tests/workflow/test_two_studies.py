@@ -16,7 +16,7 @@ from forked_runs import forked, linked_copy, run_here
 from repository import PAPER, ROOT, TINY, leaves, merged
 
 from hardcontact.config.configuration import get_key, set_keys
-from hardcontact.config.store_keys import STORE_KEYS
+from hardcontact.config.patterns import STORE_KEYS
 
 pytestmark = pytest.mark.study
 
@@ -50,7 +50,7 @@ FILTERED = {
 }  # fmt: skip
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {
-    "conditioning", "substitutes", "stitched", "measurements", "measured_spectra",
+    "conditioning", "stitched", "measurements", "measured_spectra",
     "sampled_spectra", "octaves",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}

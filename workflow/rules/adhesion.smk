@@ -9,10 +9,6 @@ rule compute_pull_off:
         code=code_inputs("compute_pull_off.py"),
     output:
         PATTERNS.pull_off,
-    log:
-        PATTERNS.log("compute_pull_off", PATTERNS.pull_off),
-    benchmark:
-        PATTERNS.benchmark("compute_pull_off", PATTERNS.pull_off)
     params:
         canonical=parameters(
             sphere_scans=SELECTION.sphere_scans,
@@ -32,10 +28,6 @@ rule aggregate_adhesion:
         code=code_inputs("aggregate_adhesion.py"),
     output:
         PATTERNS.dataset("adhesion"),
-    log:
-        PATTERNS.log("aggregate_adhesion"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_adhesion")
     params:
         canonical=parameters(
             scans=FILES.substrate_scans,

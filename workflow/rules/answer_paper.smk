@@ -1,6 +1,5 @@
 # The answer of the paper's study and the pages of its report. `snakemake --report` gathers them.
 
-from hardcontact.config.configuration import CHAPTERS, PAGES
 from hardcontact.report.figures.listing import PAPER_FIGURES
 
 
@@ -16,38 +15,20 @@ rule answer_paper:
         published_constants=PUBLISHED_TABLES["published_constants"],
         published_table1=PUBLISHED_TABLES["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
-        chapters=[f"workflow/report/{chapter}.md" for chapter in CHAPTERS],
+        chapters=[
+            f"workflow/report/{page}.md" for page in PAGES if page not in ("claims", "parameters")
+        ],
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         environment=PINS[0],
-        templates=template_inputs(
-            "answer.html",
-            "paper_part.html",
-            "verdicts.html",
-            "claims.html",
-            "chapter.html",
-            "parameters.html",
-            "paper_headline.txt",
-            "paper_features.txt",
-            "substitutes.txt",
-        ),
+        templates=TEMPLATES,
         code=code_inputs("answer_paper.py"),
     output:
         **{
             page: report(PATTERNS.page(page), category=category, labels={"page": title})
             for page, (category, title) in PAGES.items()
         },
-        page=report(
-            PATTERNS.result("answer.html"),
-            caption="../report/answer.rst",
-            category="0. Answer",
-            labels={"page": "the answer"},
-        ),
-        json=PATTERNS.result("answer.json"),
-    log:
-        PATTERNS.log("answer_paper"),
-    benchmark:
-        PATTERNS.benchmark("answer_paper")
+        **ANSWER,
     params:
         canonical=canonical(config),
     script:

@@ -9,10 +9,6 @@ rule find_asperities:
         code=code_inputs("find_asperities.py"),
     output:
         PATTERNS.asperities,
-    log:
-        PATTERNS.log("find_asperities", PATTERNS.asperities),
-    benchmark:
-        PATTERNS.benchmark("find_asperities", PATTERNS.asperities)
     params:
         canonical=lambda w: parameters(
             surface=w.surface,
@@ -33,10 +29,6 @@ rule aggregate_asperities:
         code=code_inputs("aggregate_asperities.py"),
     output:
         PATTERNS.dataset("asperities"),
-    log:
-        PATTERNS.log("aggregate_asperities"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_asperities")
     params:
         canonical=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
     script:

@@ -13,10 +13,6 @@ rule evaluate_claims:
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
-    log:
-        PATTERNS.log("evaluate_claims"),
-    benchmark:
-        PATTERNS.benchmark("evaluate_claims")
     params:
         canonical=parameters(datasets=DATASETS, confidence=STUDY["inference"]["confidence"]),
     script:

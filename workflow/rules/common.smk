@@ -1,10 +1,11 @@
 # The configuration and the paths of all rules, and the code that a script really uses.
 
-from hardcontact.base.code import PINS, code_inputs, template_inputs
+from hardcontact.base.code import PINS, TEMPLATES, code_inputs
 from hardcontact.base.origin import canonical
 from hardcontact.config import start
+from hardcontact.config.configuration import read_yaml
 from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
-from hardcontact.config.model import PAPER
+from hardcontact.config.model import NONE, PAPER
 
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
@@ -12,6 +13,18 @@ RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
 #: How intervals follow from random samples.
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
 COMPARED = STUDY["published"] == PAPER
+#: Category and title of each page of the report that is no figure.
+PAGES = read_yaml("workflow/report/pages.yaml")
+#: The answer of a study, and the page that shows it.
+ANSWER = {
+    "page": report(
+        PATTERNS.result("answer.html"),
+        caption="../report/answer.rst",
+        category="0. Answer",
+        labels={"page": "the answer"},
+    ),
+    "json": PATTERNS.result("answer.json"),
+}
 
 
 def parameters(**values):

@@ -10,10 +10,6 @@ rule solve_elastic_contact:
         code=code_inputs("solve_elastic_contact.py"),
     output:
         PATTERNS.elastic,
-    log:
-        PATTERNS.log("solve_elastic_contact", PATTERNS.elastic),
-    benchmark:
-        PATTERNS.benchmark("solve_elastic_contact", PATTERNS.elastic)
     params:
         canonical=lambda w: parameters(
             surface=w.surface,
@@ -34,10 +30,6 @@ rule aggregate_elastic:
         code=code_inputs("aggregate_elastic.py"),
     output:
         PATTERNS.dataset("elastic"),
-    log:
-        PATTERNS.log("aggregate_elastic"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_elastic")
     params:
         canonical=parameters(scans=FILES.substrate_scans, **NAMED_SURFACES),
     script:

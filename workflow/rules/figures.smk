@@ -24,10 +24,6 @@ for name in PAPER_FIGURES:
                 labels={"figure": figure.title},
             ),
             svg=PATTERNS.figure(name, "svg"),
-        log:
-            PATTERNS.log(f"draw_{name}"),
-        benchmark:
-            PATTERNS.benchmark(f"draw_{name}")
         params:
             canonical=canonical({"figure": name, "title": figure.title, "inputs": figure.inputs}),
             caption="\n\n".join(caption(name, config)[:3]),

@@ -8,12 +8,8 @@ rule find_edges:
         code=code_inputs("find_edges.py"),
     output:
         PATTERNS.dataset("edges"),
-    log:
-        PATTERNS.log("find_edges"),
-    benchmark:
-        PATTERNS.benchmark("find_edges")
     params:
-        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], **SAMPLING),
+        canonical=parameters(tolerance=STUDY["scales"]["tolerance"], sampling=SAMPLING),
     script:
         "../scripts/find_edges.py"
 
@@ -27,10 +23,6 @@ rule compare_short_edges:
     output:
         scaling=PATTERNS.dataset("scaling"),
         enhancement=PATTERNS.dataset("enhancement"),
-    log:
-        PATTERNS.log("compare_short_edges"),
-    benchmark:
-        PATTERNS.benchmark("compare_short_edges")
     params:
         canonical=parameters(
             masters={
@@ -40,7 +32,7 @@ rule compare_short_edges:
             realizations=STUDY["scaling"]["realizations"],
             tolerance=STUDY["scales"]["tolerance"],
             area=FILES.contact.area,
-            **SAMPLING,
+            sampling=SAMPLING,
             **NAMED_SURFACES,
         ),
     script:
@@ -56,11 +48,7 @@ rule fit_published:
         code=code_inputs("fit_published.py"),
     output:
         PATTERNS.dataset("fit"),
-    log:
-        PATTERNS.log("fit_published"),
-    benchmark:
-        PATTERNS.benchmark("fit_published")
     params:
-        canonical=parameters(reference_surface=STUDY["reference_surface"], **SAMPLING),
+        canonical=parameters(reference_surface=STUDY["reference_surface"], sampling=SAMPLING),
     script:
         "../scripts/fit_published.py"

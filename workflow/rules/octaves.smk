@@ -3,10 +3,6 @@
 from hardcontact.config.files import SHORTEST_WHOLE_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
-CONTACT = STUDY["contact"] | {
-    "radius": STUDY["sphere"]["radius"],
-    "range": STUDY["scales"]["range"],
-}
 # Bands need whole surfaces: scans are too small for their long waves.
 BAND_SURFACES = FILES.substitutes if COMPARED else []
 
@@ -14,27 +10,14 @@ BAND_SURFACES = FILES.substitutes if COMPARED else []
 rule compute_whole:
     """Compute the forces on whole substitute surfaces, also with each octave amplified."""
     input:
-        description=lambda w: SELECTION.description(w.surface),
-        tables=lambda w: SELECTION.tables(w.surface),  # named by the description
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
+        **DESCRIPTION,
+        **SUBSTITUTE_SOURCES,
         code=code_inputs("compute_whole.py"),
     output:
         PATTERNS.whole,
-    log:
-        PATTERNS.log("compute_whole", PATTERNS.whole),
-    benchmark:
-        PATTERNS.benchmark("compute_whole", PATTERNS.whole)
     params:
         canonical=lambda w: parameters(
-            surface=w.surface,
-            realizations=list(range(int(w.first), int(w.last) + 1)),
-            seed=STUDY["seed"],
-            grid=FILES.whole_grid,
-            scan=SCAN_GRID,
-            has_features=w.surface in FILES.featured,
-            contact=CONTACT,
+            **whole_parameters(w.surface, range(int(w.first), int(w.last) + 1)),
             ranges=[rho for rho in RANGES if rho >= SHORTEST_WHOLE_RANGE],
         ),
     script:
@@ -50,10 +33,6 @@ rule amplify_octaves:
         code=code_inputs("amplify_octaves.py"),
     output:
         PATTERNS.octaves,
-    log:
-        PATTERNS.log("amplify_octaves", PATTERNS.octaves),
-    benchmark:
-        PATTERNS.benchmark("amplify_octaves", PATTERNS.octaves)
     params:
         canonical=lambda w: parameters(
             surface=w.surface,
@@ -70,28 +49,15 @@ rule amplify_octaves:
 rule isolate_band:
     """Compute the forces on whole surfaces with the roughness of a band alone, and without."""
     input:
-        description=lambda w: SELECTION.description(w.surface),
-        tables=lambda w: SELECTION.tables(w.surface),  # named by the description
-        spectrum=lambda w: FILES.spectrum(w.surface),
+        **DESCRIPTION,
+        **SUBSTITUTE_SOURCES,
         edges=PATTERNS.dataset("edges"),
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("isolate_band.py"),
     output:
         PATTERNS.band_forces,
-    log:
-        PATTERNS.log("isolate_band/{surface}"),
-    benchmark:
-        PATTERNS.benchmark("isolate_band/{surface}")
     params:
-        canonical=lambda w: parameters(
-            surface=w.surface,
-            realizations=list(range(1, STUDY["scales"]["whole_surfaces"] + 1)),
-            seed=STUDY["seed"],
-            grid=FILES.whole_grid,
-            scan=SCAN_GRID,
-            has_features=w.surface in FILES.featured,
-            contact=CONTACT,
+        canonical=lambda w: canonical(
+            whole_parameters(w.surface, range(1, STUDY["scales"]["whole_surfaces"] + 1))
         ),
     script:
         "../scripts/isolate_band.py"
@@ -109,10 +75,6 @@ rule aggregate_sensitivity:
         code=code_inputs("aggregate_sensitivity.py"),
     output:
         PATTERNS.dataset("sensitivity"),
-    log:
-        PATTERNS.log("aggregate_sensitivity"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_sensitivity")
     params:
         canonical=parameters(
             maps=[*FILES.whole_chunks, *FILES.measured_scans],

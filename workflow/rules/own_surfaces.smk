@@ -1,9 +1,5 @@
 # Own surfaces: edges of the band, predicted force, fit to own forces.
 
-from hardcontact.config.model import NONE
-
-OF_ALL_REALIZATIONS = PATTERNS.sampled_spectrum.replace("/realization-{realization}", "")
-
 
 rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""
@@ -12,10 +8,6 @@ rule aggregate_spectra:
         code=code_inputs("aggregate_spectra.py"),
     output:
         PATTERNS.dataset("spectra"),
-    log:
-        PATTERNS.log("aggregate_spectra"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_spectra")
     params:
         canonical=parameters(
             surfaces=SELECTION.surfaces,  # the order of the inputs
@@ -39,10 +31,6 @@ rule sample_spectra:
             realization=range(1, STUDY["scales"]["realizations"] + 1),
             allow_missing=True,
         ),
-    log:
-        PATTERNS.log("sample_spectra", OF_ALL_REALIZATIONS),
-    benchmark:
-        PATTERNS.benchmark("sample_spectra", OF_ALL_REALIZATIONS)
     params:
         canonical=lambda w: parameters(
             surface=w.surface,
@@ -66,10 +54,6 @@ rule predict_force:
     output:
         edges=PATTERNS.dataset("edges"),
         force=PATTERNS.dataset("force"),
-    log:
-        PATTERNS.log("predict_force"),
-    benchmark:
-        PATTERNS.benchmark("predict_force")
     params:
         canonical=parameters(
             work=STUDY["adhesion"]["work"],
@@ -85,21 +69,19 @@ rule predict_force:
         "../scripts/predict_force.py"
 
 
-rule fit_measured:
-    """Fit range and work of adhesion to own pull-off forces: fit.nc."""
-    input:
-        adhesion=rules.aggregate_adhesion.output[0],
-        force=rules.predict_force.output.force,
-        topography=rules.aggregate_topography.output[0],
-        forces=[] if STUDY["forces"] == NONE else STUDY["forces"],
-        code=code_inputs("fit_measured.py"),
-    output:
-        PATTERNS.dataset("fit"),
-    log:
-        PATTERNS.log("fit_measured"),
-    benchmark:
-        PATTERNS.benchmark("fit_measured")
-    params:
-        canonical=canonical(SAMPLING),
-    script:
-        "../scripts/fit_measured.py"
+if STUDY["forces"] != NONE:
+
+    rule fit_measured:
+        """Fit range and work of adhesion to own pull-off forces: fit.nc."""
+        input:
+            adhesion=rules.aggregate_adhesion.output[0],
+            force=rules.predict_force.output.force,
+            topography=rules.aggregate_topography.output[0],
+            forces=STUDY["forces"],
+            code=code_inputs("fit_measured.py"),
+        output:
+            PATTERNS.dataset("fit"),
+        params:
+            canonical=canonical(SAMPLING),
+        script:
+            "../scripts/fit_measured.py"

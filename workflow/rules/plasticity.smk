@@ -11,10 +11,6 @@ rule measure_indents:
         code=code_inputs("measure_indents.py"),
     output:
         PATTERNS.dataset("indent"),
-    log:
-        PATTERNS.log("measure_indents"),
-    benchmark:
-        PATTERNS.benchmark("measure_indents")
     params:
         canonical=parameters(
             **named(INDENTED),

@@ -1,18 +1,11 @@
 # Records of a study: its configuration, the list of its variables, and the check of its files.
 
-from pathlib import Path
-
-from hardcontact.config.configuration import omitted_targets
-
-#: The datasets that the rules above make in the results, whole; a study without forces has no fit.
+#: The datasets that the rules above make in the results, whole.
 DATASETS = [
     path
     for stage in workflow.rules
     for path in stage.output
-    if path.startswith(f"{PATTERNS.results}/")
-    and path.endswith(".nc")
-    and "{" not in path
-    and Path(path).stem not in omitted_targets(STUDY)
+    if path.startswith(f"{PATTERNS.results}/") and path.endswith(".nc") and "{" not in path
 ]
 
 
@@ -26,10 +19,6 @@ rule keep_records:
         configuration=PATTERNS.result("configuration.yaml"),
         surfaces=PATTERNS.result("surfaces.tsv"),
         variables=PATTERNS.result("datasets.md"),
-    log:
-        PATTERNS.log("keep_records"),
-    benchmark:
-        PATTERNS.benchmark("keep_records")
     params:
         canonical=canonical(config),
     script:
@@ -38,8 +27,6 @@ rule keep_records:
 
 rule verify:
     """Check whether the files of the study match what they were made from; write nothing."""
-    log:
-        PATTERNS.log("verify"),
     retries: 0
     params:
         canonical=canonical({"results": PATTERNS.results}),

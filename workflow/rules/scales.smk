@@ -15,10 +15,6 @@ rule synthesize_masters:
     output:
         small=PATTERNS.small_master,
         large=PATTERNS.large_master,
-    log:
-        PATTERNS.log("synthesize_masters", PATTERNS.small_master),
-    benchmark:
-        PATTERNS.benchmark("synthesize_masters", PATTERNS.small_master)
     resources:
         mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
     params:
@@ -43,10 +39,6 @@ rule filter_masters:
         code=code_inputs("filter_masters.py"),
     output:
         PATTERNS.filtered,
-    log:
-        PATTERNS.log("filter_masters", PATTERNS.filtered),
-    benchmark:
-        PATTERNS.benchmark("filter_masters", PATTERNS.filtered)
     resources:
         mem_mb=lambda w: master_megabytes(
             max(scales["pixels"] for scales in FILES.filters(w.purpose)["sides"].values()), 3000
@@ -76,10 +68,6 @@ rule aggregate_scales:
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
-    log:
-        PATTERNS.log("aggregate_scales"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_scales")
     params:
         canonical=parameters(
             masters=[row.surface for row in FILES.masters()],

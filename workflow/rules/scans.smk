@@ -8,21 +8,28 @@ SCAN_GRID = {
     "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
 }
 
+#: The description of a substitute, and the tables that it names.
+DESCRIPTION = {
+    "description": lambda w: SELECTION.description(w.surface),
+    "tables": lambda w: SELECTION.tables(w.surface),
+}
+#: The inputs from which scans of a substitute are made.
+SUBSTITUTE_SOURCES = {
+    "spectrum": lambda w: FILES.spectrum(w.surface),
+    "published_table1": PUBLISHED_TABLES["published_table1"],
+    "published_constants": PUBLISHED_TABLES["published_constants"],
+}
+
 
 rule calibrate_spectrum:
     """Make the spectrum of a substitute from its description and Table 1."""
     input:
-        description=lambda w: SELECTION.description(w.surface),
-        tables=lambda w: SELECTION.tables(w.surface),  # named by the description
+        **DESCRIPTION,
         published_table1=PUBLISHED_TABLES["published_table1"],
         published_constants=PUBLISHED_TABLES["published_constants"],
         code=code_inputs("calibrate_spectrum.py"),
     output:
         PATTERNS.calibrated_spectrum,
-    log:
-        PATTERNS.log("calibrate_spectrum", PATTERNS.calibrated_spectrum),
-    benchmark:
-        PATTERNS.benchmark("calibrate_spectrum", PATTERNS.calibrated_spectrum)
     params:
         canonical=lambda w: canonical({"surface": w.surface}),
     script:
@@ -36,10 +43,6 @@ rule read_scan:
         code=code_inputs("read_scan.py"),
     output:
         PATTERNS.measurement,
-    log:
-        PATTERNS.log("read_scan", PATTERNS.measurement),
-    benchmark:
-        PATTERNS.benchmark("read_scan", PATTERNS.measurement)
     params:
         canonical=lambda w: canonical(
             reading_keys(STUDY, SELECTION.dataset(w.surface, int(w.scan)))
@@ -55,10 +58,6 @@ rule measure_spectrum:
         code=code_inputs("measure_spectrum.py"),
     output:
         PATTERNS.measured_spectrum,
-    log:
-        PATTERNS.log("measure_spectrum", PATTERNS.measured_spectrum),
-    benchmark:
-        PATTERNS.benchmark("measure_spectrum", PATTERNS.measured_spectrum)
     params:
         canonical=lambda w: canonical(FILES.measuring(w.surface)),
     script:
@@ -72,19 +71,12 @@ for scans, surfaces in FILES.scan_groups.items():
         name:
             f"make_scans_{'_'.join(map(str, scans))}"
         input:
-            spectrum=lambda w: FILES.spectrum(w.surface),
-            published_table1=PUBLISHED_TABLES["published_table1"],
-            published_constants=PUBLISHED_TABLES["published_constants"],
+            **SUBSTITUTE_SOURCES,
             code=code_inputs("make_scans.py"),
         output:
-            substitutes=expand(PATTERNS.substitute, scan=scans, allow_missing=True),
             scans=expand(PATTERNS.levelled, scan=scans, allow_missing=True),
             stitched=expand(PATTERNS.stitched, scan=scans, allow_missing=True),
             conditioning=PATTERNS.conditioning.replace("{scan}", f"{scans[0]}"),
-        log:
-            PATTERNS.log("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}")),
-        benchmark:
-            PATTERNS.benchmark("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}"))
         wildcard_constraints:
             surface=any_name_pattern(surfaces),
         params:
@@ -108,10 +100,6 @@ rule prepare_scan:
     output:
         scan=PATTERNS.levelled,
         stitched=PATTERNS.stitched,
-    log:
-        PATTERNS.log("prepare_scan", PATTERNS.levelled),
-    benchmark:
-        PATTERNS.benchmark("prepare_scan", PATTERNS.levelled)
     wildcard_constraints:
         surface=any_name_pattern(
             name for name, basis in SELECTION.basis.items() if basis == "measured"

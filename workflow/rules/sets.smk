@@ -6,16 +6,10 @@ from hardcontact.paper.evaluation import replicated_statements
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
+        **SUBSTITUTE_SOURCES,
         code=code_inputs("compute_pool.py"),
     output:
         PATTERNS.pool,
-    log:
-        PATTERNS.log("compute_pool", PATTERNS.pool),
-    benchmark:
-        PATTERNS.benchmark("compute_pool", PATTERNS.pool)
     params:
         canonical=lambda w: parameters(
             **group_parameters(w), rms_heights=STUDY["sets"]["rms_heights"]
@@ -27,16 +21,10 @@ rule compute_pool:
 rule compute_draws:
     """Compute the forces on some surfaces with features that Table 1 accepts."""
     input:
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        published_table1=PUBLISHED_TABLES["published_table1"],
-        published_constants=PUBLISHED_TABLES["published_constants"],
+        **SUBSTITUTE_SOURCES,
         code=code_inputs("compute_draws.py"),
     output:
         PATTERNS.draws,
-    log:
-        PATTERNS.log("compute_draws", PATTERNS.draws),
-    benchmark:
-        PATTERNS.benchmark("compute_draws", PATTERNS.draws)
     params:
         canonical=lambda w: parameters(**group_parameters(w), features=w.features),
     script:
@@ -56,10 +44,6 @@ rule judge_sets:
         code=code_inputs("judge_sets.py"),
     output:
         PATTERNS.dataset("sets"),
-    log:
-        PATTERNS.log("judge_sets"),
-    benchmark:
-        PATTERNS.benchmark("judge_sets")
     params:
         canonical=parameters(
             chunks=FILES.chunks,
@@ -92,10 +76,6 @@ rule compare_features:
         code=code_inputs("compare_features.py"),
     output:
         PATTERNS.dataset("features"),
-    log:
-        PATTERNS.log("compare_features"),
-    benchmark:
-        PATTERNS.benchmark("compare_features")
     params:
         canonical=parameters(draw_chunks=FILES.draw_chunks, labels=SELECTION.labels),
     script:
@@ -111,11 +91,7 @@ rule fit_posterior:
         code=code_inputs("fit_posterior.py"),
     output:
         PATTERNS.dataset("posterior"),
-    log:
-        PATTERNS.log("fit_posterior"),
-    benchmark:
-        PATTERNS.benchmark("fit_posterior")
     params:
-        canonical=parameters(whole=FILES.whole_chunks, **SAMPLING),
+        canonical=parameters(whole=FILES.whole_chunks, sampling=SAMPLING),
     script:
         "../scripts/fit_posterior.py"

@@ -8,6 +8,11 @@ SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 FILES = Files(STUDY, SELECTION, PATTERNS)
+#: The contact with masters and whole surfaces.
+CONTACT = STUDY["contact"] | {
+    "radius": STUDY["sphere"]["radius"],
+    "range": STUDY["scales"]["range"],
+}
 
 
 wildcard_constraints:
@@ -35,4 +40,17 @@ def group_parameters(wildcards):
         "ranges": RANGES,
         "radius": STUDY["sphere"]["radius"],
         "seed": STUDY["seed"],
+    }
+
+
+def whole_parameters(surface, realizations):
+    """Return the parameters of whole surfaces and of contacts on them."""
+    return {
+        "surface": surface,
+        "realizations": list(realizations),
+        "seed": STUDY["seed"],
+        "grid": FILES.whole_grid,
+        "scan": SCAN_GRID,
+        "has_features": surface in FILES.featured,
+        "contact": CONTACT,
     }

@@ -1,61 +1,49 @@
 # Named targets: what each stage leaves in the results, and figures one by one.
 
-from hardcontact.config.configuration import PAGES, available_targets, omitted_targets
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
-#: The datasets of each target that makes some.
-DATASETS_OF_TARGETS = {
-    "topography": ["topography"] if COMPARED else ["topography", "spectra"],
-    "adhesion": ["adhesion", "contact"] if COMPARED else ["adhesion"],
-    "elastic": ["elastic"],
-    "plasticity": ["indent", "enhancement"],
-    "asperities": ["asperities"],
-    "scales": ["scales", "edges", "sensitivity", *(["scaling"] if COMPARED else [])],
-    "classical": ["classical"],
-    "sets": ["sets", "posterior", "features"],
-    "force": ["force"],
-    "fit": ["fit"],
-}
+#: The datasets of each target that makes some; `fit` of own surfaces needs own forces.
+if COMPARED:
+    DATASETS_OF_TARGETS = {
+        "topography": ["topography"],
+        "adhesion": ["adhesion", "contact"],
+        "elastic": ["elastic"],
+        "plasticity": ["indent", "enhancement"],
+        "asperities": ["asperities"],
+        "scales": ["scales", "edges", "sensitivity", "scaling"],
+        "classical": ["classical"],
+        "sets": ["sets", "posterior", "features"],
+    }
+else:
+    DATASETS_OF_TARGETS = {
+        "topography": ["topography", "spectra"],
+        "adhesion": ["adhesion"],
+        "scales": ["scales", "edges", "sensitivity"],
+        "force": ["force"],
+        **({"fit": ["fit"]} if STUDY["forces"] != NONE else {}),
+    }
 FIGURE_FILES = {
-    figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS] for figure in PAPER_FIGURES
+    figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS]
+    for figure in (PAPER_FIGURES if COMPARED else [])
 }
-FILES_OF_TARGETS = {
-    **{
-        target: [PATTERNS.dataset(name) for name in names]
-        for target, names in DATASETS_OF_TARGETS.items()
-    },
-    "claims": [PATTERNS.result("claims.csv")],
-    "figures": list(FIGURE_FILES.values()),
-    "pages": [PATTERNS.page(page) for page in PAGES],
-    "answer": (rules.answer_paper if COMPARED else rules.answer_surfaces).output,
+TARGETS = {
+    target: [PATTERNS.dataset(name) for name in names]
+    for target, names in DATASETS_OF_TARGETS.items()
 }
+if COMPARED:
+    TARGETS["claims"] = [PATTERNS.result("claims.csv")]
+    TARGETS["figures"] = list(FIGURE_FILES.values())
+    TARGETS["pages"] = [PATTERNS.page(page) for page in PAGES]
+    TARGETS["answer"] = rules.answer_paper.output
+else:
+    TARGETS["answer"] = rules.answer_surfaces.output
 
 
-for target in available_targets(STUDY):
+for target, files in (TARGETS | FIGURE_FILES).items():
 
     rule:
-        """Make one stage of the study, and what it needs."""
+        """Make one stage of the study, or one figure, and what it needs."""
         name:
             target
         input:
-            FILES_OF_TARGETS[target],
-
-
-for figure in PAPER_FIGURES if COMPARED else []:
-
-    rule:
-        """Make one figure, from nothing if need be."""
-        name:
-            figure
-        input:
-            FIGURE_FILES[figure],
-
-
-for target, reason in omitted_targets(STUDY).items():
-
-    rule:
-        """Say why a target of the paper's study is left out."""
-        name:
-            target
-        message:
-            f"{target} is left out: {reason}"
+            files,

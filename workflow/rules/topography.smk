@@ -10,10 +10,6 @@ rule aggregate_topography:
         code=code_inputs("aggregate_topography.py"),
     output:
         PATTERNS.dataset("topography"),
-    log:
-        PATTERNS.log("aggregate_topography"),
-    benchmark:
-        PATTERNS.benchmark("aggregate_topography")
     params:
         canonical=parameters(
             scans=FILES.scans,

@@ -18,10 +18,6 @@ rule trace_contact:
         code=code_inputs("trace_contact.py"),
     output:
         PATTERNS.dataset("contact"),
-    log:
-        PATTERNS.log("trace_contact"),
-    benchmark:
-        PATTERNS.benchmark("trace_contact")
     params:
         canonical=parameters(
             **TRACED,

@@ -25,5 +25,4 @@ with job(snakemake) as job:
     job.write_text(answer_text(answer), "json")
     figures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    page = render_page(answer, figures, citation, left_out=setting.left_out)
-    job.write_text(page, "page")
+    job.write_text(render_page(answer, figures, citation), "page")

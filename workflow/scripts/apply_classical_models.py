@@ -7,14 +7,13 @@ from hardcontact.base.statistics import Sampling
 from hardcontact.paper.classical_comparison import apply_classical_models
 
 with job(snakemake) as job:
-    params = job.parameters
     job.write(
         apply_classical_models(
             read(job.input.fit),
             published.constants(job.input.published_constants),
             published.table1(job.input.published_table1),
             published.printed_pull_off(job.input.published_pull_off),
-            Sampling(params["seed"], params["samples"], params["confidence"], ("classical",)),
+            Sampling(**job.parameters, stream=("classical",)),
         ),
         title="effective work of adhesion, and classical models of rough adhesion",
     )

@@ -8,9 +8,9 @@ from hardcontact.inference.edges import describe_edges, edges_of_realizations
 with job(snakemake) as job:
     params = job.parameters
     scales = dataset.read(job.input.scales)
-    sampling = Sampling(params["seed"], params["samples"], params["confidence"])
+    sampling = Sampling(**params["sampling"])
     edges = edges_of_realizations(scales, params["tolerance"], sampling)
     job.write(
-        describe_edges(edges, scales, params["tolerance"], params["confidence"]),
+        describe_edges(edges, scales, params["tolerance"], sampling.confidence),
         title="pull-off force against cutoff wavelength, and the edges of the band",
     )

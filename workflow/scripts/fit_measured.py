@@ -7,13 +7,12 @@ from hardcontact.config.tables import measured_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
 
 with job(snakemake) as job:
-    params = job.parameters
     sizes = dataset.read(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
         dataset.read(job.input.adhesion),
         measured_forces(job.input.forces, list(sizes)),
         sizes,
-        Sampling(params["seed"], params["samples"], params["confidence"]),
+        Sampling(**job.parameters),
     )
     job.write(
         add_extrapolated_work(fitted, dataset.read(job.input.force)),

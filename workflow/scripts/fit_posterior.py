@@ -9,7 +9,7 @@ from hardcontact.inference.posterior import means_on_whole_surfaces, without_eac
 
 with job(snakemake) as job:
     params = job.parameters
-    sampling = Sampling(params["seed"], params["samples"], params["confidence"], ("posterior",))
+    sampling = Sampling(**params["sampling"], stream=("posterior",))
     published_forces = published.pull_off(job.input.published_pull_off)
     sets = read(job.input.sets).sel(contact_model=PLASTIC)
     forces = {"scans": sets["mean_force"].rename(set="draw")}
@@ -29,6 +29,6 @@ with job(snakemake) as job:
     job.write(
         stack(posteriors, ["forces_on"])
         .assign_coords(surface=sets["surface"])
-        .assign_attrs(confidence=params["confidence"]),
+        .assign_attrs(confidence=sampling.confidence),
         title="range and work of adhesion that explain the published forces, by weight",
     )

@@ -5,7 +5,7 @@ import pandas as pd
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import single_masters, stacked_forces
+from hardcontact.contact.all_surfaces import read_masters
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.judged_sets import SetSettings, gather_sources, judge_sets
 
@@ -13,14 +13,12 @@ with job(snakemake) as job:
     params = job.parameters
     constants = published.constants(job.input.published_constants)
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
-    keys = [[surface] for surface in params["masters"]]
-    masters = zip(keys, map(read, job.input.masters), strict=True)
     sources = gather_sources(
         {name: read(job.input[name]) for name in ("topography", "adhesion")},
         read_all(params["chunks"], job.input.pools),
         read_all(params["draw_chunks"], job.input.draws),
         params["pooled"],
-        stacked_forces(single_masters(masters, params["realizations"], params["load"])),
+        read_masters(params["masters"], job.input.masters, params["realizations"], params["load"]),
     )
     set_numbers = judge_sets(
         sources,

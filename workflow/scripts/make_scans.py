@@ -1,4 +1,4 @@
-"""Substitute scans that are made together, as files for scan readers and levelled."""
+"""Substitute scans that are made together: levelled, and stitched."""
 
 from functools import partial
 
@@ -6,25 +6,25 @@ from hardcontact.base import dataset, published
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.surfaces.conditioning import condition_group, conditioned_scan, scan_targets
-from hardcontact.surfaces.featured_scans import describe_group, featured_surface, nearest_group
+from hardcontact.surfaces.featured_scans import describe_group, nearest_group, read_featured_surface
 from hardcontact.surfaces.height_map import LEVELLED, STITCHED, level_and_stitch
-from hardcontact.surfaces.substitute_scans import ScanGrid, scan_file, synthesized_map
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
+from hardcontact.surfaces.synthesis import ScanGrid
 
 with job(snakemake) as job:
     params = job.parameters
     surface = params["surface"]
     numbers = params["scans"]
-    grid = ScanGrid(**params["scan"])
     spectrum = dataset.read(job.input.spectrum)
-    table1 = published.table1(job.input.published_table1)
-    constants = published.constants(job.input.published_constants)
     if params["has_features"]:
-        source = featured_surface(surface, spectrum, table1, constants, grid, params["seed"])
+        source = read_featured_surface(job.input, params)
         features, scans = nearest_group(source, numbers)
         conditioning = describe_group(features, numbers, spectrum, source.mean_rms_height)
     else:
-        targets = scan_targets(spectrum, rows_of_surface(table1, surface), constants, grid)
+        grid = ScanGrid(**params["scan"])
+        rows = rows_of_surface(published.table1(job.input.published_table1), surface)
+        constants = published.constants(job.input.published_constants)
+        targets = scan_targets(spectrum, rows, constants, grid)
         generator_functions = {
             number: partial(generator, params["seed"], surface, number, "scan")
             for number in numbers
@@ -38,19 +38,8 @@ with job(snakemake) as job:
             for number, make_generator in generator_functions.items()
         ]  # fmt: skip
     job.write(conditioning, f"how substitute scans of {surface} meet Table 1", "conditioning")
-    for index, (number, scan) in enumerate(zip(numbers, scans, strict=True)):
-        # Substitutes of all scans come first among the outputs, then levelled and stitched scans.
-        levelled_output = index + len(scans)
-        stitched_output = index + 2 * len(scans)
-        synthesized = scan_file(scan)
-        job.write(
-            synthesized,
-            title=f"substitute scan {number} of {surface}",
-            output=index,
-            file_format="NETCDF3_64BIT",
-        )
-        levelled_scan, stitched_scan = level_and_stitch(
-            synthesized_map(synthesized, job.output[index]), params["sphere_radius"]
-        )
-        job.write(levelled_scan, LEVELLED, levelled_output)
-        job.write(stitched_scan, STITCHED, stitched_output)
+    for index, scan in enumerate(scans):
+        levelled, stitched = level_and_stitch(scan, params["sphere_radius"])
+        # Levelled scans come first among the outputs, then stitched scans.
+        job.write(levelled, LEVELLED, index)
+        job.write(stitched, STITCHED, index + len(scans))

@@ -17,14 +17,8 @@ REQUIREMENTS = ("environment.txt", "workflow/constraints.txt")
 #: The same without comments, on which jobs depend: so that a comment makes no file stale.
 PINS = tuple(f"results/{Path(path).name}" for path in REQUIREMENTS)
 
-#: The templates of pages, and what every page holds: layout, macros, style and script.
-TEMPLATES = LIBRARY.parent / "report/templates"
-OF_EVERY_PAGE = ("base.html", "macros.html", "style.css", "page.js")
-
-
-def template_inputs(*names: str) -> list[str]:
-    """Return the files of the templates of a page, relative to the working directory."""
-    return [os.path.relpath(TEMPLATES / name) for name in (*names, *OF_EVERY_PAGE)]
+#: The templates of pages, with their style and script.
+TEMPLATES = sorted(map(os.path.relpath, (LIBRARY.parent / "report/templates").iterdir()))
 
 
 def write_pins() -> None:

@@ -4,7 +4,7 @@ import csv
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import pandas as pd
 import xarray as xr
@@ -17,18 +17,16 @@ from hardcontact.base.whole_file import whole_file
 MEANINGS = LIBRARY.parent / "report/variables.tsv"
 #: End of the name of a variable that holds the interval of another one.
 INTERVAL = "_interval"
-#: Formats of netCDF; scan readers know the classic ones only.
-FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 
 
-def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETCDF4") -> None:
+def write(dataset: xr.Dataset, path: str | Path) -> None:
     """Write a dataset whole or not at all.
 
     An existing file is replaced. Raises ValueError if the file cannot be written.
     """
     with whole_file(path) as temporary:
         try:
-            dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+            dataset.to_netcdf(temporary, engine="netcdf4")
         except RuntimeError as error:  # netCDF raises it for any error of the system
             raise OSError(str(error)) from error  # `whole_file` makes it a ValueError.
 

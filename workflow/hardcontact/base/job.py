@@ -14,7 +14,6 @@ from typing import Any, NamedTuple, TypeVar
 import xarray as xr
 
 from hardcontact.base import dataset as labelled
-from hardcontact.base.dataset import FileFormat
 from hardcontact.base.origin import Origin, digests, keep_records, refuse_changed
 from hardcontact.base.whole_file import whole_file
 
@@ -34,13 +33,7 @@ class Job(NamedTuple):
     parameters: dict[str, Any]  #: The rule's `params.canonical`, decoded.
     origin: Origin  #: What determines the files of the job.
 
-    def write(
-        self,
-        dataset: xr.Dataset,
-        title: str,
-        output: int | str = 0,
-        file_format: FileFormat = "NETCDF4",
-    ) -> None:
+    def write(self, dataset: xr.Dataset, title: str, output: int | str = 0) -> None:
         """Write a labelled dataset, with its origin and the meanings of its variables."""
         path = self._path(output)
         described = labelled.describe(dataset, labelled.read_meanings(Path(path).stem))
@@ -50,7 +43,7 @@ class Job(NamedTuple):
             history=f"made by the hardcontact study: {title}",
             **self.origin.attributes(),
         )
-        labelled.write(complete, path, file_format)
+        labelled.write(complete, path)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
         """Write a text whole."""

@@ -13,21 +13,13 @@ from hardcontact.base.units import parse_quantity
 from hardcontact.config.faults import refuse_lines, shorten
 from hardcontact.config.grids import PIXEL_SIZES, Grid
 from hardcontact.config.limits import NamedContact, contact_faults
-from hardcontact.config.model import quantity_type
+from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.synthesis import SIDES
 
-#: The key of the configuration for each quantity of a contact.
-QUANTITY_KEYS = {
-    "radius": "sphere.radius",
-    "hardness": "contact.hardness",
-    "preload": "contact.preload",
-    "range": "scales.range",
-    "work": "adhesion.work",
-}
-#: The usual values of these quantities, beyond which the unit may be wrong. Sources: spheres and
+#: The usual values of CONTACT_QUANTITIES, beyond which the unit may be wrong. Sources: spheres and
 #: loads of microscopes, lenses of the surface forces apparatus: Butt et al., Surf. Sci. Rep. 59
 #: (2005) 1; diamond: Brazhkin et al., Phil. Mag. A 82 (2002) 231; long ranges: DelRio et al.,
 #: Nature Mater. 4 (2005) 629; works of adhesion: Israelachvili, Intermolecular and Surface Forces
@@ -44,7 +36,7 @@ USUAL_BOUNDS = {
 def unit_question(quantity: str, number: float) -> str:
     """Return a question if a number, in the unit of the key, is not usual; else an empty text."""
     low, high, kind = USUAL_BOUNDS[quantity]
-    unit = quantity_type(QUANTITY_KEYS[quantity]).unit
+    unit = quantity_type(CONTACT_QUANTITIES[quantity][0]).unit
     if parse_quantity(low, unit) <= number <= parse_quantity(high, unit):
         return ""
     return f"is the unit right? {low} to {high} are usual for {kind}"
@@ -92,7 +84,10 @@ def check_quantities(**numbers: Any) -> None:
     """
     check_positive(**numbers)
     quantities = {name: "range" if name == "rho" else name for name in numbers}
-    kinds = {name: quantity_type(QUANTITY_KEYS[key]) for name, key in quantities.items()}
+    kinds = {
+        name: quantity_type(CONTACT_QUANTITIES[quantity][0])
+        for name, quantity in quantities.items()
+    }
     refuse_lines(
         f"{name}: expected {kind.expects}, found {numbers[name]:g} {kind.unit}: is the unit right?"
         for name, kind in kinds.items()

@@ -1,4 +1,4 @@
-"""Targets and pages that follow from a configuration, and its contacts in words."""
+"""Configurations as trees of keys, and what follows from their keys: contacts, also in words."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -11,52 +11,8 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import NONE, PAPER, Study, quantity_type
+from hardcontact.config.model import CONTACT_QUANTITIES, Study, quantity_type
 from hardcontact.contact.contact import Contact
-
-#: Targets of a study that is compared with the paper.
-PAPER_TARGETS = (
-    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
-    "claims", "figures", "pages", "answer",
-)  # fmt: skip
-#: Targets of a study of own surfaces; `fit` needs own forces.
-OWN_SURFACE_TARGETS = ("topography", "adhesion", "scales", "force", "fit", "answer")
-
-#: Why a target belongs to a study that is compared with the paper.
-REASONS = {
-    "elastic": "its moduli and its work of adhesion are those of the paper's materials",
-    "plasticity": "indents are computed for comparison with the paper's images of its sphere",
-    "asperities": "patches are computed for comparison with statements of the paper",
-    "classical": "classical models are fitted to the paper's forces",
-    "sets": "sets are sampled from substitutes for the paper's surfaces",
-    "claims": "claims are statements of the paper about its own surfaces",
-    "figures": "the figures are the paper's; those of own surfaces are in the answer",
-    "pages": "the pages report on the paper's statements; own surfaces are in the answer",
-}
-
-#: Chapters of the report that are written beforehand, one Markdown file each in workflow/report.
-CHAPTERS = ("glossary", "departures", "methods", "theory", "performance", "cluster", "faults")
-#: Category and title of each page in the report that is no figure.
-PAGES = {
-    "claims": ("9. Verdicts", "verdicts on the paper's statements"),
-    "departures": ("A. Departures, parameters", "where the study departs from the paper"),
-    "parameters": ("A. Departures, parameters", "parameters and versions"),
-    "glossary": ("B. The study itself", "glossary"),
-    "methods": ("B. The study itself", "methods"),
-    "theory": ("B. The study itself", "theory"),
-    "performance": ("B. The study itself", "performance"),
-    "cluster": ("B. The study itself", "on a cluster"),
-    "faults": ("B. The study itself", "faults and what becomes of them"),
-}
-
-#: The key of each quantity of contacts, by its name in pages.
-CONTACT_QUANTITIES = {
-    "radius of the sphere": "sphere.radius",
-    "hardness": "contact.hardness",
-    "preload": "contact.preload",
-    "range of adhesion": "scales.range",
-    "work of adhesion": "adhesion.work",
-}
 
 
 def read_yaml(path: str) -> Any:
@@ -139,24 +95,10 @@ def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str,
     }
 
 
-def available_targets(configuration: Mapping[str, Any]) -> list[str]:
-    """Return the targets that the data of a study allow, in their order."""
-    targets = PAPER_TARGETS if configuration["published"] == PAPER else OWN_SURFACE_TARGETS
-    return [target for target in targets if target not in omitted_targets(configuration)]
-
-
-def omitted_targets(configuration: Mapping[str, Any]) -> dict[str, str]:
-    """Return the reason for each target that the data of a study do not allow."""
-    if configuration["published"] == PAPER:
-        return {}
-    fit = "a fit needs pull-off forces measured on these surfaces (config key forces)"
-    return REASONS | ({"fit": fit} if configuration["forces"] == NONE else {})
-
-
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     """Return the surface of the sphere and the CONTACT_QUANTITIES, as printed."""
     words = {"sphere": str(config["sphere"]["surface"])}
-    for name, key in CONTACT_QUANTITIES.items():
+    for key, name in CONTACT_QUANTITIES.values():
         words[name] = format_exact(get_key(config, key), quantity_type(key).unit)
     return words
 
@@ -166,6 +108,6 @@ def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
     paper = Study().model_dump(warnings=False)
     return [
         name
-        for name, key in CONTACT_QUANTITIES.items()
+        for key, name in CONTACT_QUANTITIES.values()
         if get_key(config, key) == get_key(paper, key)
     ]

@@ -9,9 +9,8 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import get_key, master_keys, study_contact
-from hardcontact.config.patterns import Patterns
+from hardcontact.config.patterns import SCAN_KEYS, Patterns, key_values, short_digest
 from hardcontact.config.selection import Selection
-from hardcontact.config.store_keys import SCAN_KEYS, key_values, short_digest
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 

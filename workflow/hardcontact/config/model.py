@@ -19,6 +19,14 @@ NONE = "none"
 SMOOTH_SPHERE = "smooth"
 #: End of the names of study and store at quick effort.
 QUICK_SUFFIX = "-quick"
+#: By the quantities of a contact: their keys, and their names in print.
+CONTACT_QUANTITIES = {
+    "radius": ("sphere.radius", "radius of the sphere"),
+    "hardness": ("contact.hardness", "hardness"),
+    "preload": ("contact.preload", "preload"),
+    "range": ("scales.range", "range of adhesion"),
+    "work": ("adhesion.work", "work of adhesion"),
+}
 
 
 class Study(StudyKeys):

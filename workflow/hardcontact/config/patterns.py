@@ -1,11 +1,13 @@
 """Every path of a study: patterns with wildcards, and the values of these."""
 
+import hashlib
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from typing import Any
 
-from hardcontact.config.store_keys import store_digests
+from hardcontact.base.origin import canonical
+from hardcontact.config.configuration import get_key
 from hardcontact.surfaces.features import KINDS
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
@@ -19,9 +21,56 @@ PUBLISHED_TABLES = {
 #: the edges of the band, and how plasticity and range enhance each other.
 PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 
+_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size")
+_MEASURED = (*_READING, "scan.levelling", "scans")
+_GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
+_SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
+#: Keys on which every scan, measured or substitute, and everything computed from scans depend.
+SCAN_KEYS = (*_SUBSTITUTES, *_MEASURED)
+_CONTACTS = (*SCAN_KEYS, "contact.window", "contact.count")
+_DRAWS = (*_GAUSSIAN, "sets.count", "contact.window", "adhesion.ranges")
+_TRANSITIONS = ("scales.small.transition", "scales.large.transition")
+
+#: The keys on which each kind of intermediate and its inputs depend, but for those whose values are
+#: in the path: it has a digest of theirs. A source of a surface, or another row in the table of
+#: surfaces, is no key: it replaces the intermediates of that surface.
+STORE_KEYS = {
+    "measurements": _READING,
+    "measured_spectra": _MEASURED,
+    "sampled_spectra": (*_MEASURED, "seed"),
+    "conditioning": SCAN_KEYS,  # which is made with the scans
+    "scans": SCAN_KEYS,
+    "stitched": SCAN_KEYS,
+    "pull_off": (*_CONTACTS, "adhesion.ranges"),
+    "elastic": (*_CONTACTS, "elastic.contacts"),
+    "asperities": (*_CONTACTS, "asperities"),
+    "whole": (*_CONTACTS, "adhesion.ranges", "scales.large.tiles"),
+    "octaves": _CONTACTS,
+    "pool": (*_DRAWS, "sets.rms_heights"),
+    "draws": _DRAWS,
+    "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
+}
+
 _SCAN = "{surface}/scan-{scan}-{shape}.nc"
 _REALIZATION = "{surface}/realization-{realization}"
 _NUMBER = "[0-9.e+-]+"
+
+
+def short_digest(values: object) -> str:
+    """Return a short digest of values, as a part of paths."""
+    return hashlib.sha256(canonical(values).encode()).hexdigest()[:8]
+
+
+def key_values(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
+    """Return the values of keys, with dots between their parts."""
+    return {key: get_key(configuration, key) for key in keys}
+
+
+def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
+    """Return the digest of the keys of each kind of intermediate."""
+    return {
+        kind: short_digest(key_values(configuration, keys)) for kind, keys in STORE_KEYS.items()
+    }
 
 
 class Patterns:
@@ -39,7 +88,6 @@ class Patterns:
         self.calibrated_spectrum = f"{store}/spectra/{{surface}}/calibrated.nc"
         self.measured_spectrum = f"{folder['measured_spectra']}/{{surface}}/measured-{{shape}}.nc"
         self.conditioning = f"{folder['conditioning']}/{_SCAN}"  # scan: the first of its group
-        self.substitute = f"{folder['substitutes']}/{_SCAN}"
         self.measurement = f"{folder['measurements']}/{{surface}}/scan-{{scan}}.nc"
         self.levelled = f"{folder['scans']}/{_SCAN}"
         self.stitched = f"{folder['stitched']}/{_SCAN}"
@@ -86,20 +134,13 @@ class Patterns:
         """Return the path of a page of the report."""
         return f"{self.results}/report/{name}.html"
 
-    def log(self, rule: str, output: str = "") -> str:
-        """Return the path of the log of a rule, given its output if that has wildcards."""
-        return self._run_path("logs", rule, output, ".log")
-
-    def benchmark(self, rule: str, output: str = "") -> str:
-        """Return the path of the benchmark of a rule, given its output if that has wildcards."""
-        return self._run_path("benchmarks", rule, output, ".tsv")
-
-    def _run_path(self, kind: str, rule: str, output: str, suffix: str) -> str:
-        """Return a path that has the wildcards of an output below the folder of its rule."""
+    def run_record(self, kind: str, suffix: str, rule: str, output: str) -> str:
+        """Return the path of a record of the runs of a rule, with the wildcards of its output."""
         if "{" not in output:
             return f"{self.results}/{kind}/{rule}{suffix}"
-        _, *folders = PurePosixPath(output).relative_to(self.store).with_suffix(suffix).parts
-        return "/".join((self.store, kind, rule, *folders))
+        root = self.store if output.startswith(f"{self.store}/") else self.results
+        _, *folders = PurePosixPath(output).relative_to(root).with_suffix(suffix).parts
+        return "/".join((root, kind, rule, *folders))
 
 
 def study_patterns(configuration: Mapping[str, Any]) -> Patterns:

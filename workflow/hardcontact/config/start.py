@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import yaml
+from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
@@ -25,7 +26,7 @@ from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.faults import refuse_all
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
-from hardcontact.config.patterns import PUBLISHED_TABLES
+from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 
 #: The folder of the repository that the imported library belongs to.
@@ -155,6 +156,19 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     except ValueError as error:
         _refuse(error)
     return Selection(rows, configuration["sphere"]["surface"])
+
+
+def keep_logs(workflow: Any, patterns: Patterns) -> None:
+    """Give each rule with a script a log and, if it writes files, a benchmark, named after it."""
+    for rule in workflow.rules:
+        if rule.norun:
+            continue
+        # What Snakemake itself does for the directives `log` and `benchmark`.
+        rule.log_modifier = rule.benchmark_modifier = workflow.modifier.path_modifier
+        output = strip_wildcard_constraints(rule.output[0]) if rule.output else ""
+        rule.set_log(patterns.run_record("logs", ".log", rule.name, output))
+        if rule.output:
+            rule.benchmark = patterns.run_record("benchmarks", ".tsv", rule.name, output)
 
 
 def log_answer(workflow: Any, page: str) -> None:

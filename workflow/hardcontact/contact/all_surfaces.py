@@ -1,12 +1,12 @@
 """Datasets of all surfaces, with their names, stacked from those of single scans and masters."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any, TypedDict
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.dataset import stack
+from hardcontact.base.dataset import read, stack
 from hardcontact.contact.contact import CONTACT_AXES
 
 #: Datasets by their labels: the surface first.
@@ -52,28 +52,6 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     return with_names(forces.assign(contact_pixel_count=largest), described)
 
 
-def single_masters(
-    files: Iterable[tuple[Sequence[str], xr.Dataset]], realizations: int, load: str | None = None
-) -> Parts:
-    """Return the forces on each master, by key of its file, realization and side.
-
-    The files are from `filtered_masters.filtered_pull_off`; realizations after the given number are
-    left out. `load` is the only load, at the single radius and range of the file; None for all.
-    """
-    masters: dict[tuple[Any, ...], xr.Dataset] = {}
-    for key, file in files:
-        forces = file
-        if load is not None:
-            forces = file.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
-            forces = forces.drop_vars("contact_area")
-        for number in file["realization"].values.tolist():
-            if number <= realizations:
-                for side in file["side"].values.tolist():
-                    master = forces.sel(realization=number, side=side, drop=True)
-                    masters[*key, number, side] = master
-    return masters
-
-
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     """Return the elastic contacts of all surfaces and scans.
 
@@ -112,6 +90,28 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     scales = forces.assign(filtered_force_ratio=ratio, unfiltered_wavelength=ends)
     scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
     return scales
+
+
+def read_masters(
+    surfaces: Iterable[str], paths: Iterable[str], realizations: int, load: str | None = None
+) -> xr.Dataset:
+    """Return the `stacked_forces` on masters of surfaces, from files of `filtered_pull_off`.
+
+    Realizations after the given number are left out. `load` is the only load, at the single radius
+    and range of the files; None for all.
+    """
+    masters: dict[tuple[Any, ...], xr.Dataset] = {}
+    for surface, path in zip(surfaces, paths, strict=True):
+        forces = read(path)
+        if load is not None:
+            forces = forces.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
+            forces = forces.drop_vars("contact_area")
+        for number in forces["realization"].values.tolist():
+            if number <= realizations:
+                for side in forces["side"].values.tolist():
+                    master = forces.sel(realization=number, side=side, drop=True)
+                    masters[surface, number, side] = master
+    return stacked_forces(masters)
 
 
 def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:

@@ -6,7 +6,7 @@ that most tiles are never read.
 """
 
 from dataclasses import dataclass
-from itertools import pairwise, product
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -280,8 +280,8 @@ def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int,
     substrate = as_tiles(bodies.substrate)
     roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
     geometry = bodies.geometry
-    indices = range(len(geometry.positions))
-    places = list(product(indices, indices))
+    numbers = range(len(geometry.positions))
+    places = [(i, j) for i in numbers for j in numbers]
     positions = geometry.positions[np.array(places)]
     contacts = [
         contact

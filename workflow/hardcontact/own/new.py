@@ -17,7 +17,12 @@ from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import refuse_all, refuse_lines, validate
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
-from hardcontact.config.model import NONE, SMOOTH_SPHERE, numeric_configuration
+from hardcontact.config.model import (
+    CONTACT_QUANTITIES,
+    NONE,
+    SMOOTH_SPHERE,
+    numeric_configuration,
+)
 from hardcontact.config.selection import CONTACT, SurfaceRow
 from hardcontact.config.tables import measured_forces
 from hardcontact.contact.contact import Contact
@@ -31,7 +36,6 @@ from hardcontact.own.inventory import (
 )
 from hardcontact.own.proposal import Choice, Proposal, propose, refuse_unreliable
 from hardcontact.own.request import (
-    QUANTITY_OPTIONS,
     ROOT,
     SPHERE,
     QuantityOption,
@@ -194,7 +198,7 @@ def _choices_without_scans(
         (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
     )
     yield Choice("sphere.surface", surface, reason)
-    for option, (key, meaning) in QUANTITY_OPTIONS.items():
+    for option, (key, meaning) in CONTACT_QUANTITIES.items():
         if option != "range":  # which the scans may not permit
             quantity = quantities[option]
             origin = "as given" if quantity.is_given else f"the paper's; --{option} changes it"

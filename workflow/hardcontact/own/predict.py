@@ -14,13 +14,12 @@ from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
-from hardcontact.config.model import NONE, Study
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
-    QUANTITY_OPTIONS,
     add_shared_options,
     implausible_quantities,
     parse_quantities,
@@ -111,7 +110,7 @@ def predict(arguments: Namespace) -> str:
             name, option.number, option.unit, status="given" if option.is_given else "paper"
         )
         for name, option in quantities.items()
-        if name in QUANTITY_OPTIONS
+        if name in CONTACT_QUANTITIES
     }
     study = Study()
     form = prediction(user_spectrum.spectrum, contact, study.scales.tolerance, arguments.file)
@@ -125,7 +124,7 @@ def predict(arguments: Namespace) -> str:
         status = "given"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
-    texts = {name: quantities[name].text for name in QUANTITY_OPTIONS}
+    texts = {name: quantities[name].text for name in CONTACT_QUANTITIES}
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *user_spectrum.notes]
     report = _report(numbers, texts, notes, user_spectrum.scans, arguments)
     for name, write in WRITERS.items():
@@ -188,7 +187,7 @@ def _report(
     )
     environment.filters |= {"length": format_length, "quantity": format_quantity}
     environment.tests["known"] = math.isfinite
-    meanings = {name: meaning for name, (_, meaning) in QUANTITY_OPTIONS.items()}
+    meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(
         file=arguments.file,
         verbose=arguments.verbose,

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
-from hardcontact.config.arguments import QUANTITY_KEYS, unit_question
+from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
-from hardcontact.config.model import QUICK_SUFFIX, key_field, quantity_type
+from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.surfaces.height_map import LEVELLING
 
@@ -21,14 +21,6 @@ ROOT = LIBRARY.parents[1]
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
 RESERVED_NAMES = ("config", "paper", "quick", "surfaces")
-#: Options that are quantities: the key of the configuration, and their meaning.
-QUANTITY_OPTIONS = {
-    "radius": (QUANTITY_KEYS["radius"], "radius of the sphere"),
-    "hardness": (QUANTITY_KEYS["hardness"], "hardness of the softer body"),
-    "preload": (QUANTITY_KEYS["preload"], "load on a contact"),
-    "range": (QUANTITY_KEYS["range"], "range of adhesion"),
-    "work": (QUANTITY_KEYS["work"], "work of adhesion of the predicted force"),
-}
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
 USAGE = """\
@@ -107,7 +99,7 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
 
 def add_shared_options(parser: ArgumentParser) -> None:
     """Add the options of both commands: quantities, and properties that files may not state."""
-    for name, (key, meaning) in QUANTITY_OPTIONS.items():
+    for name, (key, meaning) in CONTACT_QUANTITIES.items():
         default = key_field(key).default
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {default})")
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
@@ -132,7 +124,7 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
     Tip, size and modulus are there only if the user gave them. A faulty quantity has the paper's
     value.
     """
-    quantity_types = {name: quantity_type(key) for name, (key, _) in QUANTITY_OPTIONS.items()}
+    quantity_types = {name: quantity_type(key) for name, (key, _) in CONTACT_QUANTITIES.items()}
     quantity_types |= {
         "tip": TIP_RADIUS,
         "size": quantity_type("scan.size"),
@@ -151,8 +143,8 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
                 quantities[name] = QuantityOption(text.strip(), kind.number(text), kind.unit, True)
         except ValueError as error:
             faults.append(f"--{name}: {error}")
-        if name in QUANTITY_OPTIONS and name not in quantities:
-            paper_text = key_field(QUANTITY_OPTIONS[name][0]).default
+        if name in CONTACT_QUANTITIES and name not in quantities:
+            paper_text = key_field(CONTACT_QUANTITIES[name][0]).default
             number = kind.number(paper_text)
             quantities[name] = QuantityOption(paper_text, number, kind.unit, False)
     return quantities, faults
@@ -160,7 +152,7 @@ def parse_quantities(arguments: Namespace) -> tuple[dict[str, QuantityOption], l
 
 def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator[str]:
     """Yield a question for each quantity of the user that is not usual."""
-    for name in QUANTITY_OPTIONS:
+    for name in CONTACT_QUANTITIES:
         option = quantities[name]
         question = unit_question(name, option.number)
         if option.is_given and question:

@@ -74,8 +74,6 @@ def apply_classical_models(
         .merge(_smooth_contact(sphere, value))
         .assign(
             model_label=("model", [model.label for model in MODELS.values()]),
-            model_roughness=("model", [model.roughness for model in MODELS.values()]),
-            model_verified=("model", [model.verified for model in MODELS.values()]),
             label=fit["label"],
             basis=fit["basis"],
         )

@@ -1,7 +1,7 @@
 """Classical models of the adhesion of a rough sphere, applied to the roughness of Table 1.
 
-The models need radii, heights and distances of asperities, which Table 1 does not give. Each model
-describes how they are assumed to follow from rms height, slope and curvature. Lengths are in nm,
+The models need radii, heights and distances of asperities, which Table 1 does not give. They are
+assumed to follow from rms height, slope and curvature, as each function says. Lengths are in nm,
 forces in N, works of adhesion in J/m², moduli in Pa. Attractive forces are positive. Arguments may
 be arrays; they broadcast.
 """
@@ -32,12 +32,6 @@ MAX_HEIGHT_DEVIATIONS = 9.0
 #: Tension of asperities by compression, relative to the pull-off force of a single asperity.
 Tension = Callable[[np.ndarray], Values]
 
-ASPERITIES = (
-    "Gaussian asperity heights of standard deviation rms height, asperity radius 1/rms curvature "
-    "(both assumed)"
-)
-UNVERIFIED = "unverified against the primary source"
-
 
 class ElasticSphere(NamedTuple):
     """A smooth sphere and its materials, the same for all models."""
@@ -62,8 +56,6 @@ class Model(NamedTuple):
     #: The pull-off force in N for a work of adhesion.
     force: Callable[[Values, Roughness, ElasticSphere], Values]
     proportional: bool  #: Whether the force is proportional to the work of adhesion.
-    roughness: str  #: Assumption by which the asperities follow from rms values.
-    verified: str  #: Source with which its equations were compared.
 
 
 def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float) -> Values:
@@ -219,8 +211,6 @@ MODELS = {
             work, sphere.radius, HEMISPHERE_OVER_RMS * roughness.height, sphere.spacing
         ),
         True,
-        "hemispheres of radius 1.485 rms height (close-packed; assumed)",
-        UNVERIFIED,
     ),
     "rumpf_curvature": Model(
         "Rumpf (curvature)",
@@ -228,23 +218,8 @@ MODELS = {
             work, sphere.radius, 1 / roughness.curvature, sphere.spacing
         ),
         True,
-        "hemispheres of radius 1/rms curvature (assumed)",
-        UNVERIFIED,
     ),
-    "rabinovich": Model(
-        "Rabinovich",
-        rabinovich,
-        True,
-        "rms height; distance of peaks 2 pi rms height / rms slope, that of one wavelength "
-        "(assumed)",
-        f"definition of the asperity: abstract of the primary source; coefficients: {UNVERIFIED}",
-    ),
-    "fuller_tabor": Model(
-        "Fuller–Tabor",
-        fuller_tabor,
-        False,
-        ASPERITIES,
-        f"assumptions and JKR equations: Greenwood, Tribol. Lett. 65 (2017) 159; {UNVERIFIED}",
-    ),
-    "maugis": Model("Maugis", maugis_rough_dmt, False, ASPERITIES, UNVERIFIED),
+    "rabinovich": Model("Rabinovich", rabinovich, True),
+    "fuller_tabor": Model("Fuller–Tabor", fuller_tabor, False),
+    "maugis": Model("Maugis", maugis_rough_dmt, False),
 }

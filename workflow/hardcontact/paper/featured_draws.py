@@ -12,25 +12,23 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.base import dataset, published
 from hardcontact.base.dataset import concatenate, stack
 from hardcontact.base.job import progress
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.force_curves import interpolate_to_ranges
-from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.published_fit import PublishedFit
+from hardcontact.paper.pool import smooth_sphere_forces
 from hardcontact.surfaces.featured_scans import (
     FeaturedSurface,
     describe_features,
-    featured_surface,
+    read_featured_surface,
     sample_group,
 )
 from hardcontact.surfaces.features import KINDS, SIGNS
-from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
-from hardcontact.surfaces.substitute_scans import ScanGrid
+from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level
+from hardcontact.surfaces.roughness_table import measured_metrics
 
 #: Largest factor between computed and published force of a draw that agrees. It holds for the mean
 #: and for the median force, at the published range and work of adhesion.
@@ -54,20 +52,13 @@ class DrawSources(NamedTuple):
 
 def read_draw_sources(inputs: Any, parameters: Mapping[str, Any]) -> DrawSources:
     """Read the sources of draws: the spectrum, Table 1 and constants at the paths of the inputs."""
-    featured = featured_surface(
-        parameters["surface"],
-        dataset.read(inputs.spectrum),
-        published.table1(inputs.published_table1),
-        published.constants(inputs.published_constants),
-        ScanGrid(**parameters["scan"]),
-        parameters["seed"],
-    )
+    featured = read_featured_surface(inputs, parameters)
     contact = Contact(radius=parameters["radius"], **parameters["contact"])
     return DrawSources(featured, parameters["scans"], contact, parameters["ranges"])
 
 
 def compute_draws(kind: str, numbers: Sequence[int], sources: DrawSources) -> xr.Dataset:
-    """Return forces (draw, scan, contact_model, rho, contact) in N at 1 J/m², and METRICS.
+    """Return forces (draw, scan, contact_model, rho, contact) in N at 1 J/m², and metrics.
 
     The kind of surface is bumps, pits or gaussian.
     """
@@ -88,16 +79,10 @@ def _compute_draw(kind: str, number: int, sources: DrawSources) -> xr.Dataset:
 
 
 def _scan_forces(scan: HeightMap, sources: DrawSources) -> xr.Dataset:
-    """Return the forces of a smooth sphere on a levelled scan, and its METRICS."""
-    contact = sources.contact
-    contact_bodies = bodies(mirror_stitch(scan), None, contact)
-    pull_off = pull_off_of_pair(contact_bodies, contact, sources.ranges)
-    roughness = metrics(scan)
-    return pull_off[["pull_off_force"]].assign(
-        {
-            name: ((), roughness[name], {"units": unit, "long_name": long_name})
-            for name, (unit, long_name) in METRICS.items()
-        }
+    """Return the forces of a smooth sphere on a levelled scan, and its metrics of Table 1."""
+    roughness = measured_metrics(scan, TABLE1_METRICS.values())
+    return roughness.assign(
+        pull_off_force=smooth_sphere_forces(scan, sources.contact, sources.ranges)
     )
 
 
@@ -141,14 +126,8 @@ def compare_with_published(
         values = forces.transpose("draw", "contact", "rho").values
         pair_forces = work * interpolate_to_ranges(values, forces["rho"].values, np.array([rho]))
         statistics = _force_statistics(pair_forces[..., 0], targets)
-        metric_means = kind_draws[list(METRICS)].mean("scan", keep_attrs=True)
-        height_std = kind_draws["rms_height"].std("scan", ddof=1, keep_attrs=True)
         descriptions = [name for name in kind_draws if kind_draws[name].dims == ("draw",)]
-        kinds.append(
-            kind_draws[descriptions]
-            .merge(metric_means)
-            .assign({"rms_height_std": height_std} | statistics)
-        )
+        kinds.append(kind_draws[descriptions].assign(statistics))
     shape = lognormal_shape(targets["mean_force"], targets["median_force"])
     return xr.concat(kinds, pd.Index(list(draws), name="features"), join="outer").assign_attrs(
         surface=surface,

@@ -23,7 +23,7 @@ from hardcontact.paper.evaluation import claim_values
 from hardcontact.paper.featured_draws import draw_of_set, draws_by_surface
 from hardcontact.paper.pool import height_weights
 from hardcontact.surfaces.conditioning import scale_rms_heights
-from hardcontact.surfaces.height_map import METRICS
+from hardcontact.surfaces.height_map import TABLE1_METRICS
 from hardcontact.surfaces.roughness_table import scan_averages
 
 Floats = NDArray[np.float64]
@@ -33,8 +33,6 @@ SampledScans = Mapping[str, xr.Dataset]
 
 #: Largest number of tries to find a set with possible heights.
 MAX_TRIES = 1000
-#: Metrics that do not change with the height of a scan.
-HEIGHT_INDEPENDENT_METRICS = ("skewness", "kurtosis")
 #: Variables of the fit of a set that sets.nc contains.
 SET_FIT_VARIABLES = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "range_at_minimum", "work_at_minimum",
@@ -128,10 +126,10 @@ def _scale_scans(pool_scans: xr.Dataset, heights: Floats) -> xr.Dataset:
     variables = {
         name: (
             "scan",
-            pool_scans[name].values * (1.0 if name in HEIGHT_INDEPENDENT_METRICS else factor),
+            pool_scans[name].values * factor,
             pool_scans[name].attrs,
         )
-        for name in METRICS
+        for name in TABLE1_METRICS.values()
     } | {
         "pull_off_force": (axes, np.exp(log_forces), {"units": "N"}),
         "number": ("scan", pool_scans["scan"].values),
@@ -168,12 +166,12 @@ def sample_set_scans(sources: Sources, seed: int, set_number: int) -> dict[str, 
 
 
 def set_topography(study: xr.Dataset, sampled_scans: SampledScans, confidence: float) -> xr.Dataset:
-    """Return the topography of a set, as in topography.nc: METRICS, their averages and labels."""
+    """Return the topography of a set, as in topography.nc: metrics, their averages and labels."""
     surface_scans = [
         sampled_scans[name] if name in sampled_scans else study.sel(surface=name, drop=True)
         for name in study["surface"].values
     ]
-    metrics = [scans[list(METRICS)] for scans in surface_scans]
+    metrics = [scans[list(TABLE1_METRICS.values())] for scans in surface_scans]
     set_scans = xr.concat(metrics, study["surface"], join="outer")
     constant = [name for name in study if str(name).startswith("all_scales_")]
     labels = study[[*constant, "label", "basis", "table1_rows_met"]]

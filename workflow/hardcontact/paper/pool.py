@@ -19,10 +19,11 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.conditioning import Targets, scan_targets
-from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
+from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
+from hardcontact.surfaces.roughness_table import measured_metrics
 from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan
 from hardcontact.surfaces.substitute_spectra import rows_of_surface
+from hardcontact.surfaces.synthesis import ScanGrid, sample_scan
 
 #: Smallest height of a pool relative to the mean height: no set of a few scans has a smoother scan.
 MIN_HEIGHT_RATIO = 0.05
@@ -110,26 +111,28 @@ def pool_scan(number: int, sources: PoolSources) -> HeightMap:
     return level(sample_scan(rng, sources.spectrum, sources.grid))
 
 
+def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
+    """Return the pull-off forces of a smooth sphere on a levelled scan, mirror-stitched."""
+    contact_bodies = bodies(mirror_stitch(scan), None, contact)
+    return pull_off_of_pair(contact_bodies, contact, ranges)["pull_off_force"]
+
+
 def forces_at_heights(scan: HeightMap, sources: PoolSources) -> xr.Dataset:
-    """Return the forces on a levelled scan at several rms heights, and its METRICS unscaled.
+    """Return the forces on a levelled scan at several rms heights, and its unscaled metrics.
 
     ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x) is ln(force in N).
     """
     contact = sources.contact
-    roughness = metrics(scan)
+    roughness = measured_metrics(scan, TABLE1_METRICS.values())
     forces = []
     for rms_height in sources.rms_heights:
-        scaled = replace(scan, heights=rms_height / roughness["rms_height"] * scan.heights)
-        contact_bodies = bodies(mirror_stitch(scaled), None, contact)
-        forces.append(pull_off_of_pair(contact_bodies, contact, sources.ranges)["pull_off_force"])
+        factor = rms_height / roughness["rms_height"].item()
+        scaled = replace(scan, heights=factor * scan.heights)
+        forces.append(smooth_sphere_forces(scaled, contact, sources.ranges))
     axis = xr.Variable("rms_height_of_force", sources.rms_heights, {"units": "nm"})
     height_forces = xr.concat(forces, xr.DataArray(axis, name="rms_height_of_force"))
     log_force: xr.DataArray = xr.apply_ufunc(np.log, height_forces).astype("float32")
     log_force.attrs = {"units": "1", "long_name": "logarithm of the pull-off force in N at 1 J/m2"}
-    variables = {
-        name: ((), roughness[name], {"units": unit, "long_name": long_name})
-        for name, (unit, long_name) in METRICS.items()
-    }
     contacts = range(contact.count)
     coordinates = {"rms_height_of_force": axis, "contact_y": contacts, "contact_x": contacts}
-    return xr.Dataset({"log_force": log_force.drop_vars(coordinates), **variables}, coordinates)
+    return roughness.assign(log_force=log_force.drop_vars(coordinates)).assign_coords(coordinates)

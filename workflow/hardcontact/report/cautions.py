@@ -96,7 +96,7 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
     defects = []
     for index, measurement in enumerate(split_measurements(measurements(spectra)), start=1):
         for code in codes:
-            units = DEFECTS[code].units
+            units = DEFECTS[code]
             values = {name: measurement[name].item() for name in units}
             if not np.isfinite(list(values.values())).all():
                 continue

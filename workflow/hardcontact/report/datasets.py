@@ -49,7 +49,6 @@ class Setting(NamedTuple):
     contact: Mapping[str, str]
     #: Names of those inputs that the user did not give, so that they are the paper's.
     of_paper: Sequence[str]
-    left_out: Sequence[tuple[str, str]]  #: Parts that these data do not allow, and why.
     version: str  #: Version of the software.
     #: Pairs of range and work of adhesion, rows of resources/adhesion/pairs.csv.
     pairs: Sequence[Mapping[str, Any]]

@@ -17,8 +17,7 @@ def render_page(
 ) -> str:
     """Return the page as HTML from the content of answer.json and the SVG of each figure.
 
-    The facts for own surfaces are `left_out`, the parts that the data do not allow and why;
-    `paper_page` gives those for the paper.
+    Own surfaces have no further facts; `paper_page` gives those for the paper.
     """
     surfaces = [
         {**surface, "numbers": numbers_by_name(answer, surface["name"])}

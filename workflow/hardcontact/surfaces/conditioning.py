@@ -22,14 +22,14 @@ from hardcontact.surfaces.spectrum import (
     SpectrumFunction,
     spectrum_of_dataset,
 )
-from hardcontact.surfaces.substitute_scans import (
+from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
+from hardcontact.surfaces.synthesis import (
     ScanGrid,
     add_sphere,
     sample_scan,
     scan_of_noise,
+    white_noise,
 )
-from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
-from hardcontact.surfaces.synthesis import white_noise
 
 #: Number of components of the gain, as many as rows of Table 1 are met. The amplitudes of the
 #: second and the third relative to the first are fitted.

@@ -29,8 +29,8 @@ from hardcontact.surfaces.features import (
 )
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import AFM_ROWS, Spectrum, spectrum_of_dataset
-from hardcontact.surfaces.substitute_scans import ScanGrid, sample_scan, whole_surface
 from hardcontact.surfaces.substitute_spectra import rows_of_surface, sample_permitted_spectrum
+from hardcontact.surfaces.synthesis import ScanGrid, sample_scan, whole_surface
 
 #: Draws of features among which that of the study's scans is the nearest to Table 1: enough for all
 #: of its numbers to be within half of a standard error.
@@ -101,20 +101,30 @@ def featured_surface(
     return FeaturedSurface(surface, spectrum_of_dataset(spectrum_data), statistics, grid, seed)
 
 
+def read_featured_surface(inputs: Any, parameters: Mapping[str, Any]) -> FeaturedSurface:
+    """Read the source of scans with features: its spectrum, Table 1 and constants are inputs."""
+    return featured_surface(
+        parameters["surface"],
+        dataset.read(inputs.spectrum),
+        published.table1(inputs.published_table1),
+        published.constants(inputs.published_constants),
+        ScanGrid(**parameters["scan"]),
+        parameters["seed"],
+    )
+
+
 def whole_surfaces(inputs: Any, parameters: Mapping[str, Any]) -> Callable[[int], HeightMap]:
     """Return a function that makes a whole surface by its number, with or without features.
 
     Each without features has its own spectrum, among those that Table 1 permits. `inputs` are paths
     of the description, the calibrated spectrum, Table 1 and the constants.
     """
+    if parameters["has_features"]:
+        source = read_featured_surface(inputs, parameters)
+        return partial(source.whole_surface, **parameters["grid"])
     surface, seed = parameters["surface"], parameters["seed"]
     table1 = published.table1(inputs.published_table1)
     constants = published.constants(inputs.published_constants)
-    if parameters["has_features"]:
-        spectrum_data = dataset.read(inputs.spectrum)
-        grid = ScanGrid(**parameters["scan"])
-        source = featured_surface(surface, spectrum_data, table1, constants, grid, seed)
-        return partial(source.whole_surface, **parameters["grid"])
 
     def make_surface(realization: int) -> HeightMap:
         """Return a whole surface with a spectrum of its own."""

@@ -1,6 +1,6 @@
 """Metrics and PSDs of a scan, and one table of them for all surfaces."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -17,35 +17,33 @@ TABLE1_VARIABLES = {row: f"{metric}_mean" for row, metric in TABLE1_METRICS.item
 }
 
 
-def measured_roughness(scan: HeightMap) -> xr.Dataset:
-    """Return the METRICS of a scan, and its PSDs over wavevector in nm³ and nm⁴."""
+def measured_metrics(scan: HeightMap, names: Iterable[str]) -> xr.Dataset:
+    """Return some of the METRICS of a scan, by their names."""
     values = metrics(scan)
-    wavevector, profile, isotropic = measured_psds(scan)
-    return xr.Dataset(
-        {
-            **{
-                name: ((), values[name], {"units": unit, "long_name": long_name})
-                for name, (unit, long_name) in METRICS.items()
-            },
-            "psd_profile": (
-                "wavevector",
-                profile,
-                {"units": "nm3", "long_name": "C_1D of profiles along x"},
-            ),
-            "psd_isotropic": ("wavevector", isotropic, {"units": "nm4", "long_name": "C_iso"}),
-        },
-        {"wavevector": ("wavevector", wavevector, {"units": "rad nm-1"})},
+    variables = {}
+    for name in names:
+        unit, long_name = METRICS[name]
+        variables[name] = ((), values[name], {"units": unit, "long_name": long_name})
+    return xr.Dataset(variables)
+
+
+def measured_roughness(scan: HeightMap) -> xr.Dataset:
+    """Return the METRICS of a scan, and its PSD over wavevector in nm⁴."""
+    wavevector, _, isotropic = measured_psds(scan)
+    attributes = {"units": "nm4", "long_name": "C_iso"}
+    return measured_metrics(scan, METRICS).assign(
+        psd_isotropic=("wavevector", isotropic, attributes),
+        wavevector=("wavevector", wavevector, {"units": "rad nm-1"}),
     )
 
 
 def scan_averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     """Return mean over scans, its interval and the standard deviation of every metric, by surface.
 
-    The METRICS (surface, scan) are NaN if a surface has fewer scans.
+    The metrics (surface, scan) are NaN if a surface has fewer scans.
     """
     variables: dict[str, Any] = {}
-    for name in METRICS:
-        values = scans[name]
+    for name, values in scans.data_vars.items():
         mean = values.mean("scan")
         deviation = values.std("scan", ddof=1)
         interval = student_interval(values, confidence, "scan")
@@ -78,7 +76,7 @@ def roughness_table(
     table = xr.merge(
         [
             scan_table,
-            scan_averages(scan_table, confidence),
+            scan_averages(scan_table[list(METRICS)], confidence),
             _spectra([spectra[name] for name in names], scan_table["wavevector"].values),
             _maps([examples[name] for name in names]),
         ],

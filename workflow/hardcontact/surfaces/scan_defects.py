@@ -6,65 +6,30 @@ after levelling, a lay and edges.
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from itertools import product
-from typing import NamedTuple
+from pathlib import Path
 
 import numpy as np
+import yaml
 from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.height_map import HeightMap, flatten
 from hardcontact.surfaces.spectrum import Floats
 
-
-class Defect(NamedTuple):
-    """A defect of scans: the units of its numbers, and a sentence with these numbers."""
-
-    units: Mapping[str, str]
-    sentence: str  #: Continues the name of the scan; the numbers are in braces.
-
-
-#: The defects by their code.
+#: The defects by their code: the units of their numbers. scan_defects.yaml has their sentences.
 DEFECTS = {
-    "spikes": Defect(
-        {"spike_share": "1", "rms_height_without_spikes": "nm"},
-        "{spike_share} of its pixels are spikes, more than {spike:g} rms heights from those around "
-        "them; without them the rms height is {rms_height_without_spikes}: remove them",
-    ),
-    "equal_lines": Defect(
-        {"equal_line_share": "1"},
-        "{equal_line_share} of its lines are constant or equal to the one before, as of a scan "
-        "that was stopped: crop it",
-    ),
-    "highest": Defect(
-        {"highest_share": "1"},
-        "{highest_share} of its pixels have the highest value, as of a clipped range: the summits "
-        "that touch are cut off",
-    ),
-    "lowest": Defect(
-        {"lowest_share": "1"},
-        "{lowest_share} of its pixels have the lowest value, as of a clipped range",
-    ),
-    "curvature": Defect(
-        {"curvature_radius": "nm", "uncurved_share": "1"},
-        "levelling leaves a curvature of radius {curvature_radius}, as of a ball or the bow of a "
-        "scanner, without which {uncurved_share} of the rms height remains: --levelling quadratic "
-        "(scan.levelling: quadratic) subtracts it",
-    ),
-    "lay": Defect(
-        {"lay_ratio": "1"},
-        "the variance of profiles along one direction is {lay_ratio} times that across (a lay, a "
-        "grating, a step, offset lines): closed forms and roughness beyond the scans are alike in "
-        "all directions",
-    ),
-    "edges": Defect(
-        {"edge_slope_share": "1"},
-        "{edge_slope_share} of its squared slopes lie on {edge_pixels} of its pixels, as of "
-        "pillars or steps: closed forms and roughness beyond the scans have no such edges",
-    ),
+    "spikes": {"spike_share": "1", "rms_height_without_spikes": "nm"},
+    "equal_lines": {"equal_line_share": "1"},
+    "highest": {"highest_share": "1"},
+    "lowest": {"lowest_share": "1"},
+    "curvature": {"curvature_radius": "nm", "uncurved_share": "1"},
+    "lay": {"lay_ratio": "1"},
+    "edges": {"edge_slope_share": "1"},
 }
 #: The numbers of all defects with their units.
-DEFECT_UNITS = {name: unit for defect in DEFECTS.values() for name, unit in defect.units.items()}
+DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
 
 #: Least distance of a spike to its neighbours in rms heights; Gaussian: once in 10⁹ pixels.
 MIN_SPIKE_DISTANCE = 6.0
@@ -125,8 +90,8 @@ def scan_defects(
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["edges"] = _edge_numbers(levelled_heights)
     return {
-        code: dict(zip(defect.units, numbers[code], strict=True))
-        for code, defect in DEFECTS.items()
+        code: dict(zip(units, numbers[code], strict=True))
+        for code, units in DEFECTS.items()
         if numbers.get(code)
     }
 
@@ -252,9 +217,16 @@ def _edge_numbers(heights: Floats) -> list[float]:
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
     words = {name: _format_number(name, number) for name, number in numbers.items()}
-    return DEFECTS[code].sentence.format(
+    return _sentences()[code].format(
         **words, spike=MIN_SPIKE_DISTANCE, edge_pixels=format_share(EDGE_PIXELS)
     )
+
+
+@cache
+def _sentences() -> dict[str, str]:
+    """Return the sentences on defects by code."""
+    text = Path(__file__).with_suffix(".yaml").read_text("utf-8")
+    return dict(yaml.safe_load(text))
 
 
 def _format_number(name: str, number: float) -> str:

@@ -20,7 +20,6 @@ from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlready
 from SurfaceTopography.IO import AscReader, MagicMatch, XYZReader, readers
 from SurfaceTopography.Support.UnitConversion import is_length_unit
 
-from hardcontact.surfaces.limited_process import RefusedFile
 from hardcontact.surfaces.plain_text import POINT_COLUMNS, ROW, readable_text
 from hardcontact.surfaces.scan_heights import (
     MAX_ASPECT_DEVIATION,
@@ -30,6 +29,7 @@ from hardcontact.surfaces.scan_heights import (
     stated_tip_radius,
     unit_in_nm,
 )
+from hardcontact.surfaces.scans import RefusedFile
 
 #: Modules that readers import while they read.
 IMPORTED_LATE = (

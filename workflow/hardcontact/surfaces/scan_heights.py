@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length
-from hardcontact.surfaces.limited_process import RefusedFile
+from hardcontact.surfaces.scans import RefusedFile
 
 Floats = NDArray[np.float64]
 

@@ -1,10 +1,47 @@
-"""Reading scans of any microscope."""
+"""Reading scans of any microscope.
 
+The bytes of a file may be damaged or hostile. They are read in a child process, which opens no
+file, writes no file, and has limits of memory and time.
+"""
+
+import faulthandler
+import io
+import json
+import logging
+import multiprocessing
+import os
+import resource
+import sys
+import tempfile
+import warnings
 import zipfile
+from collections.abc import Callable
+from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import Any
+
+import numpy as np
 
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.limited_process import read_in_child
+
+#: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
+MAX_FILE_BYTES = 2**30
+#: Bytes of memory of the child: the maximum, those for any file, those for each byte of a file.
+MAX_MEMORY = 4 * 2**30
+SMALL_FILE_MEMORY = 2**29
+MEMORY_PER_BYTE = 200
+#: Processor time of the child in s: the maximum, for any file, for each 2**20 bytes of a file.
+MAX_SECONDS = 120
+SMALL_FILE_SECONDS = 2
+SECONDS_PER_MEGABYTE = 10
+#: Elapsed time in s, with waits for a processor: five times the longest computing time.
+MAX_WAIT = 600
+#: The longest message in characters.
+MAX_MESSAGE = 2000
+
+
+class RefusedFile(Exception):
+    """A file that cannot be used; the text names what was expected and what was found."""
 
 
 def read_scan(
@@ -38,3 +75,116 @@ def list_scans(path: str | Path) -> list[str]:
     from hardcontact.surfaces.scan_formats import list_datasets
 
     return list(read_in_child(list_datasets, Path(path))["datasets"])
+
+
+def read_in_child(
+    reader: Callable[..., dict[str, Any]], path: Path, *arguments: str | float
+) -> dict[str, Any]:
+    """Return the dictionary that a reader makes from the bytes of a file, in a child process.
+
+    JSON can hold the dictionary, except for an array `heights`. Its texts lose control characters.
+    Raises ValueError, one line with the path, if anything fails with the file or in the child.
+    """
+    if path.is_dir():
+        raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
+    if not path.is_file():
+        reason = "no regular file" if path.exists() else "no such file"
+        raise ValueError(f"{path}: expected a scan, found {reason}")
+    size = path.stat().st_size
+    if not 0 < size <= MAX_FILE_BYTES:
+        raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE_BYTES} bytes, found {size}")
+    seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
+    memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
+    context = multiprocessing.get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    with tempfile.TemporaryDirectory() as folder:
+        child = context.Process(
+            target=_run_child,
+            args=(sender, folder, seconds, memory, reader, path.absolute(), *arguments),
+            daemon=True,
+        )
+        child.start()
+        sender.close()
+        try:
+            if not receiver.poll(MAX_WAIT):
+                raise EOFError
+            answer: dict[str, Any] = json.loads(receiver.recv_bytes())
+            answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
+        except EOFError:
+            answer = {
+                "refused": "expected a readable file, found one whose reader crashes or takes more "
+                f"than {seconds} s or {memory >> 20} MB, which a file of this size may take"
+            }
+        finally:
+            child.kill()
+            child.join()
+            receiver.close()
+    if "refused" in answer:
+        raise ValueError(f"{path}: {answer['refused']}")
+    return answer
+
+
+def _run_child(
+    sender: Connection,
+    folder: str,
+    seconds: int,
+    memory: int,
+    reader: Callable[..., dict[str, Any]],
+    path: Path,
+    *arguments: str | float,
+) -> None:
+    """Send the dictionary or the refusal of a file, and suppress what readers log and print."""
+    faulthandler.disable()
+    logging.disable()
+    warnings.simplefilter("ignore")
+    for stream in (1, 2):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
+    try:
+        content = path.read_bytes()
+        os.chdir(folder)
+        _limit_resources(seconds, memory)
+        answer = reader(content, *arguments)
+    except RefusedFile as error:
+        answer = {"refused": str(error)}
+    except Exception as error:  # damaged bytes may raise anything in a reader
+        answer = {
+            "refused": "expected a readable scan, found one damaged or of an unknown kind "
+            f"({type(error).__name__}: {str(error)[:200]})"
+        }
+    if "refused" in answer:
+        answer = {
+            "refused": " ".join(
+                _replace_control_characters(answer["refused"][:MAX_MESSAGE]).split()
+            )
+        }
+    array = io.BytesIO()
+    np.save(array, answer.pop("heights", np.empty(0)))
+    sendable = {key: _replace_control_characters(value) for key, value in answer.items()}
+    sender.send_bytes(json.dumps(sendable).encode())
+    sender.send_bytes(array.getbuffer())
+
+
+def _replace_control_characters(value: Any) -> Any:
+    """Return a value whose texts have blanks for control characters."""
+    if isinstance(value, list):
+        return [_replace_control_characters(item) for item in value]
+    if not isinstance(value, str):
+        return value
+    return "".join(letter if letter.isprintable() else " " for letter in value)
+
+
+def _limit_resources(seconds: int, memory: int) -> None:
+    """Limit computing time and added memory of this process, and let it open no file."""
+    limits = {
+        resource.RLIMIT_CORE: 0,
+        resource.RLIMIT_FSIZE: 0,  # writes nothing
+        resource.RLIMIT_NOFILE: 0,  # opens nothing; open files stay open
+        resource.RLIMIT_CPU: seconds,
+    }
+    if sys.platform == "linux":  # elsewhere the memory is not limited
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+        limits[resource.RLIMIT_AS] = pages * resource.getpagesize() + memory
+    for kind, limit in limits.items():
+        _, hard = resource.getrlimit(kind)
+        limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+        resource.setrlimit(kind, (limit, hard))

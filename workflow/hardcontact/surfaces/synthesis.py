@@ -1,21 +1,36 @@
-"""Random surfaces from a PSD, and masters: scans with artificial roughness added (Fig. 6).
+"""Random surfaces from a PSD, substitute scans cut out of them, and masters (Fig. 6).
 
-Surfaces are periodic. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in rad/nm.
+A master is a scan with artificial roughness added. Surfaces and masters are periodic, scans are
+not. Lengths are in nm; densities are C_iso in nm⁴ of wavevectors in rad/nm.
 """
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.base.random import generator
 from hardcontact.surfaces.filters import BLOCK_ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import SpectrumFunction
 
 #: Fourier transform of a real map, one half of it.
 Transform = NDArray[np.complex64]
+
+
+class ScanGrid(NamedTuple):
+    """The pixels and size of substitute scans."""
+
+    pixels: int  #: Pixels along a side of a scan.
+    size: float  #: Side of a scan in nm.
+    realization_pixels: int  #: Pixels along a side of the random surfaces.
+
+    @property
+    def pixel_size(self) -> float:
+        """Side of a pixel in nm."""
+        return self.size / self.pixels
 
 
 def white_noise(rng: np.random.Generator, pixels: int) -> Transform:
@@ -33,11 +48,10 @@ def scale_noise(noise: Transform, pixel_size: float, density: SpectrumFunction) 
     """
     pixels = len(noise)
     half = pixels // 2 + 1
-    wave_y = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
-    wave_x = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
+    wave = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
     for start in range(0, half, BLOCK_ROWS):
         rows = np.arange(start, min(start + BLOCK_ROWS, half))
-        amplitudes = np.sqrt(density(np.hypot(wave_y[rows, None], wave_x))) / pixel_size
+        amplitudes = np.sqrt(density(np.hypot(wave[rows, None], wave))) / pixel_size
         noise[rows] *= amplitudes
         is_paired = (rows > 0) & (2 * rows < pixels)
         noise[pixels - rows[is_paired]] *= amplitudes[is_paired]
@@ -70,6 +84,50 @@ def random_corner(
     rows = fft.ifft(transform, axis=0, overwrite_x=True)[:corner_pixels]
     heights = fft.irfft(rows, len(noise), axis=1)[:, :corner_pixels]
     return HeightMap(heights, pixel_size, basis="substitute")
+
+
+def cut_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
+    """Return the corner (pixels, pixels) of a periodic surface, with heights times a factor."""
+    heights = factor * surface.heights[:pixels, :pixels].astype(float)
+    return replace(surface, heights=heights, periodic=False)
+
+
+def whole_surface(
+    seed: int,
+    surface: str,
+    realization: int,
+    density: SpectrumFunction,
+    pixels: int,
+    pixel_size: float,
+) -> HeightMap:
+    """Return a periodic substitute surface (pixels, pixels), as large as a large-scale master."""
+    return random_surface(
+        generator(seed, surface, realization, "whole surface"), pixels, pixel_size, density
+    )
+
+
+def sample_scan(
+    rng: np.random.Generator, density: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+) -> HeightMap:
+    """Sample a scan with C_iso `density` in nm⁴, its heights times a factor."""
+    return scan_of_noise(white_noise(rng, grid.realization_pixels), density, grid, factor)
+
+
+def scan_of_noise(
+    noise: Transform, density: SpectrumFunction, grid: ScanGrid, factor: float = 1.0
+) -> HeightMap:
+    """Return the scan of the transform of white noise: the corner of a random surface."""
+    surface = random_corner(noise, grid.pixels, grid.pixel_size, density)
+    return cut_scan(surface, grid.pixels, factor)
+
+
+def add_sphere(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
+    """Return a scan of a rough sphere (radius in nm), its apex within the middle half."""
+    apex = rng.uniform(-0.25, 0.25, 2) * roughness.size
+    position = (np.arange(roughness.pixels) + 0.5) * roughness.pixel_size - roughness.size / 2
+    y, x = position - apex[0], position - apex[1]
+    heights = roughness.heights - (y[:, None] ** 2 + x**2) / (2 * radius)
+    return replace(roughness, heights=heights)
 
 
 def small_scale_master(

@@ -15,6 +15,9 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_interval
 
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
+#: Smallest change drawn, in per cent: a thousandth of the tolerance. Without waves above a cutoff
+#: the change is zero but for rounding.
+SMALLEST_CHANGE = 0.01
 
 
 def draw(edges: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
@@ -73,6 +76,7 @@ def _draw_changes(axes: Axes, change: xr.Dataset, tolerance: float) -> None:
     panels.draw_bars(axes, cutoffs, pooled, elinewidth=0.9, lw=1.8, **style.POOLED_LOOK)
     axes.axhline(tolerance, color="0.6", lw=0.8, zorder=0)
     axes.set(yscale="log", ylabel="change (%)")
+    axes.set_ylim(bottom=max(SMALLEST_CHANGE, axes.get_ylim()[0]))
 
 
 def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist]:
