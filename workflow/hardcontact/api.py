@@ -27,7 +27,7 @@ from hardcontact.config.arguments import (
     make_periodic,
 )
 from hardcontact.config.faults import refuse_lines
-from hardcontact.config.model import NONE
+from hardcontact.config.model import NONE, Study
 from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
@@ -35,6 +35,7 @@ from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wid
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.scan_force import with_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
@@ -356,13 +357,13 @@ def predict(
     work: float,
     tolerance: float = 0.1,
 ) -> dict[str, Number]:
-    """Predict the force on a smooth sphere in closed form, like `hardcontact predict`.
+    """Compute the force of a smooth sphere on a map, and predict it, like `hardcontact predict`.
 
     Parameters
     ----------
     spectrum : Spectrum or HeightMap
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps; or a levelled map, whose
-        spectrum is measured at its reliable wavelengths. Steep edges of scans leave the force
+        spectrum is measured at its reliable wavelengths. Steep edges of scans leave the closed form
         unanswered.
     radius, preload, hardness, work, rho, tolerance : float
         As for `pull_off_forces` and `force_ratios`.
@@ -375,6 +376,9 @@ def predict(
         Tabor parameter. The status of a force with unknown error is ``"outside"``. If the status
         of ``extrapolated_change`` is ``"matters"``, use ``extrapolated_force`` and its edges. An
         extrapolated spectrum gives these as ``pull_off_force`` and edges, with the same status.
+        A map has ``force_on_scan``, the mean force sum over its pixels, without a closed form, and
+        ``closed_form_on_scan``, the closed form for all waves of the map. Unless its status is
+        ``"agrees"``, numbers of the closed form have no interval.
 
     Examples
     --------
@@ -386,11 +390,13 @@ def predict(
     """
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho, work=work)
     check_positive(tolerance=tolerance)
+    scans = []
     if isinstance(spectrum, HeightMap):
         check_heights(spectrum.heights, "spectrum")
         scan = examine(HeightMap(spectrum.heights.astype(float), spectrum.pixel_size))
         joined = joined_spectrum([scan], [None])
         spectrum = reliable_spectrum(joined, metrics(spectrum)["skewness"])
+        scans = [scan]
     if not isinstance(spectrum, Spectrum):
         raise ValueError(
             "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
@@ -398,4 +404,6 @@ def predict(
         )
     contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [wide_contact_message(contact)]))
-    return prediction(spectrum, contact, tolerance)
+    numbers = prediction(spectrum, contact, tolerance)
+    confidence = Study().inference.confidence
+    return with_force_on_scan(numbers, scans, contact, confidence)

@@ -1,4 +1,4 @@
-"""The command `hardcontact predict`: force, edges and regime from a spectrum, without a study."""
+"""The command `hardcontact predict`: the force on a map, and predictions from its spectrum."""
 
 import json
 import math
@@ -24,17 +24,21 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
-from hardcontact.surfaces.joined_spectrum import ScanSpectrum
+from hardcontact.own.scan_force import with_force_on_scan
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
 from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
 
 USAGE = """\
-Predict the pull-off force of a smooth sphere from the power spectral density of a
-surface, in closed form, within seconds:
+Compute the pull-off force of a smooth sphere on a height map, or predict it in closed form
+from the power spectral density of a surface, within seconds:
 
-  hardcontact predict my-psd.csv --radius 250um --range 5.6nm --work 46mJ/m2
+  hardcontact predict my-scan.di --radius 250um --range 5.6nm --work 46mJ/m2
+  hardcontact predict my-psd.csv
 
-The table has a header and these columns, with the unit of each in a column of its own:
+The force on a map is the sum over its pixels, without roughness beyond the map.
+A table has a header and these columns, with the unit of each in a column of its own:
   wavevector (q = 2 pi/wavelength, e.g. rad/nm) or wavelength (e.g. nm)
   c_iso (h_rms² = 1/(2 pi) ∫ q C_iso dq, e.g. nm4) or c_1d (h_rms² = (1/pi) ∫ C_1D dq, e.g. nm3)
 for example, in five rows or more,
@@ -42,9 +46,9 @@ for example, in five rows or more,
   wavelength,wavelength_unit,c_iso,c_iso_unit
   1000,nm,4.8e7,nm4
 
-A c_iso of 0 says that there is no roughness of this wavelength. In place of a table FILE may
-be a height map, a line scan or a container of them. Their spectrum is measured, and used at its
-reliable wavelengths, alone and then with the spectrum extrapolated beyond them.
+A c_iso of 0 says that there is no roughness of this wavelength. FILE may also be a line scan or
+a container of scans. The spectrum of scans is measured at their reliable wavelengths. The closed
+form has a force only where its error is known, and where it agrees with the force on the map.
 """
 
 
@@ -61,6 +65,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
         "--dataset", "--channel", default="", metavar="NAME",
         help="the only scan of a container to read, or the channel of another file",
     )  # fmt: skip
+    parser.add_argument("--verbose", action="store_true", help="print all numbers and cautions")
     for name in WRITERS:
         parser.add_argument(f"--{name}", metavar="FILE", help="write the numbers; - for stdout")
     return parser.parse_args(arguments)
@@ -107,8 +112,10 @@ def predict(arguments: Namespace) -> str:
         for name, option in quantities.items()
         if name in CONTACT_QUANTITIES
     }
-    tolerance = Study().scales.tolerance
-    numbers |= prediction(user_spectrum.spectrum, contact, tolerance, arguments.file)
+    study = Study()
+    form = prediction(user_spectrum.spectrum, contact, study.scales.tolerance, arguments.file)
+    confidence = study.inference.confidence
+    numbers |= with_force_on_scan(form, user_spectrum.scans, contact, confidence)
     numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
@@ -118,13 +125,12 @@ def predict(arguments: Namespace) -> str:
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in CONTACT_QUANTITIES}
-    cautions = [f"take care: {line}" for line in cautions]
-    of_scans = isinstance(user_spectrum.spectrum, ScanSpectrum)
-    report = "\n".join([*user_spectrum.notes, _report(numbers, texts, of_scans), *cautions])
+    notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *user_spectrum.notes]
+    report = _report(numbers, texts, notes, user_spectrum.scans, arguments)
     for name, write in WRITERS.items():
         path = getattr(arguments, name)
         if path == "-":
-            sys.stderr.writelines(f"{line}\n" for line in [*user_spectrum.notes, *cautions])
+            sys.stderr.writelines(f"{line}\n" for line in notes)
             report = write(numbers)
         elif path is not None:
             with whole_file(path) as temporary:
@@ -159,10 +165,16 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
 
 
-def _report(numbers: Mapping[str, Number], texts: Mapping[str, str], of_scans: bool) -> str:
+def _report(
+    numbers: Mapping[str, Number],
+    texts: Mapping[str, str],
+    notes: Sequence[str],
+    scans: Sequence[HeightMap],
+    arguments: Namespace,
+) -> str:
     """Return the prediction in words; `texts` has the quantities as the user wrote them.
 
-    The spectrum comes from scans or from a table.
+    Notes that begin with TAKE_CARE are cautions. There are no scans for a table.
     """
     # Imported here: it takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -177,9 +189,13 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str], of_scans: b
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(
+        file=arguments.file,
+        verbose=arguments.verbose,
         numbers=numbers,
         texts=texts,
-        of_scans=of_scans,
+        scans=scans,
+        reading_notes=[note for note in notes if not note.startswith(TAKE_CARE)],
+        cautions=[note for note in notes if note.startswith(TAKE_CARE)],
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
     )

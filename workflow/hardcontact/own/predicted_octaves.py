@@ -7,7 +7,6 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import (
     FACTORS,
@@ -18,9 +17,15 @@ from hardcontact.inference.octaves import (
     octave_forces,
     strongest_octaves,
 )
-from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.own.scan_force import (
+    MAX_PIXELS,
+    pixels_per_contact,
+    shortest_range_on,
+    stitched_map,
+    window_of_scan,
+)
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.prediction import trim_spectrum
@@ -28,9 +33,8 @@ from hardcontact.theory.prediction import trim_spectrum
 #: Contacts along a side of their array. A trade of time: on a scan of 512 pixels 8 moved no
 #: derivative by more than 0.03, and 20 by no more than 0.02.
 CONTACTS = 12
-#: Most pixels along a side of a scan, and most contact pixels of all contacts with their images in
-#: the window: both keep the time below a few seconds.
-MAX_PIXELS = 2048
+#: Most contact pixels of all contacts with their images in the window. An octave takes two force
+#: sums, so that fewer are quick than for the force on the scan.
 MAX_CONTACT_PIXELS = 2**19
 
 
@@ -61,12 +65,8 @@ def permits_contacts(scan: HeightMap, contact: Contact) -> bool:
     """Return whether a levelled scan is a map whose force sums are quick and resolve the range."""
     if scan.kind != "map" or scan.pixels > MAX_PIXELS:
         return False
-    window = _window(scan, contact)
-    grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
-    shortest_range, _ = minimum_range(contact.radius, window, grid)
-    contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
-    is_quick = contact_pixels * CONTACTS**2 <= MAX_CONTACT_PIXELS
-    return is_quick and shortest_range <= contact.range
+    is_quick = pixels_per_contact(scan, contact) * CONTACTS**2 <= MAX_CONTACT_PIXELS
+    return is_quick and shortest_range_on(scan, contact) <= contact.range
 
 
 def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> Floats:
@@ -74,19 +74,10 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
 
     The octaves follow each other; they are given by their shortest wavelengths (nm).
     """
-    stitched = mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
-    contact = replace(contact, window=_window(scan, contact), count=CONTACTS)
+    contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
     limits = [*octaves, 2 * octaves[-1]]
-    forces = octave_forces(stitched, limits, forces_with(contact)).mean(axis=(-2, -1))
+    forces = octave_forces(stitched_map(scan), limits, forces_with(contact)).mean(axis=(-2, -1))
     return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
-
-
-def _window(scan: HeightMap, contact: Contact) -> float:
-    """Return the side (nm) of the window that a study of a scan would have."""
-    window, _ = window_on_scans(
-        float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.range
-    )
-    return window
 
 
 def derivatives_in_closed_form(spectrum: Spectrum, octaves: Floats, contact: Contact) -> Floats:

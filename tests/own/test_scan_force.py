@@ -1,0 +1,139 @@
+"""The force on a map that `hardcontact predict` leads with, against the sum over its pixels."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import scan_files
+from direct_sum import direct_total
+from known_contacts import contact_of_area
+from known_spectra import rough
+from measurements import map_of
+from refusals import assert_says
+
+import hardcontact as hc
+from hardcontact.base.random import generator
+from hardcontact.config.model import Study
+from hardcontact.contact.geometry import contact_positions, window_pixels
+from hardcontact.own import scan_force
+from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.own.scan_force import stitched_map, window_of_scan, with_force_on_scan
+from hardcontact.surfaces.height_map import level
+
+PIXELS, PIXEL_SIZE = 128, 40.0
+CONTACTS = 8
+#: The paper's contact.
+RADIUS, RANGE, WORK, AREA = 250e3, 5.6, 0.0463, 400.0
+CONTACT = contact_of_area(RADIUS, RANGE, WORK, AREA)
+
+
+@pytest.fixture(autouse=True)
+def few_contacts(monkeypatch):
+    monkeypatch.setattr(scan_force, "CONTACTS", CONTACTS)
+
+
+def heights_of(kind):
+    """Heights (y, x) in nm of 4 nm rms: Gaussian, flat with pits, or flat with peaks."""
+    waves = map_of(generator(3), PIXELS, PIXEL_SIZE, rough(17, 500, 0.8, 20)).heights
+    waves = waves / waves.std()
+    if kind == "gaussian":
+        return 4 * waves
+    excess = np.maximum(waves - 1, 0)
+    return 4 * excess / excess.std() * (1 if kind == "peaks" else -1) + 0.3 * waves
+
+
+def direct_force(scan):
+    """The mean plastic force (N) over the contacts of a levelled map, pixel by pixel."""
+    heights = stitched_map(scan).heights.astype(float)
+    pixels = window_pixels(window_of_scan(scan, CONTACT), scan.pixel_size)
+    offsets = np.arange(pixels) - pixels // 2
+    paraboloid = (offsets * scan.pixel_size) ** 2 / (2 * RADIUS)
+    positions = contact_positions(len(heights), CONTACTS)
+    gaps = (
+        paraboloid[:, None]
+        + paraboloid
+        - heights[np.ix_((y + offsets) % len(heights), (x + offsets) % len(heights))]
+        for y in positions
+        for x in positions
+    )
+    touching = int(np.ceil(AREA / scan.pixel_size**2))
+    totals = [direct_total(gap - gap.min(), touching, RANGE) for gap in gaps]
+    return np.mean(totals) * WORK / RANGE * scan.pixel_size**2 * 1e-9
+
+
+def predicted(tmp_path, heights, *options):
+    """The lines and the numbers of the command for a map."""
+    path = tmp_path / "scan.nc"
+    scan_files.scan(path, heights.T, (PIXELS * PIXEL_SIZE,) * 2)
+    numbers = tmp_path / "numbers.json"
+    words = predict(predict_arguments([str(path), "--json", str(numbers), *options]))
+    return words, json.loads(numbers.read_text())
+
+
+@pytest.mark.parametrize("kind", ["gaussian", "pits", "peaks"])
+def test_the_force_on_a_map_is_the_sum_over_its_pixels(kind, tmp_path):
+    heights = heights_of(kind)
+    words, numbers = predicted(tmp_path, heights)
+    force = direct_force(level(hc.HeightMap(heights, PIXEL_SIZE)))
+    assert numbers["force_on_scan"]["value"] == pytest.approx(force, rel=1e-3)
+    share = force / numbers["smooth_force"]["value"]
+    assert numbers["force_on_scan_share"]["value"] == pytest.approx(share, rel=1e-3)
+    if "interval" in numbers["force_on_scan"]:
+        low, high = numbers["force_on_scan"]["interval"]
+        assert low < force < high
+    lines = words.splitlines()
+    assert len(lines) <= 8
+    assert lines[1].startswith("force on the scan: ")
+
+
+@pytest.mark.parametrize(("kind", "sign", "fault"), [("pits", -1, "low"), ("peaks", 1, "high")])
+def test_the_closed_form_has_no_number_on_heights_that_are_not_gaussian(
+    kind, sign, fault, tmp_path
+):
+    words, numbers = predicted(tmp_path, heights_of(kind))
+    ratio = numbers["closed_form_on_scan"]["value"] / numbers["force_on_scan"]["value"]
+    assert ratio**sign > 1.5
+    assert numbers["closed_form_on_scan"]["status"] == "not_gaussian"
+    names = {"closed_form_on_scan", *scan_force.PREDICTED} & numbers.keys()
+    assert names and not any("interval" in numbers[name] for name in names)
+    (line,) = [line for line in words.splitlines() if line.startswith("closed form")]
+    assert_says(line, "no number: the heights are not", f"times too {fault}")
+
+
+def test_the_closed_form_of_a_gaussian_map_has_its_error(tmp_path):
+    words, numbers = predicted(tmp_path, heights_of("gaussian"))
+    form, force = numbers["closed_form_on_scan"], numbers["force_on_scan"]
+    assert form["status"] == "agrees"
+    assert form["interval"][0] < form["value"] < form["interval"][1]
+    assert form["interval"][0] < force["interval"][1] and force["interval"][0] < form["interval"][1]
+    assert_says(words, "closed form, for the spectrum of this scan: ", "nine lie between")
+    assert_says(predicted(tmp_path, heights_of("gaussian"), "--verbose")[0], "regime: many")
+
+
+def test_a_program_gets_the_numbers_of_the_command(tmp_path):
+    heights = heights_of("gaussian")
+    numbers = hc.predict(
+        hc.HeightMap(heights, PIXEL_SIZE), radius=RADIUS, preload=10e-6, hardness=25e9, rho=RANGE,
+        work=WORK,
+    )  # fmt: skip
+    force = predicted(tmp_path, heights)[1]["force_on_scan"]
+    assert numbers["force_on_scan"].value == pytest.approx(force["value"], rel=1e-6)
+    assert numbers["force_on_scan"].low == pytest.approx(force["interval"][0], rel=1e-6)
+
+
+def test_a_force_that_is_not_computed_has_a_reason():
+    scan = hc.HeightMap(heights_of("gaussian"), PIXEL_SIZE)
+    line = hc.HeightMap(scan.heights[0], PIXEL_SIZE)
+    large = hc.HeightMap(np.tile(scan.heights, (20, 20)), PIXEL_SIZE)
+    short_range = replace(CONTACT, range=0.001)
+    for scans, contact, status in (
+        ([line], CONTACT, "no_map"),
+        ([scan, scan], CONTACT, "several_scans"),
+        ([large], CONTACT, "too_large"),
+        ([scan], short_range, "short_range"),
+    ):
+        numbers = with_force_on_scan({}, scans, contact, Study().inference.confidence)
+        assert numbers["force_on_scan"].status == status
+        assert np.isnan(numbers["force_on_scan"].value)
+    assert with_force_on_scan({}, [], CONTACT, 0.95) == {}

@@ -1,0 +1,174 @@
+"""The force on the user's only map, and whether the closed form agrees with it."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from hardcontact.base.number import Number
+from hardcontact.config.grids import Grid, minimum_range, periods_in_window
+from hardcontact.contact.contact import PLASTIC, Contact
+from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.inference.mean_forces import forces_of_surface
+from hardcontact.inference.scan_parts import half_width, jackknife_variance, logarithmic_interval
+from hardcontact.own.contact_scans import window_on_scans
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.spectrum import Spectrum, measured_psds
+from hardcontact.theory.closed_form import closed_form, smooth_force
+from hardcontact.theory.prediction import EDGE_NAMES
+from hardcontact.theory.summits import search_size
+from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, table_coordinates
+
+#: Contacts along a side of their array, as in the paper.
+CONTACTS = 20
+#: Most pixels along a side of a scan, and most contact pixels of all contacts with their images in
+#: the window: both keep the time below a few seconds.
+MAX_PIXELS = 2048
+MAX_CONTACT_PIXELS = 2**23
+#: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
+#: the range of adhesion is too short for its pixels or its relief.
+NO_MAP, SEVERAL_SCANS, TOO_LARGE, SHORT_RANGE = (
+    "no_map",
+    "several_scans",
+    "too_large",
+    "short_range",
+)
+#: Statuses of the closed form for the spectrum of a map, by its force relative to that on the map.
+AGREES, NOT_GAUSSIAN = "agrees", "not_gaussian"
+#: Status of a scan that is smaller than twice the search size, and of a larger one.
+SMALL, LARGE = "small", "large"
+#: Predictions of the closed form that have an error.
+PREDICTED = [
+    f"{prefix}{name}"
+    for prefix, force in (("", "pull_off_force"), ("extrapolated_", "force"))
+    for name in (force, *EDGE_NAMES)
+]
+
+
+def with_force_on_scan(
+    numbers: Mapping[str, Number],
+    scans: Sequence[HeightMap],
+    contact: Contact,
+    confidence: float,
+) -> dict[str, Number]:
+    """Return the numbers of a prediction, after the force on its levelled scans, if there are any.
+
+    If the closed form disagrees with this force, its predictions lose their errors.
+    """
+    if not scans:
+        return dict(numbers)
+    status, shortest_range = _obstacle(scans, contact)
+    if status:
+        on_scan = [Number("force_on_scan", math.nan, "N", status=status)]
+        if status == SHORT_RANGE:
+            on_scan.append(Number("shortest_range", shortest_range, "nm"))
+    else:
+        on_scan = list(_force_numbers(scans[0], contact, confidence))
+    result = {number.name: number for number in on_scan} | dict(numbers)
+    if not status and result["closed_form_on_scan"].status != AGREES:
+        for name in result.keys() & set(PREDICTED):
+            number = result[name]._replace(low=math.nan, high=math.nan)
+            has_force_status = number.unit == "N" and math.isfinite(number.value)
+            result[name] = number._replace(status=OUTSIDE) if has_force_status else number
+    return result
+
+
+def _obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[str, float]:
+    """Return why there is no force on the scans, or "", and the shortest range (nm) of a map."""
+    if not any(scan.kind == "map" for scan in scans):
+        return NO_MAP, math.nan
+    if len(scans) > 1:
+        return SEVERAL_SCANS, math.nan
+    (scan,) = scans
+    contact_pixels = pixels_per_contact(scan, contact) * CONTACTS**2
+    if scan.pixels > MAX_PIXELS or contact_pixels > MAX_CONTACT_PIXELS:
+        return TOO_LARGE, math.nan
+    shortest_range = shortest_range_on(scan, contact)
+    return SHORT_RANGE if contact.range < shortest_range else "", shortest_range
+
+
+def pixels_per_contact(scan: HeightMap, contact: Contact) -> float:
+    """Return the contact pixels of a contact on a map, with their images in the window."""
+    periods = periods_in_window(window_of_scan(scan, contact), scan.size)
+    return contact.pixel_count(scan.pixel_size) * periods
+
+
+def shortest_range_on(scan: HeightMap, contact: Contact) -> float:
+    """Return the shortest range of adhesion (nm) that a map permits."""
+    grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
+    return minimum_range(contact.radius, window_of_scan(scan, contact), grid)[0]
+
+
+def window_of_scan(scan: HeightMap, contact: Contact) -> float:
+    """Return the side (nm) of the window that a study of a scan would have."""
+    window, _ = window_on_scans(
+        float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.range
+    )
+    return window
+
+
+def stitched_map(scan: HeightMap) -> HeightMap:
+    """Return a levelled map with its mirror images, in the precision of the study's files."""
+    return mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
+
+
+def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iterator[Number]:
+    """Yield the mean plastic force on a levelled map, and what judges it and the closed form.
+
+    Mean and interval never exceed the force on a smooth sphere, as in `bound_by_smooth_sphere`.
+    """
+    surface = stitched_map(scan)
+    contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
+    pull_off = pull_off_of_pair(bodies(surface, None, contact), contact, [contact.range])
+    places = float(pull_off["touched_places"])
+    forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
+    surface_forces = forces_of_surface(
+        forces.expand_dims(["scan", "sphere_scan"]), scan.size, contact.radius, places
+    )
+    (scan_parts,) = surface_forces.scan_parts
+    variance = jackknife_variance(surface_forces.delete_one_log_means[:, 0], scan_parts)
+    half = half_width([variance], confidence)
+    smooth = smooth_force(contact)
+    values = np.array([surface_forces.mean[0], *logarithmic_interval(surface_forces.mean[0], half)])
+    # An unbounded interval stays unbounded.
+    bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
+    mean, low, high = bounded.tolist()
+    force = Number("force_on_scan", mean, "N", low, high, scan_parts.source)
+    yield force
+    yield Number("force_on_scan_share", mean / smooth)
+    yield Number("touched_places", places)
+    yield from _closed_form_numbers(surface, force, scan.size, contact)
+
+
+def _closed_form_numbers(
+    surface: HeightMap, force: Number, size: float, contact: Contact
+) -> Iterator[Number]:
+    """Yield the search size, and the closed form for all waves of the stitched map.
+
+    It agrees if its interval, with the factor that a scan of this size (nm) may add, contains the
+    force on the map. Heights are not Gaussian if both intervals have nothing in common.
+    """
+    wavevector, _, density = measured_psds(surface)
+    has_waves = np.isfinite(density)
+    spectrum = Spectrum(wavevector[has_waves], density[has_waves])
+    form = closed_form(spectrum, contact)
+    search = search_size(spectrum, contact.radius, contact.area)
+    yield Number(
+        "search_size", search, "nm", status=SMALL if size < LARGE_ENOUGH * search else LARGE
+    )
+    _, small_scan_ratio = finite_scan_ratio(size, search)
+    lowest, highest = nearest_errors(table_coordinates(spectrum, contact, form), "force")
+    low, high = lowest * form.force, highest * small_scan_ratio * form.force
+    is_bounded = math.isfinite(force.low + force.high)
+    force_low, force_high = (force.low, force.high) if is_bounded else (force.value, force.value)
+    if low > force_high or high < force_low:
+        status = NOT_GAUSSIAN
+    elif low <= force.value <= high and is_validated(spectrum, contact, form):
+        status = AGREES
+    else:
+        status = OUTSIDE
+    interval = (low, high) if status == AGREES else (math.nan, math.nan)
+    yield Number("closed_form_on_scan", form.force, "N", *interval, status)
