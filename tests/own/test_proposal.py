@@ -145,6 +145,8 @@ def check_refusal(line, scan, settings):
         pixels = 2 * scan.pixel_size**2 / settings.radius
         depth = math.sqrt(area)
         assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
+    elif line.startswith("config key adhesion.ranges"):  # two pixels in an interaction radius
+        assert 2 * scan.pixel_size**2 / settings.radius > 39.9, line
     else:
         window = min(2 * scan.size, 2 * math.sqrt(28 * settings.radius * settings.range))
         # What 16 contacts with a hundred images of each pixel keep in memory.

@@ -78,4 +78,4 @@ def test_a_changed_column_repeats_exactly_its_dependents(own_study):
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
     with change_file(path, table.to_csv(sep="\t", index=False)):
-        assert planned(own_study) == SPECTRA | MASTERS | TOPOGRAPHY | PAGE
+        assert planned(own_study) == SPECTRA | MASTERS | OCTAVES | TOPOGRAPHY | PAGE

@@ -13,7 +13,7 @@ with job(snakemake) as job:
             published.constants(job.input.published_constants),
             published.table1(job.input.published_table1),
             published.printed_pull_off(job.input.published_pull_off),
-            Sampling(**job.parameters, stream=("classical",)),
+            Sampling.from_parameters(job.parameters, "classical"),
         ),
         title="effective work of adhesion, and classical models of rough adhesion",
     )

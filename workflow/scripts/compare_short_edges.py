@@ -11,7 +11,7 @@ from hardcontact.inference.scaling import force_exponent, short_edge_exponents
 with job(snakemake) as job:
     params = job.parameters
     area, tolerance = params["area"], params["tolerance"]
-    sampling = Sampling(**params["sampling"])
+    sampling = Sampling.from_parameters(params["sampling"])
     confidence = sampling.confidence
     forces = {
         purpose: read_masters(surfaces, job.input[purpose], params["realizations"])

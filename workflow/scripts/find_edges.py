@@ -8,7 +8,7 @@ from hardcontact.inference.edges import describe_edges, edges_of_realizations
 with job(snakemake) as job:
     params = job.parameters
     scales = dataset.read(job.input.scales)
-    sampling = Sampling(**params["sampling"])
+    sampling = Sampling.from_parameters(params["sampling"])
     edges = edges_of_realizations(scales, params["tolerance"], sampling)
     job.write(
         describe_edges(edges, scales, params["tolerance"], sampling.confidence),

@@ -12,7 +12,7 @@ with job(snakemake) as job:
         dataset.read(job.input.adhesion),
         measured_forces(job.input.forces, list(sizes)),
         sizes,
-        Sampling(**job.parameters),
+        Sampling.from_parameters(job.parameters),
     )
     job.write(
         add_extrapolated_work(fitted, dataset.read(job.input.force)),

@@ -9,7 +9,7 @@ from hardcontact.inference.posterior import means_on_whole_surfaces, without_eac
 
 with job(snakemake) as job:
     params = job.parameters
-    sampling = Sampling(**params["sampling"], stream=("posterior",))
+    sampling = Sampling.from_parameters(params["sampling"], "posterior")
     published_forces = published.pull_off(job.input.published_pull_off)
     sets = read(job.input.sets).sel(contact_model=PLASTIC)
     forces = {"scans": sets["mean_force"].rename(set="draw")}

@@ -18,7 +18,7 @@ with job(snakemake) as job:
             params["reference_surface"],
             constants["error_threshold"],
             constants["force_floor"],
-            Sampling(**params["sampling"]),
+            Sampling.from_parameters(params["sampling"]),
         ),
         title="range and work of adhesion and force statistics",
     )

@@ -5,7 +5,7 @@ Uncertainty comes from scans, not from contacts: contacts on one scan see the sa
 """
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -208,6 +208,12 @@ class Sampling:
     confidence: float  #: Of the intervals.
     #: Purpose of the random numbers, put before the names of `generator`.
     stream: tuple[str, ...] = ("sampling",)
+
+    @classmethod
+    def from_parameters(cls, parameters: Mapping[str, Any], *stream: str) -> "Sampling":
+        """Return the sampling of a job, whose parameters may have other keys, too."""
+        numbers = (parameters[name] for name in ("seed", "samples", "confidence"))
+        return cls(*numbers, stream or cls.stream)
 
     def generator(self, *names: str) -> np.random.Generator:
         """Return the random generator of one sampled quantity."""
