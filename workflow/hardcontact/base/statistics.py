@@ -212,8 +212,8 @@ class Sampling:
     @classmethod
     def from_parameters(cls, parameters: Mapping[str, Any], *stream: str) -> "Sampling":
         """Return the sampling of a job, whose parameters may have other keys, too."""
-        numbers = (parameters[name] for name in ("seed", "samples", "confidence"))
-        return cls(*numbers, stream or cls.stream)
+        seed, samples, confidence = (parameters[name] for name in ("seed", "samples", "confidence"))
+        return cls(seed, samples, confidence, stream or cls.stream)
 
     def generator(self, *names: str) -> np.random.Generator:
         """Return the random generator of one sampled quantity."""
