@@ -9,7 +9,7 @@ import pytest
 from refusals import assert_says, refusal
 from repository import BANDS, ROOT
 from scan_files import heights, scan
-from studies import check, numbers, own_scans
+from studies import ROWS, check, numbers, own_scans
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical, digests, keep_records
@@ -96,6 +96,14 @@ def test_values_at_their_limits_are_accepted(tmp_path, project_folder):
         *("scaling.radii", ["50 nm"], "scales.range", "1 nm"),
     )
     check(config, tmp_path)
+
+
+def test_a_substrate_without_a_published_force_is_refused_beside_the_paper(
+    tmp_path, project_folder
+):
+    rows = ROWS.replace("mcd\tMCD", "waves\twaves")
+    message = refusal(check, numbers(), tmp_path, rows)
+    assert_says(message, "config key surfaces", "published: none", "found waves")
 
 
 def test_a_study_without_scaling_ignores_its_keys(project_folder):

@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 
@@ -107,4 +108,6 @@ def stack(datasets: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[s
     for (outer, *inner), dataset in datasets.items():
         groups.setdefault(outer, {})[tuple(inner)] = dataset
     stacked_groups = [stack(group, dimensions[1:]) for group in groups.values()]
-    return xr.concat(stacked_groups, pd.Index(list(groups), name=dimensions[0]), join="outer")
+    # An index of pandas has strings that xarray cannot join if they differ.
+    labels = xr.DataArray(np.array(list(groups)), dims=dimensions[0], name=dimensions[0])
+    return xr.concat(stacked_groups, labels, join="outer")

@@ -78,6 +78,13 @@ def _paper_faults(
         faults += _name_faults(config, key, substrates)
     if config["scan"]["featured_surface"] != NONE:
         faults += _name_faults(config, "scan.featured_surface", substrates)
+    unpublished = [surface for surface in substrates if surface not in compared]
+    if unpublished:
+        accepted = (
+            f"substrates with a published pull-off force ({', '.join(compared)}); with `published: "
+            "none` a study has any"
+        )
+        faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
     reference = config["reference_surface"]
     if reference not in compared:
         accepted = f"a surface with a published pull-off force ({', '.join(compared)})"
