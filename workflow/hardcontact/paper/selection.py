@@ -141,7 +141,7 @@ def fixed_verdict(
         for substitute, rows in zip(substitutes, calibrated, strict=True)
     ]
     if surfaces and all(meets_by_construction):
-        return BY_CONSTRUCTION, "The substitute scans are made to meet this."
+        return BY_CONSTRUCTION, "The substitute scans of the study are made to meet this."
     if claim.quantity in PIXEL_QUANTITIES and _has_larger_pixels(topography, constants["value"]):
         return UNTESTABLE, LARGER_PIXELS
     return "", ""
