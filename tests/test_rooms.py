@@ -16,13 +16,13 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 633,
+    "base": 635,
     "surfaces": 2986,
     "contact": 1374,
     "inference": 1461,
     "theory": 647,
     "paper": 1451,
-    "config": 1874,
+    "config": 1881,
     "own": 1759,
     "report": 2864,
     "api": 204,

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 import scan_files
 from direct_sum import direct_total
-from known_contacts import contact_of_area
-from known_spectra import rough
+from known_spectra import contact_of_area, rough
 from measurements import map_of
 from refusals import assert_says
 
