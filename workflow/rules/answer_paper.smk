@@ -21,7 +21,7 @@ rule answer_paper:
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         environment=PINS[0],
-        templates=TEMPLATES,
+        templates=page_templates(),
         code=code_inputs("answer_paper.py"),
     output:
         **{

@@ -15,7 +15,7 @@ rule answer_surfaces:
         },
         fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
         code=code_inputs("answer_surfaces.py"),
-        templates=TEMPLATES,
+        templates=page_templates(),
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",

@@ -1,6 +1,6 @@
 # The configuration and the paths of all rules, and the code that a script really uses.
 
-from hardcontact.base.code import PINS, TEMPLATES, code_inputs
+from hardcontact.base.code import PINS, code_inputs, page_templates
 from hardcontact.base.origin import canonical
 from hardcontact.config import start
 from hardcontact.config.configuration import read_yaml

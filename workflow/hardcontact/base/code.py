@@ -17,8 +17,10 @@ REQUIREMENTS = ("environment.txt", "workflow/constraints.txt")
 #: The same without comments, on which jobs depend: so that a comment makes no file stale.
 PINS = tuple(f"results/{Path(path).name}" for path in REQUIREMENTS)
 
-#: The templates of pages, with their style and script.
-TEMPLATES = sorted(map(os.path.relpath, (LIBRARY.parent / "report/templates").iterdir()))
+
+def page_templates() -> list[str]:
+    """Return the templates of pages, with their style and script; an installed library has none."""
+    return sorted(map(os.path.relpath, (LIBRARY.parent / "report/templates").iterdir()))
 
 
 def write_pins() -> None:
