@@ -17,7 +17,7 @@ from hardcontact.config.model import Study
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
 from hardcontact.own.predict import predict, predict_arguments
-from hardcontact.own.scan_force import stitched_map, window_of_scan, with_force_on_scan
+from hardcontact.own.scan_force import add_force_on_scan, stitched_map, window_of_scan
 from hardcontact.surfaces.height_map import level
 
 PIXELS, PIXEL_SIZE = 128, 40.0
@@ -132,7 +132,7 @@ def test_a_force_that_is_not_computed_has_a_reason():
         ([large], CONTACT, "too_large"),
         ([scan], short_range, "short_range"),
     ):
-        numbers = with_force_on_scan({}, scans, contact, Study().inference.confidence)
+        numbers = add_force_on_scan({}, scans, contact, Study().inference.confidence)
         assert numbers["force_on_scan"].status == status
         assert np.isnan(numbers["force_on_scan"].value)
-    assert with_force_on_scan({}, [], CONTACT, 0.95) == {}
+    assert add_force_on_scan({}, [], CONTACT, 0.95) == {}

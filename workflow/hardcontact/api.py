@@ -35,7 +35,7 @@ from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wid
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.own.own_spectrum import own_spectrum
-from hardcontact.own.scan_force import with_force_on_scan
+from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
@@ -406,4 +406,4 @@ def predict(
     refuse_lines(filter(None, [wide_contact_message(contact)]))
     numbers = prediction(spectrum, contact, tolerance)
     confidence = Study().inference.confidence
-    return with_force_on_scan(numbers, scans, contact, confidence)
+    return add_force_on_scan(numbers, scans, contact, confidence)

@@ -1,4 +1,4 @@
-# Sets: many sets of substitute scans, equal in mean and ± of the rms height, sampled from pools, and the numbers of each.
+# Sets of substitute scans, sampled from pools, and the numbers of each.
 
 from hardcontact.paper.evaluation import replicated_statements
 

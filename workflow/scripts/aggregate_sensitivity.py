@@ -17,7 +17,7 @@ with job(snakemake) as job:
     places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
     results = [all_sensitivities(maps, radius, rho, places, confidence)]
-    measured_maps = {name: forces for name, forces in maps.items() if "kept_force" in forces}
+    measured_maps = {name: forces for name, forces in maps.items() if "scan_octave_force" in forces}
     if measured_maps:
         results.append(all_hindcasts(measured_maps, params["tolerance"], confidence))
     if bands:  # Measured scans are too small for the long waves of the band.

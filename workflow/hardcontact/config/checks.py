@@ -85,10 +85,6 @@ def _paper_faults(
             "none` a study has any"
         )
         faults.append(key_fault("surfaces", accepted, ", ".join(unpublished)))
-    reference = config["reference_surface"]
-    if reference not in compared:
-        accepted = f"a surface with a published pull-off force ({', '.join(compared)})"
-        faults.append(key_fault("reference_surface", accepted, reference))
     pool = config["sets"]["pool"]
     pooled = contacts[(contacts.source == "substitute") & (contacts.surface != sphere)]
     scans = pooled.surface.value_counts(sort=False)

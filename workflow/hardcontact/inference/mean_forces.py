@@ -18,6 +18,7 @@ from hardcontact.inference.scan_parts import (
     delete_one_logarithms,
     half_width,
     jackknife_variance,
+    logarithmic_interval,
     parts_of_scans,
     quarters_of_contacts,
 )
@@ -64,6 +65,18 @@ def forces_of_surface(
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
     return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts)
+
+
+def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
+    """Return the intervals (rho, 2) of the mean forces of one surface, in N."""
+    left_out_parts = zip(
+        surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
+    )
+    half = [
+        half_width([jackknife_variance(log_means, scan_parts)], confidence)
+        for log_means, scan_parts in left_out_parts
+    ]
+    return logarithmic_interval(surface_forces.mean, np.array(half))
 
 
 class Masters(NamedTuple):

@@ -24,7 +24,7 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
-from hardcontact.own.scan_force import with_force_on_scan
+from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
@@ -115,7 +115,7 @@ def predict(arguments: Namespace) -> str:
     study = Study()
     form = prediction(user_spectrum.spectrum, contact, study.scales.tolerance, arguments.file)
     confidence = study.inference.confidence
-    numbers |= with_force_on_scan(form, user_spectrum.scans, contact, confidence)
+    numbers |= add_force_on_scan(form, user_spectrum.scans, contact, confidence)
     numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
@@ -198,5 +198,6 @@ def _report(
         cautions=[note for note in notes if note.startswith(TAKE_CARE)],
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
+        confidence=Study().inference.confidence,
     )
     return report.rstrip()

@@ -22,13 +22,10 @@ from hardcontact.inference.mean_forces import (
     fewest_places,
     forces_of_surface,
     half_width_over_masters,
+    mean_intervals,
     summarize_masters,
 )
-from hardcontact.inference.scan_parts import (
-    half_width,
-    jackknife_variance,
-    logarithmic_interval,
-)
+from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
@@ -148,25 +145,14 @@ def _surface_force(
         for model in forces.contact_model.values
     ]
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
-    half = np.array(
-        [
-            [
-                half_width([jackknife_variance(delete_one_log_means, scan_parts)], confidence)
-                for delete_one_log_means, scan_parts in zip(
-                    model_forces.delete_one_log_means.T, model_forces.scan_parts, strict=True
-                )
-            ]
-            for model_forces in forces_by_model
-        ]
-    )
-    interval = logarithmic_interval(mean, half)
+    intervals = [mean_intervals(model_forces, confidence) for model_forces in forces_by_model]
     quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACT_AXES]).transpose(
         "contact_model", "rho", "quantile"
     )
     scan_parts = forces_by_model[0].scan_parts[int(np.abs(adhesion.rho.values - rho).argmin())]
     dimensions = ("contact_model", "rho")
     return xr.Dataset(
-        with_interval("force", dimensions, mean, interval, NEWTON, confidence)
+        with_interval("force", dimensions, mean, np.array(intervals), NEWTON, confidence)
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
             "interval_is_conditional": int(scan_parts.are_quarters),

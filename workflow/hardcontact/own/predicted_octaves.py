@@ -19,9 +19,8 @@ from hardcontact.inference.octaves import (
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
 from hardcontact.own.scan_force import (
-    MAX_PIXELS,
-    pixels_per_contact,
-    shortest_range_on,
+    CONTACTS,
+    obstacle_to_force,
     stitched_map,
     window_of_scan,
 )
@@ -30,25 +29,19 @@ from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import closed_form
 from hardcontact.theory.prediction import trim_spectrum
 
-#: Contacts along a side of their array. A trade of time: on a scan of 512 pixels 8 moved no
-#: derivative by more than 0.03, and 20 by no more than 0.02.
-CONTACTS = 12
-#: Most contact pixels of all contacts with their images in the window. An octave takes two force
-#: sums, so that fewer are quick than for the force on the scan.
-MAX_CONTACT_PIXELS = 2**19
-
 
 def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[Number]:
     """Yield the `strongest_octaves` whose middles the user's files show.
 
-    They have the status "on_scan" if the only scan `permits_contacts`, otherwise "closed_form".
-    There are none if there are steep edges, too, for which the closed form does not hold.
+    They have the status "on_scan" if a single map permits contacts, otherwise "closed_form".
+    Scans with steep edges then have none, because the closed form takes Gaussian heights.
     """
     spectrum = trim_spectrum(user_spectrum.spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     octaves = OCTAVE_LIMITS[middles_within(OCTAVE_LIMITS, shortest, longest)]
     scans = user_spectrum.scans
-    if len(scans) == 1 and len(octaves) and permits_contacts(scans[0], contact):
+    obstacle, _ = obstacle_to_force(scans, contact, len(FACTORS) * len(octaves))
+    if len(octaves) and not obstacle:
         derivatives = derivatives_on_scan(scans[0], octaves, contact)
         status = "on_scan"
     elif any("edges" in scan.defects for scan in scans):
@@ -59,14 +52,6 @@ def predicted_octaves(user_spectrum: OwnSpectrum, contact: Contact) -> Iterator[
     sensitivity = xr.Dataset({"octave_sensitivity": ("octave", derivatives)}, {"octave": octaves})
     for number in strongest_octaves(sensitivity):
         yield number._replace(status=status)
-
-
-def permits_contacts(scan: HeightMap, contact: Contact) -> bool:
-    """Return whether a levelled scan is a map whose force sums are quick and resolve the range."""
-    if scan.kind != "map" or scan.pixels > MAX_PIXELS:
-        return False
-    is_quick = pixels_per_contact(scan, contact) * CONTACTS**2 <= MAX_CONTACT_PIXELS
-    return is_quick and shortest_range_on(scan, contact) <= contact.range
 
 
 def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> Floats:

@@ -12,8 +12,7 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
-from hardcontact.inference.mean_forces import forces_of_surface
-from hardcontact.inference.scan_parts import half_width, jackknife_variance, logarithmic_interval
+from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -24,8 +23,8 @@ from hardcontact.theory.validity import OUTSIDE, is_validated, nearest_errors, t
 
 #: Contacts along a side of their array, as in the paper.
 CONTACTS = 20
-#: Most pixels along a side of a scan, and most contact pixels of all contacts with their images in
-#: the window: both keep the time below a few seconds.
+#: Most pixels along a side of a scan, and most contact pixels of all contacts and force sums, with
+#: their images in the window: both keep the time below a few seconds.
 MAX_PIXELS = 2048
 MAX_CONTACT_PIXELS = 2**23
 #: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
@@ -48,7 +47,7 @@ PREDICTED = [
 ]
 
 
-def with_force_on_scan(
+def add_force_on_scan(
     numbers: Mapping[str, Number],
     scans: Sequence[HeightMap],
     contact: Contact,
@@ -60,14 +59,14 @@ def with_force_on_scan(
     """
     if not scans:
         return dict(numbers)
-    status, shortest_range = _obstacle(scans, contact)
+    status, shortest_range = obstacle_to_force(scans, contact)
     if status:
-        on_scan = [Number("force_on_scan", math.nan, "N", status=status)]
+        scan_numbers = [Number("force_on_scan", math.nan, "N", status=status)]
         if status == SHORT_RANGE:
-            on_scan.append(Number("shortest_range", shortest_range, "nm"))
+            scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
-        on_scan = list(_force_numbers(scans[0], contact, confidence))
-    result = {number.name: number for number in on_scan} | dict(numbers)
+        scan_numbers = list(_force_numbers(scans[0], contact, confidence))
+    result = {number.name: number for number in scan_numbers} | dict(numbers)
     if not status and result["closed_form_on_scan"].status != AGREES:
         for name in result.keys() & set(PREDICTED):
             number = result[name]._replace(low=math.nan, high=math.nan)
@@ -76,30 +75,25 @@ def with_force_on_scan(
     return result
 
 
-def _obstacle(scans: Sequence[HeightMap], contact: Contact) -> tuple[str, float]:
-    """Return why there is no force on the scans, or "", and the shortest range (nm) of a map."""
+def obstacle_to_force(
+    scans: Sequence[HeightMap], contact: Contact, sums: int = 1
+) -> tuple[str, float]:
+    """Return the status of levelled scans without a force, or "", and the shortest range (nm).
+
+    A single map has such a range. `sums` is the number of force sums.
+    """
     if not any(scan.kind == "map" for scan in scans):
         return NO_MAP, math.nan
     if len(scans) > 1:
         return SEVERAL_SCANS, math.nan
     (scan,) = scans
-    contact_pixels = pixels_per_contact(scan, contact) * CONTACTS**2
-    if scan.pixels > MAX_PIXELS or contact_pixels > MAX_CONTACT_PIXELS:
+    window = window_of_scan(scan, contact)
+    contact_pixels = contact.pixel_count(scan.pixel_size) * periods_in_window(window, scan.size)
+    if scan.pixels > MAX_PIXELS or contact_pixels * CONTACTS**2 * sums > MAX_CONTACT_PIXELS:
         return TOO_LARGE, math.nan
-    shortest_range = shortest_range_on(scan, contact)
-    return SHORT_RANGE if contact.range < shortest_range else "", shortest_range
-
-
-def pixels_per_contact(scan: HeightMap, contact: Contact) -> float:
-    """Return the contact pixels of a contact on a map, with their images in the window."""
-    periods = periods_in_window(window_of_scan(scan, contact), scan.size)
-    return contact.pixel_count(scan.pixel_size) * periods
-
-
-def shortest_range_on(scan: HeightMap, contact: Contact) -> float:
-    """Return the shortest range of adhesion (nm) that a map permits."""
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
-    return minimum_range(contact.radius, window_of_scan(scan, contact), grid)[0]
+    shortest_range, _ = minimum_range(contact.radius, window, grid)
+    return SHORT_RANGE if contact.range < shortest_range else "", shortest_range
 
 
 def window_of_scan(scan: HeightMap, contact: Contact) -> float:
@@ -116,9 +110,9 @@ def stitched_map(scan: HeightMap) -> HeightMap:
 
 
 def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iterator[Number]:
-    """Yield the mean plastic force on a levelled map, and what judges it and the closed form.
+    """Yield the mean plastic force on a levelled map, its share, and numbers to judge it by.
 
-    Mean and interval never exceed the force on a smooth sphere, as in `bound_by_smooth_sphere`.
+    Like those of `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
     contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
@@ -128,15 +122,12 @@ def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iter
     surface_forces = forces_of_surface(
         forces.expand_dims(["scan", "sphere_scan"]), scan.size, contact.radius, places
     )
-    (scan_parts,) = surface_forces.scan_parts
-    variance = jackknife_variance(surface_forces.delete_one_log_means[:, 0], scan_parts)
-    half = half_width([variance], confidence)
     smooth = smooth_force(contact)
-    values = np.array([surface_forces.mean[0], *logarithmic_interval(surface_forces.mean[0], half)])
+    values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
     # An unbounded interval stays unbounded.
     bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
     mean, low, high = bounded.tolist()
-    force = Number("force_on_scan", mean, "N", low, high, scan_parts.source)
+    force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
     yield force
     yield Number("force_on_scan_share", mean / smooth)
     yield Number("touched_places", places)

@@ -262,18 +262,18 @@ def _excess_roughness(spectra: xr.Dataset) -> Caution | None:
 
 
 def _hindcasts(data: Datasets) -> list[Caution]:
-    """Return what artificial roughness in place of the last octave of a side does to the force."""
+    """Return the ratio of the hindcast of each side, as a grave caution if the hindcast fails."""
     if "hindcast_ratio" not in data.force:
         return []
-    found = []
+    side_cautions = []
     for side in SIDES:
         force = data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
         if np.isfinite(ratio.value):
             numbers = {"ratio": ratio, "start": number_of(force, "transition", "nm", name="start")}
             code = f"hindcast_{side}"
-            found.append(Caution(code, fails_hindcast(data, side), numbers, {"side": side}))
-    return found
+            side_cautions.append(Caution(code, fails_hindcast(data, side), numbers, {"side": side}))
+    return side_cautions
 
 
 def _tail(data: Datasets) -> Caution:

@@ -4,6 +4,7 @@ Parameters that a description leaves blank are calibrated, so that scans of the 
 rms height, slope and curvature of the paper's Table 1.
 """
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -49,6 +50,7 @@ MAX_DRAWS = 100
 TAIL_HURST_BOUNDS = (-6.0, 5.0)
 
 
+@cache
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
     """Return wavevectors (bins,) and weights (3, bins) for the expected squares of a scan.
 
@@ -211,7 +213,7 @@ def spectrum_from_description(
 def _spectrum_of_segments(
     segments: pd.DataFrame, path: Path, table1: pd.DataFrame, weights: Weights
 ) -> tuple[Floats, pd.DataFrame, list[str]]:
-    """Return what `spectrum_from_description` returns; the path is that of the description."""
+    """Return the results of `spectrum_from_description` for segments from this path."""
     segments = segments.copy()
     density = np.zeros_like(WAVEVECTORS)
     calibrated = list[str]()
@@ -267,7 +269,7 @@ def sample_permitted_spectrum(
     table1: pd.DataFrame,
     constants: pd.DataFrame,
 ) -> Spectrum:
-    """Sample a spectrum that Table 1 permits; one without blanks is what the description says.
+    """Sample a spectrum that Table 1 permits. A description without blanks permits only itself.
 
     AFM rows get the errors of means over the paper's scans. A given roll-off is multiplied by a
     factor up to ROLLOFF_FACTOR or its inverse. Raises ValueError if no draw can be calibrated.

@@ -15,6 +15,7 @@ from matplotlib.patches import Patch
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
+    fails_hindcast,
     measurement_name,
     measurements,
     shown_octaves,
@@ -99,7 +100,9 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
             curve = ratios.sel(side=side, cutoff_wavelength=cutoffs)
             _draw_curve(axes, cutoffs, curve, look | {"color": colour, "label": label})
         panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
-        _mark_positions(axes, data.edges["edge"].values)
+        edges = data.edges["edge"]
+        known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(data, side)]
+        _mark_positions(axes, edges.sel(side=known_sides).values)
         _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
         style.end_near_values([axes])
         low, high = axes.get_ylim()
