@@ -224,7 +224,7 @@ REFUSED = [
     ([NAME], ["expected files"]),
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
     ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
-    (["config", "one.nc", "--overwrite"], ["found config"]),
+    (["store", "one.nc", "--overwrite"], ["found store"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),
     ([NAME, "one.nc", "./one.nc"], ["one.nc", "once", "2 times"]),
     ([NAME, "--surface", "A"], ["--surface A", "expected files"]),

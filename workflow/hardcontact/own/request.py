@@ -20,7 +20,9 @@ ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
-RESERVED_NAMES = ("config", "paper", "quick", "surfaces")
+RESERVED_NAMES = (
+    "config", "constraints.txt", "environment.txt", "paper", "quick", "store", "surfaces"
+)  # fmt: skip
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
 USAGE = """\
