@@ -126,12 +126,12 @@ def median_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
     return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
 
 
-def median_short_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return d ln(short edge)/d ln(root of a quantity), the median over surfaces (exponent_of).
+def median_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
 
     The interval is that of the surfaces whose edges determine one.
     """
-    exponent = variable_as_number(scaling, "short_edge_exponent")
+    exponent = variable_as_number(scaling, "edge_exponent")
     is_known = exponent["value"].notnull().all("surface")
     return exponent.median("surface").where(is_known)
 
@@ -177,6 +177,6 @@ QUANTITIES = (
     effective_work_decades, printed_effective_work, tabor_by_convention,
     classical_over_numerical, apex_level, plastic_contact_area, finer_pixel_ratio,
     elastic_change, median_share_above_hardness, median_plastic_over_elastic_area,
-    deformation_over_adhesion, median_force_exponent, median_short_edge_exponent,
+    deformation_over_adhesion, median_force_exponent, median_edge_exponent,
     elastic_pressure_over_hardness, nonstickiness,
 )  # fmt: skip
