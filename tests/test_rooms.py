@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1470,
     "theory": 647,
     "paper": 1457,
-    "config": 1912,
+    "config": 1965,
     "own": 1766,
     "report": 2867,
     "api": 204,

@@ -10,7 +10,7 @@ import signal
 import sys
 import tempfile
 import threading
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from copy import deepcopy
 from functools import partial
 from pathlib import Path
@@ -26,7 +26,7 @@ from hardcontact.base import published
 from hardcontact.base.code import LIBRARY, write_pins
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.config.configuration import refuse_unreadable
-from hardcontact.config.faults import refuse_all
+from hardcontact.config.faults import refuse_all, shorten
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.selection import Selection, selected_scans, surface_table
@@ -38,6 +38,8 @@ logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
+#: Names of studies that an overlay without a name of its own has.
+OWN_NAMES = ("paper", "quick")
 #: The last line of a run that failed or was stopped.
 RESUME = "Not all is made: the same command goes on from here."
 
@@ -167,12 +169,45 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
         update_config(config, yaml_values(nested))
         config.update(apply_effort(config))
+        overwrite = yaml_values(config.pop("overwrite", False))
         numbers = numeric_configuration(config)
+        if _plans_the_run(workflow) and overwrite is not True:
+            _refuse_replacing(config)
         if numbers["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)
+
+
+def _refuse_replacing(config: Mapping[str, Any]) -> None:
+    """Refuse other values for a study whose name is the project's own, and that is there."""
+    results = f"results/{config['study']}"
+    path = Path(results, "configuration.yaml")
+    if config["study"] not in OWN_NAMES or not path.is_file():
+        return
+    trees = yaml.safe_load(path.read_text("utf-8")), config
+    made_with, asked = (dict(_leaves(tree)) for tree in trees)
+    numbers, asked_numbers = (dict(_leaves(numeric_configuration(tree))) for tree in trees)
+    changes = [
+        f"{key}: {shorten(asked[key])} for {shorten(made_with[key])}"
+        for key in sorted(numbers.keys() & asked_numbers.keys())
+        if numbers[key] != asked_numbers[key]
+    ]
+    if changes:
+        raise ValueError(
+            f"{results}: expected the values with which it was made, found {', '.join(changes)}: "
+            "give the study a name (study: my-name), or replace it with --config overwrite=true"
+        )
+
+
+def _leaves(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield the keys of a tree, with dots between their parts, and their values."""
+    for name, item in tree.items():
+        if isinstance(item, Mapping):
+            yield from _leaves(item, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", item
 
 
 def yaml_values(value: Any) -> Any:
