@@ -21,7 +21,7 @@ BUDGET = {
     "contact": 1374,
     "inference": 1470,
     "theory": 647,
-    "paper": 1457,
+    "paper": 1463,
     "config": 1965,
     "own": 1766,
     "report": 2867,
