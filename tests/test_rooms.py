@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 1965,
     "own": 1766,
-    "report": 2867,
+    "report": 2872,
     "api": 204,
 }
 NO_CODE = {
