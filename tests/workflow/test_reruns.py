@@ -167,6 +167,29 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
     assert dry(change=said_otherwise) == []
 
 
+def lose_metadata(folder):
+    """Remove what Snakemake remembers of a run, as a copy of the results alone does."""
+    (folder / ".snakemake").unlink()
+
+
+def empty_metadata(folder):
+    """Leave Snakemake's memory of a run empty, as a power loss or a full disk does."""
+    metadata = (folder / ".snakemake/metadata").resolve()
+    lose_metadata(folder)
+    for path in metadata.iterdir():
+        copy = folder / ".snakemake/metadata" / path.name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.touch()
+
+
+@pytest.mark.parametrize("lose", [lose_metadata, empty_metadata])
+def test_records_decide_without_the_metadata_of_snakemake(dry, graph, lose):
+    assert dry(change=lambda folder: (lose(folder), said_otherwise(folder))) == []
+    jobs = dry(overlay("scales.tolerance", 0.2), lose)
+    concerned = {"find_edges", "judge_sets", "compare_short_edges"} | KEPT
+    assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
+
+
 # A key: the rules that it concerns, and all that is made from theirs
 
 #: Every value is in the configuration kept with the results and on pages.
@@ -259,6 +282,23 @@ def append_line(path):
             file.write("\n" if path.endswith((".csv", ".tsv")) else "\n# another line\n")
 
     return change
+
+
+def older(path):
+    """Return a change that moves another version of a file into place, with a time long past."""
+
+    def change(folder):
+        append_line(path)(folder)
+        os.utime(folder / path, (0, 0))
+
+    return change
+
+
+@pytest.mark.parametrize(
+    "path", ["resources/paper/pull_off.csv", "workflow/hardcontact/contact/indents.py"]
+)
+def test_an_older_file_repeats_exactly_its_dependents(dry, graph, path):
+    assert rules_of(dry(change=older(path))) == graph.following(graph.readers(path))
 
 
 @pytest.mark.parametrize(

@@ -2,13 +2,14 @@
 
 Datasets have their origin in their attributes. For every file that a job makes, a hidden folder
 beside it has a record of the origin and of the SHA-256 of the file. Records lead from the results
-of a study back to its scans.
+of a study back to its scans, and decide what a run makes again.
 """
 
 import hashlib
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -21,7 +22,7 @@ PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakema
 #: The folder of the records of files, beside them.
 RECORDS = ".origin"
 
-#: `Origin.attributes`, the digests of inputs decoded, and the `sha256` of the file.
+#: `Origin.attributes`, the digests of inputs decoded, the lineage and the `sha256` of the file.
 Record = dict[str, Any]
 
 
@@ -34,6 +35,20 @@ def digest(path: str | Path) -> str:
     """Return the SHA-256 of the content of a file."""
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+@cache
+def versions() -> dict[str, str]:
+    """Return the installed versions of PACKAGES."""
+    return {name: version(name) for name in PACKAGES}
+
+
+def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
+    """Return a digest of all that a file is made from, by the lineage of each input.
+
+    The lineage of a file that no job made is its SHA-256. It finds changes behind missing inputs.
+    """
+    return hashlib.sha256(canonical([parameters, versions(), inputs]).encode()).hexdigest()
 
 
 def digests(paths: Iterable[str | Path]) -> dict[str, str]:
@@ -56,7 +71,7 @@ class Origin(NamedTuple):
         code = canonical({path: self.inputs[path] for path in self.code})
         return {
             "parameters": self.parameters,
-            "versions": canonical({name: version(name) for name in PACKAGES}),
+            "versions": canonical(versions()),
             "code_digest": hashlib.sha256(code.encode()).hexdigest(),
             "input_digests": canonical(self.inputs),
         }
@@ -68,10 +83,25 @@ def record_path(path: str | Path) -> Path:
     return Path(path).parent / RECORDS / f"{Path(path).name}.json"
 
 
+def remove_records(paths: Iterable[str | Path]) -> None:
+    """Remove the records of files that a job makes again: none may describe another file."""
+    for path in paths:
+        record_path(path).unlink(missing_ok=True)
+
+
 def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
-    """Keep the origin and the SHA-256 of files that a job has made."""
+    """Keep the origin, the lineage and the SHA-256 of files that a job has made."""
+    records = {path: read_record(path) for path in origin.inputs}
+    lineages = {
+        path: record.get("lineage", "") if record else origin.inputs[path]
+        for path, record in records.items()
+    }
+    described = origin.attributes() | {
+        "input_digests": origin.inputs,
+        "lineage": lineage(origin.parameters, lineages),
+    }
     for path, value in digests(paths).items():
-        record = origin.attributes() | {"input_digests": origin.inputs, "sha256": value}
+        record = described | {"sha256": value}
         with whole_file(record_path(path)) as temporary:
             Path(temporary).write_text(canonical(record), "utf-8")
 
@@ -122,6 +152,20 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
     ]
     if lines:
         raise ValueError("; ".join(lines) + "; delete it and run again")
+
+
+def refuse_changed_inputs(digests_before: Mapping[str, str]) -> None:
+    """Raise ValueError, in one line, if files are not as they were when a job began."""
+    changed = [
+        path
+        for path, value in sorted(digests_before.items())
+        if not Path(path).is_file() or digest(path) != value
+    ]
+    if changed:
+        raise ValueError(
+            f"{', '.join(changed)}: expected inputs that stay as they are while a job runs, found "
+            "that its inputs changed; run again"
+        )
 
 
 def traced_records(folder: str | Path) -> dict[str, Record]:
