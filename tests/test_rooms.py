@@ -16,13 +16,13 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 674,
+    "base": 702,
     "surfaces": 2987,
     "contact": 1374,
     "inference": 1467,
     "theory": 647,
     "paper": 1451,
-    "config": 1976,
+    "config": 1981,
     "own": 1733,
     "report": 2867,
     "api": 204,

@@ -18,7 +18,7 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     results = study / "results/tiny"
     (results / "figures/.origin").mkdir(parents=True)
     finished_results = finished / "results/tiny"
-    packages = ("environment.txt", "constraints.txt")
+    packages = ("environment.txt", "lock.txt")
     copied = [
         *(finished / "results" / name for name in packages),
         *(path for path in finished_results.glob("*.*") if path.suffix in (".nc", ".csv", ".yaml")),

@@ -16,8 +16,9 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import yaml
-from forked_runs import forked, use_library_of
-from repository import PARTS, ROOT, TINY, linked_copy, plan, run_snakemake
+from forked_runs import forked, run_program, use_library_of
+from refusals import assert_says
+from repository import PARTS, ROOT, TINY, environment, linked_copy, plan, run_snakemake
 
 import hardcontact
 
@@ -159,7 +160,7 @@ def said_otherwise(folder):
         content = yaml.safe_load((folder / name).read_text())
         reordered = yaml.safe_dump(dict(reversed(content.items())), sort_keys=False)
         (folder / name).write_text(f"# the same\n{reordered}")
-    for path in ("environment.txt", "workflow/constraints.txt"):
+    for path in ("environment.txt", "workflow/lock.txt"):
         append_line(path)(folder)
 
 
@@ -180,6 +181,17 @@ def empty_metadata(folder):
         copy = folder / ".snakemake/metadata" / path.name
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.touch()
+
+
+def test_a_pin_that_is_not_installed_is_refused_in_one_line(finished, tmp_path):
+    folder = linked_copy(finished, tmp_path / "study")
+    for path in (folder / "environment.txt", folder / "workflow/lock.txt"):
+        path.write_text(re.sub("scipy==.*?(?=[ \n])", "scipy==0.1", path.read_text()))
+    words = ["-n", "--configfile", TINY]
+    run = run_program(folder, "snakemake.cli", words, environment(folder))
+    (line,) = re.findall("^error: .*", run.stdout, re.M)
+    assert run.returncode == 1 and "Traceback" not in run.stdout
+    assert_says(line, "scipy 0.1, found", "pip install --require-hashes -r workflow/lock.txt")
 
 
 @pytest.mark.parametrize("lose", [lose_metadata, empty_metadata])

@@ -7,7 +7,6 @@ of a study back to its scans, and decide what a run makes again.
 
 import hashlib
 import json
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from importlib.metadata import version
@@ -230,12 +229,3 @@ def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> 
         ]
         if changed and path in current:
             yield f"{path}: does not match its input {', '.join(changed)}"
-
-
-def pinned_versions(environment: str | Path) -> dict[str, str]:
-    """Return the installed versions of the packages that requirements of pip pin.
-
-    Only lines ``package==version`` of the file count; packages keep its order.
-    """
-    names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
-    return {name: version(name) for name in names}

@@ -23,8 +23,9 @@ from snakemake.settings.types import ExecMode, RerunTrigger
 from snakemake.utils import min_version, update_config
 
 from hardcontact.base import published
-from hardcontact.base.code import LIBRARY, write_pins
+from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
+from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.faults import refuse_all
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
@@ -57,6 +58,10 @@ def prepare(workflow: Any) -> None:
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
     check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if _plans_the_run(workflow):
+        try:
+            refuse_other_versions()
+        except ValueError as error:
+            _refuse(error)
         _plan_by_records(workflow)
 
 
