@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1467,
     "theory": 647,
     "paper": 1451,
-    "config": 1981,
+    "config": 2010,
     "own": 1733,
     "report": 2867,
     "api": 204,

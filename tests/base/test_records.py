@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from refusals import assert_says, refusal
 from repository import run_snakemake
-from studies import TINY_PATTERNS
+from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, check, digest, digests, keep_records, traced_records
@@ -89,7 +89,9 @@ def test_a_finished_study_has_no_faults(finished):
 
 
 FINAL = "results/tiny"
-STITCHED = TINY_PATTERNS.stitched.format(surface="ncd", scan=2, shape="flat")
+STITCHED = TINY_PATTERNS.stitched.format(
+    surface="ncd", sources=TINY_SOURCES["ncd"], scan=2, shape="flat"
+)
 #: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],

@@ -31,7 +31,12 @@ from hardcontact.config.faults import refuse_all
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.reruns import Reruns
-from hardcontact.config.selection import Selection, selected_scans, surface_table
+from hardcontact.config.selection import (
+    Selection,
+    selected_scans,
+    source_digests,
+    surface_table,
+)
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
@@ -201,7 +206,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
-    return Selection(rows, configuration["sphere"]["surface"])
+    return Selection(rows, configuration["sphere"]["surface"], source_digests(rows))
 
 
 def keep_logs(workflow: Any, patterns: Patterns) -> None:
