@@ -7,7 +7,7 @@ of a study back to its scans, and decide what a run makes again.
 
 import hashlib
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -165,67 +165,3 @@ def refuse_changed_inputs(digests_before: Mapping[str, str]) -> None:
             f"{', '.join(changed)}: expected inputs that stay as they are while a job runs, found "
             "that its inputs changed; run again"
         )
-
-
-def traced_records(folder: str | Path) -> dict[str, Record]:
-    """Return the records, by path, of the files in ``results/<study>`` and all that led to them.
-
-    Raises ValueError, with one line, if a record is damaged.
-    """
-    records: dict[str, Record] = {}
-    pending = [
-        (path.parents[1] / path.stem).as_posix()
-        for path in sorted(Path(folder).rglob(f"{RECORDS}/*.json"))
-    ]
-    while pending:
-        path = pending.pop()
-        record = None if path in records else read_record(path)
-        if record is not None:
-            records[path] = record
-            pending.extend(record["input_digests"])
-    return records
-
-
-def check(folder: str | Path) -> tuple[list[str], str]:
-    """Compare every file that led to ``results/<study>`` with its record.
-
-    Returns a line for each file that is missing or does not match, and one line of counts. Raises
-    ValueError, with one line, if there is nothing to compare or a record is damaged.
-    """
-    records = traced_records(folder)
-    if not records:
-        raise ValueError(f"{folder}: expected files of a study, found none")
-    inputs = {path for record in records.values() for path in record["input_digests"]}
-    current = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
-    absent = inputs - current.keys()
-    faults = [
-        *_output_faults(folder, records, current),
-        *_input_faults(records, current),
-    ]
-    return faults, (
-        f"{folder}: {len(records)} files checked, {len(faults)} faults, "
-        f"{len(absent)} inputs not at hand"
-    )
-
-
-def _output_faults(
-    folder: str | Path, records: Mapping[str, Record], current: Mapping[str, str]
-) -> Iterator[str]:
-    """Yield a line for each file that differs from its record, or is missing in the folder."""
-    for path, record in sorted(records.items()):
-        if path in current and current[path] != record["sha256"]:
-            yield f"{path}: is not the file that the study wrote"
-        elif path not in current and Path(path).is_relative_to(folder):
-            yield f"{path}: expected a file of the study, found none"
-
-
-def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> Iterator[str]:
-    """Yield a line for each file whose inputs are no longer those that it was made from."""
-    for path, record in sorted(records.items()):
-        changed = [
-            name
-            for name, made_from in sorted(record["input_digests"].items())
-            if current.get(name, made_from) != made_from
-        ]
-        if changed and path in current:
-            yield f"{path}: does not match its input {', '.join(changed)}"
