@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 728,
+    "base": 737,
     "surfaces": 2987,
     "contact": 1374,
-    "inference": 1467,
+    "inference": 1470,
     "theory": 647,
-    "paper": 1451,
-    "config": 2010,
-    "own": 1757,
+    "paper": 1457,
+    "config": 2039,
+    "own": 1790,
     "report": 2867,
     "api": 204,
 }

@@ -18,11 +18,11 @@ from hardcontact.base.origin import (
     Origin,
     digests,
     keep_records,
+    record_path,
     refuse_changed,
     refuse_changed_inputs,
-    remove_records,
 )
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.whole_file import remove_parts, whole_file
 
 _logger = logging.getLogger("hardcontact")
 
@@ -78,10 +78,13 @@ def job(snakemake: Any) -> Iterator[Job]:
         canonical_parameters = snakemake.params.canonical
         input_digests = digests(inputs)
         refuse_changed(input_digests)
+        for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
+            remove_parts(path)
+            remove_parts(record_path(path))
+            record_path(path).unlink(missing_ok=True)  # It must not describe another file.
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, input_digests, list(code))
         parameters = json.loads(canonical_parameters)
-        remove_records(snakemake.output)
         yield Job(inputs, snakemake.output, parameters, origin)
         refuse_changed_inputs(input_digests)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)

@@ -82,12 +82,6 @@ def record_path(path: str | Path) -> Path:
     return Path(path).parent / RECORDS / f"{Path(path).name}.json"
 
 
-def remove_records(paths: Iterable[str | Path]) -> None:
-    """Remove the records of files that a job makes again: none may describe another file."""
-    for path in paths:
-        record_path(path).unlink(missing_ok=True)
-
-
 def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
     """Keep the origin, the lineage and the SHA-256 of files that a job has made."""
     records = {path: read_record(path) for path in origin.inputs}
