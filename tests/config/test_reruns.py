@@ -74,10 +74,19 @@ def test_added_and_removed_inputs_are_changes(study):
     assert change(study, "fit.nc").inputs == {"scan.txt", "code.py"}
 
 
-@pytest.mark.parametrize("damage", [Path.unlink, lambda path: path.write_bytes(b"")])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        Path.unlink,
+        lambda path: path.write_bytes(b""),
+        lambda path: path.write_bytes(path.read_bytes().replace(b"{", b"[", 2)),
+        lambda path: path.write_bytes(path.read_bytes().replace(b'work\\"', b"work")),
+        lambda path: path.write_bytes(path.read_bytes().replace(b"parameters", b"qarameters")),
+    ],
+)
 def test_a_file_without_a_whole_record_is_made_again(study, damage):
     damage(record_path("fit.nc"))
-    assert change(study, "fit.nc").before == {"no record of fit.nc"}
+    assert change(study, "fit.nc").before == {"no whole record of fit.nc"}
 
 
 def test_changes_behind_a_missing_intermediate_are_found(study):

@@ -46,10 +46,11 @@ class Reruns:
 
     def change(self, job: Any, path: str) -> Change:
         """Return what changed since a job made a file."""
-        record = _whole_record(path)
-        if record is None:
-            return Change({f"no record of {path}"}, set(), set())
-        before = _named_values(record["parameters"]) | _named_values(record["versions"])
+        try:
+            record = read_record(path) or {}
+            before = _named_values(record["parameters"]) | _named_values(record["versions"])
+        except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
+            return Change({f"no whole record of {path}"}, set(), set())
         now = _named_values(job.params.canonical) | _named_values(canonical(versions()))
         return Change(before - now, now - before, self._changed_inputs(job, record))
 
