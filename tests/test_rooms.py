@@ -16,7 +16,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 737,
+    "base": 740,
     "surfaces": 2987,
     "contact": 1374,
     "inference": 1470,

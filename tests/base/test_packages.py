@@ -60,14 +60,14 @@ INSTALLED = {"numpy": "2.0", "attrs": "25.1"}
     ],
 )
 def test_packages_other_than_pinned_are_refused(write, monkeypatch, environment, lock, found):
-    monkeypatch.setattr(packages, "_installed_version", INSTALLED.get)
+    monkeypatch.setattr(packages, "installed_version", INSTALLED.get)
     write(environment, lock)
     message = refusal(packages.refuse_other_versions)
     assert_says(message, found, "pip install --require-hashes -r workflow/lock.txt")
 
 
 def test_a_package_that_another_system_needs_may_be_missing(write, monkeypatch):
-    monkeypatch.setattr(packages, "_installed_version", INSTALLED.get)
+    monkeypatch.setattr(packages, "installed_version", INSTALLED.get)
     write("NumPy==2.0\n", "numpy==2.0\ncolorama==0.4 ; sys_platform == 'win32'\n")
     packages.refuse_other_versions()
 

@@ -1,6 +1,7 @@
 """The packages that a study runs with: those that are pinned, and those that are installed."""
 
 import re
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -43,7 +44,7 @@ def refuse_other_versions() -> None:
             f"{LOCK}: expected {names} as pinned in {ENVIRONMENT}, found another version or none; "
             "make it anew by .ci/lock"
         )
-    installed = {name: _installed_version(name) for name in locked}
+    installed = {name: installed_version(name) for name in locked}
     faults = [
         f"{name} {pin}, found {installed[name] or 'none'}"
         for name, pin in locked.items()
@@ -58,7 +59,9 @@ def _by_plain_name(pins: dict[str, str]) -> dict[str, str]:
     return {re.sub(r"[-_.]+", "-", name).lower(): pin for name, pin in pins.items()}
 
 
-def _installed_version(name: str) -> str | None:
+@cache
+def installed_version(name: str) -> str | None:
+    """Return the installed version of a package, None if there is none."""
     try:
         return version(name)
     except PackageNotFoundError:

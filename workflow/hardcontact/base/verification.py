@@ -8,7 +8,8 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from hardcontact.base.origin import RECORDS, Record, digest, read_record, versions
+from hardcontact.base.origin import RECORDS, Record, digest, read_record
+from hardcontact.base.packages import installed_version
 
 #: Folders of a study whose files describe runs: no record describes them.
 OF_RUNS = ("logs", "benchmarks")
@@ -99,7 +100,7 @@ def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:
     paths = defaultdict[str, list[str]](list)
     for path, record in sorted(records.items()):
         for name, recorded in json.loads(record["versions"]).items():
-            if recorded != versions().get(name):
-                paths[f"{name} {recorded}, installed is {versions().get(name)}"].append(path)
+            if recorded != installed_version(name):
+                paths[f"{name} {recorded}, here {installed_version(name) or 'none'}"].append(path)
     for version, made in paths.items():
         yield f"{len(made)} files, such as {made[0]}, were made with {version}"
