@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 648,
+    "base": 740,
     "surfaces": 2987,
     "contact": 1374,
     "inference": 1470,
     "theory": 647,
     "paper": 1463,
-    "config": 1965,
-    "own": 1766,
+    "config": 2085,
+    "own": 1790,
     "report": 2872,
     "api": 204,
 }

@@ -16,7 +16,7 @@ from repository import PAPER, ROOT, TINY, copy_repository, environment, snakemak
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
-from studies import TINY_PATTERNS
+from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.config import start
 
@@ -118,7 +118,9 @@ def listen_to_ctrl_c():
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
-    master = TINY_PATTERNS.small_master.format(surface="uncd", realization=1)
+    master = TINY_PATTERNS.small_master.format(
+        surface="uncd", sources=TINY_SOURCES["uncd"], realization=1
+    )
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", master, "--configfile", TINY],
         cwd=study, env=environment(study), text=True, start_new_session=True,

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection
 from functools import partial
+from glob import escape, glob
 from typing import Any
 
 import numpy as np
@@ -118,10 +119,11 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
 
     The rule read_scan stores scans: a file is read here only if it, its keys or the code changed.
     """
-    stored = study_patterns(config).measurement.format(surface=row.surface, scan=row.scan)
+    pattern = escape(study_patterns(config).measurement)
     arguments = reading_keys(config, row.dataset)
-    if is_current(stored, canonical(arguments), row.path):
-        return read_height_map(stored)
+    for stored in glob(pattern.format(surface=row.surface, scan=row.scan, sources="*")):
+        if is_current(stored, canonical(arguments), row.path):
+            return read_height_map(stored)
     return read_scan(row.path, **arguments)
 
 

@@ -12,24 +12,33 @@ import tempfile
 import threading
 from collections.abc import Iterator, Mapping
 from copy import deepcopy
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NoReturn
 
 import psutil
 import yaml
 from snakemake.io import strip_wildcard_constraints
-from snakemake.settings.types import ExecMode
+from snakemake.jobs import Job
+from snakemake.persistence import ParamsChange, PersistenceBase
+from snakemake.settings.types import ExecMode, RerunTrigger
 from snakemake.utils import min_version, update_config
 
 from hardcontact.base import published
-from hardcontact.base.code import LIBRARY, write_pins
+from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
+from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.faults import refuse_all, shorten
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
-from hardcontact.config.selection import Selection, selected_scans, surface_table
+from hardcontact.config.reruns import Reruns
+from hardcontact.config.selection import (
+    Selection,
+    selected_scans,
+    source_digests,
+    surface_table,
+)
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
@@ -61,6 +70,47 @@ def prepare(workflow: Any) -> None:
     check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if _plans_the_run(workflow):
         _stop_at_interrupt(workflow)
+        try:
+            refuse_other_versions()
+        except ValueError as error:
+            _refuse(error)
+        _plan_by_records(workflow)
+
+
+def _plan_by_records(workflow: Any) -> None:
+    """Make records decide which files are made again, in place of times and Snakemake's metadata.
+
+    The only trigger is a change of parameters: the method below finds all changes.
+    """
+    type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
+    workflow.log_provenance_info = lambda: None  # It advises to trust times.
+    Job.output_mintime = property(_no_time)
+    PersistenceBase.has_metadata = lambda self, job: True
+    PersistenceBase.has_outdated_metadata = lambda self, job: False
+    PersistenceBase.params_changed = _recorded_change
+
+
+async def _no_time(job: Any) -> None:
+    """Return no time of the files of a job, with which Snakemake would compare inputs."""
+
+
+def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
+    """Return changed parameters of a job or of one of its files; add changed inputs to reasons."""
+    paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
+    reruns = _reruns(persistence.dag)
+    changes = [reruns.change(job, path) for path in paths]
+    updated_input = persistence.dag.reason(job).updated_input
+    updated_input.update(path for change in changes for path in change.inputs)
+    return ParamsChange(
+        only_old={value for change in changes for value in change.before},
+        only_new={value for change in changes for value in change.now},
+        files=set(paths),
+    )
+
+
+@cache
+def _reruns(dag: Any) -> Reruns:
+    return Reruns(dag.dependencies)
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -235,7 +285,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
-    return Selection(rows, configuration["sphere"]["surface"])
+    return Selection(rows, configuration["sphere"]["surface"], source_digests(rows))
 
 
 def keep_logs(workflow: Any, patterns: Patterns) -> None:

@@ -49,7 +49,7 @@ from hardcontact.own.request import (
 
 
 def main() -> int:
-    """Carry out the command line, `new` or `predict`; return the exit code."""
+    """Carry out the command line: `new`, `predict` or `verify`; return the exit code."""
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
         refuse_lines(
@@ -61,6 +61,12 @@ def main() -> int:
             from hardcontact.own.predict import predict, predict_arguments
 
             print(predict(predict_arguments(sys.argv[2:])))
+        elif sys.argv[1:2] == ["verify"]:
+            from hardcontact.own.verify import verify, verify_arguments
+
+            words, code = verify(verify_arguments(sys.argv[2:]))
+            print(words, flush=True)
+            return code
         else:
             print(new_study(parse_arguments(sys.argv[1:])))
         sys.stdout.flush()

@@ -67,9 +67,9 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
     )  # fmt: skip
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
-        "command", choices=["new", "predict"], metavar="{new,predict}",
+        "command", choices=["new", "predict", "verify"], metavar="{new,predict,verify}",
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "
-        "hardcontact predict --help",
+        "hardcontact predict --help; verify: check the files of a finished study",
     )  # fmt: skip
     parser.add_argument(
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"
