@@ -312,6 +312,8 @@ def fit(count=1):
             region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
             region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
             test_count=("surface", [40] * count),
+            place_count=("surface", [40] * count),
+            look_repeated=("surface", [0] * count),
             label=("surface", LABELS[:count]),
             interval_source=("surface", ["scans"] * count),
         )

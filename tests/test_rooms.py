@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 636,
+    "base": 641,
     "surfaces": 2987,
     "contact": 1374,
-    "inference": 1467,
+    "inference": 1490,
     "theory": 647,
     "paper": 1451,
-    "config": 1877,
-    "own": 1733,
-    "report": 2867,
+    "config": 1952,
+    "own": 1737,
+    "report": 2875,
     "api": 204,
 }
 NO_CODE = {

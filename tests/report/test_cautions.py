@@ -181,6 +181,13 @@ def test_a_lopsided_interval_of_few_tests_is_named(high, count):
     assert len(find_cautions("few_tests", fit=data)) == count
 
 
+def test_repeated_tests_are_asked_about():
+    data = fit()
+    assert not find_cautions("repeated_tests", fit=data)
+    data["look_repeated"] = data["look_repeated"] + 1
+    assert find_cautions("repeated_tests", fit=data)
+
+
 @pytest.mark.parametrize(("work", "count"), [(10.0, 0), (50.8, 1)])
 def test_a_work_beyond_that_of_solids_is_named(work, count):
     data = fit()

@@ -67,6 +67,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _small_scans(data),
         _few_pixels(data.force),
         _few_tests(numbers),
+        _repeated_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
@@ -142,7 +143,15 @@ def _few_tests(numbers: Mapping[str, Number]) -> Caution | None:
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
     if not above > MAX_LOPSIDEDNESS * below:
         return None
-    return Caution("few_tests", numbers={"tests": numbers["measured_force_tests"]})
+    return Caution("few_tests", numbers={"tests": numbers["measured_force_places"]})
+
+
+def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return a caution if tests look as if several were made at one place."""
+    repeated = numbers.get("measured_force_looks_repeated")
+    if repeated is None or not repeated.value:
+        return None
+    return Caution("repeated_tests", True, {"tests": numbers["measured_force_tests"]})
 
 
 def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
