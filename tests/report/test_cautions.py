@@ -181,6 +181,15 @@ def test_a_lopsided_interval_of_few_tests_is_named(high, count):
     assert len(find_cautions("few_tests", fit=data)) == count
 
 
+def test_cautions_of_the_reader_are_named():
+    assert not find_cautions("reading")
+    data = spectra()
+    data["notes"] = data["notes"].astype(object)
+    data["notes"][{"surface": 0, "measurement": 0}] = "cropped; take care: its mask marks 9 pixels"
+    (caution,) = find_cautions("reading", spectra=data)
+    assert caution.texts["sentence"].endswith(": its mask marks 9 pixels")
+
+
 def test_repeated_tests_are_asked_about():
     data = fit()
     assert not find_cautions("repeated_tests", fit=data)

@@ -21,7 +21,7 @@ PUBLISHED_TABLES = {
 #: the edges of the band, and how plasticity and range enhance each other.
 PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 
-_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size")
+_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
 _MEASURED = (*_READING, "scan.levelling", "scans")
 _GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
 _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")

@@ -87,6 +87,8 @@ def inventory(
     unit: str = "none",
     map_size: float | str = "none",
     levelling: str = "plane",
+    *,
+    mask: str = "keep",
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Return all topographies of files, lines on unusable members of containers, and problems.
 
@@ -102,7 +104,7 @@ def inventory(
         try:
             for dataset in list_scans(source.file):
                 try:
-                    scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size)
+                    scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size, mask)
                     file_entries.append(_entry(source, scan, tip_radius, levelling))
                 except ValueError as error:
                     file = f"{source.file}: "

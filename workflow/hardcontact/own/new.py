@@ -92,6 +92,7 @@ def new_study(arguments: Namespace) -> str:
         arguments.unit,
         quantities["size"].number if "size" in quantities else NONE,
         arguments.levelling,
+        mask=arguments.mask,
     )
     faults += [*file_faults, *scan_faults]
     checks: list[Callable[[], Any]] = [
@@ -194,6 +195,8 @@ def _choices_without_scans(
         yield Choice(
             "scan.map_size", quantities["size"].text, "as given, for files that state none"
         )
+    if arguments.mask != "keep":
+        yield Choice("scan.mask", arguments.mask, "as given, for all files with a mask")
     if arguments.levelling != "plane":
         yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
     if arguments.forces is not None:

@@ -73,6 +73,7 @@ def own_spectrum(
     unit: str = "none",
     map_size: float | str = "none",
     levelling: str = "plane",
+    mask: str = "keep",
     sphere_radius: float | None = None,
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
@@ -92,7 +93,11 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
-        examine(read_scan(path, member, undefined_pixels, unit, map_size), sphere_radius, levelling)
+        examine(
+            read_scan(path, member, undefined_pixels, unit, map_size, mask),
+            sphere_radius,
+            levelling,
+        )
         for path in files
         for member in ([dataset] if dataset else list_scans(path))
     ]

@@ -112,6 +112,10 @@ def add_shared_options(parser: ArgumentParser) -> None:
         "--size", help="longer side of the scan, for the files that do not state it"
     )
     parser.add_argument(
+        "--mask", choices=("keep", "exclude"), default="keep",
+        help="what pixels under a mask in a file are: heights, or gaps",
+    )  # fmt: skip
+    parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
         help="what is subtracted from height maps: a plane, offsets of lines, or a quadratic "
         "polynomial",

@@ -23,6 +23,7 @@ from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
+from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 
@@ -60,6 +61,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     found = [
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
+        *_reading(data.spectra),
         _few_places(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
@@ -108,6 +110,15 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
             }
             defects.append(Caution(code, grave, numbers, {"sentence": sentence}, index))
     return defects
+
+
+def _reading(spectra: xr.Dataset) -> list[Caution]:
+    """Return the cautions of the reader of each measurement, as sentences."""
+    return [
+        Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
+        for measurement in split_measurements(measurements(spectra))
+        for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
+    ]
 
 
 def _few_places(force: xr.Dataset) -> Caution | None:
