@@ -133,6 +133,7 @@ def _spectra_of(bins, scans):
             "path": ("measurement", [f"scans/{name}" for name in scans]),
             "dataset": ("measurement", [""] * len(scans)),
             "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(scans) - 1)),
+            "same_place": ("measurement", [""] * len(scans)),
             "shortest_measured": min(columns["shortest_reliable"]),
             "longest_measured": max(columns["longest_reliable"]),
             "rolloff": 1.5 * max(columns["longest_reliable"]),

@@ -190,6 +190,15 @@ def test_cautions_of_the_reader_are_named():
     assert caution.texts["sentence"].endswith(": its mask marks 9 pixels")
 
 
+def test_scans_of_the_same_place_are_named():
+    assert not find_cautions("same_place")
+    data = spectra()
+    data["same_place"] = data["same_place"].astype(object)
+    data["same_place"][{"surface": 0, "measurement": 1}] = "scans/trace.spm"
+    (caution,) = find_cautions("same_place", spectra=data)
+    assert caution.texts["first"] == "trace.spm"
+
+
 def test_repeated_tests_are_asked_about():
     data = fit()
     assert not find_cautions("repeated_tests", fit=data)

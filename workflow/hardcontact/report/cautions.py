@@ -5,6 +5,7 @@ The template own_caution.txt has the sentence for each code.
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from pathlib import PurePath
 from statistics import NormalDist
 
 import numpy as np
@@ -62,6 +63,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
         *_reading(data.spectra),
+        *_same_places(data.spectra),
         _few_places(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
@@ -118,6 +120,21 @@ def _reading(spectra: xr.Dataset) -> list[Caution]:
         Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
         for measurement in split_measurements(measurements(spectra))
         for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
+    ]
+
+
+def _same_places(spectra: xr.Dataset) -> list[Caution]:
+    """Return a caution for each scan of a place that an earlier scan shows."""
+    return [
+        Caution(
+            "same_place",
+            texts={
+                "scan": measurement_name(measurement),
+                "first": PurePath(str(measurement["same_place"].item())).name,
+            },
+        )
+        for measurement in split_measurements(measurements(spectra))
+        if measurement["same_place"].item()
     ]
 
 
