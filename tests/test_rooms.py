@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 641,
+    "base": 653,
     "surfaces": 3067,
     "contact": 1374,
-    "inference": 1490,
+    "inference": 1493,
     "theory": 647,
-    "paper": 1451,
-    "config": 1955,
-    "own": 1786,
+    "paper": 1457,
+    "config": 1985,
+    "own": 1819,
     "report": 2946,
     "api": 211,
 }
