@@ -34,7 +34,7 @@ def test_copies_of_a_place_are_recognised(hurst):
         coarse(cut(surface, 20, 15) + 0.3 * y),  # drift and tilt
         coarse(cut(surface), levelling=level_lines),
         coarse(cut(surface)[::2, ::2], 2 * PIXEL),
-        coarse(cut(surface, 5, 5, 3 * PIXELS // 4)),
+        coarse(cut(surface, 5, 5, 7 * PIXELS // 8)),
     ):
         assert show_same_place(trace, copy) and show_same_place(copy, trace)
 

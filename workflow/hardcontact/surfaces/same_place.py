@@ -17,8 +17,8 @@ COMPARED_PIXELS = 128
 LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
-#: Largest ratio of the sides of two maps: a much smaller map shows other waves.
-MAX_SIZE_RATIO = 2.0
+#: Largest ratio of the sides of two maps: a smaller part of a place shows other waves.
+MAX_SIZE_RATIO = 1.25
 
 
 def coarse_map(scan: HeightMap) -> HeightMap:
