@@ -128,6 +128,7 @@ def _same_places(spectra: xr.Dataset) -> list[Caution]:
     return [
         Caution(
             "same_place",
+            grave=True,
             texts={
                 "scan": measurement_name(measurement),
                 "first": PurePath(str(measurement["same_place"].item())).name,

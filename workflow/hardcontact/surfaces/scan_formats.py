@@ -53,8 +53,6 @@ DATA_FILE_KEYS = ("original", "squeezed-netcdf")
 ORIGINAL_ONLY_KEYS = ("data_source", "height_scale")
 #: Stands for a unit or a size that is not given, for files that state none.
 NOT_GIVEN = "none"
-#: The choice that pixels under a mask stay.
-KEEP = "keep"
 #: Metadata that a container may state, by their names as arguments of a reader.
 KEY_BY_ARGUMENT = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
 #: The reader takes spacings as equal if they differ by less than 1e-6 of the unit of a text: 1 µm
@@ -115,7 +113,7 @@ def read_fields(
     if metadata_in_words:
         origin = "stated by the container" if entry else "given by the user"
         notes.append(f"{', '.join(metadata_in_words)} ({origin})".replace("_", " "))
-    if mask == KEEP and isinstance(reader, GWYReader):
+    if mask == "keep" and isinstance(reader, GWYReader):
         topography, mask_notes = _keep_marked_pixels(topography)
         notes += mask_notes
     is_map = topography.dim == 2

@@ -36,6 +36,8 @@ SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT = 600
+#: What pixels under a mask in a file are: heights, or undefined.
+MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE = 2000
 
