@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1457,
     "config": 1988,
     "own": 1820,
-    "report": 2947,
+    "report": 2949,
     "api": 211,
 }
 NO_CODE = {
