@@ -16,16 +16,16 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 740,
-    "surfaces": 2987,
+    "base": 745,
+    "surfaces": 3067,
     "contact": 1374,
-    "inference": 1470,
+    "inference": 1493,
     "theory": 647,
     "paper": 1463,
-    "config": 2085,
-    "own": 1790,
-    "report": 2872,
-    "api": 204,
+    "config": 2166,
+    "own": 1844,
+    "report": 2952,
+    "api": 211,
 }
 NO_CODE = {
     tokenize.COMMENT,

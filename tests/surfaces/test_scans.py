@@ -64,6 +64,21 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     assert "21 undefined pixels of 1024 filled" in measurement.notes
 
 
+def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
+    path = tmp_path / "marked.gwy"
+    values = heights(32, 32)
+    is_marked = values > np.sort(values, None)[-20]
+    map_of(np.ma.masked_array(values, is_marked)).to_gwy(str(path))
+    # The writer fills masked pixels with zeros.
+    metres = (values * 1e-9).T.astype("<f8")
+    holed = np.where(is_marked.T, 0, metres)
+    path.write_bytes(path.read_bytes().replace(holed.tobytes(), metres.tobytes()))
+    kept = read_scan(path)
+    np.testing.assert_allclose(kept.heights, values.T, atol=1e-12)
+    assert_says(kept.notes[0], "take care", "marks 19 of 1024 pixels", "--mask exclude")
+    assert read_scan(path, "", "harmonic", mask="exclude").undefined == 19
+
+
 def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
     values = np.ma.masked_array(heights(48, 32), False)
     values[:8] = values[40:] = np.ma.masked

@@ -59,6 +59,7 @@ def read_scan(
     undefined_pixels: str = "refuse",
     unit: str = NONE,
     map_size: float | str = NONE,
+    mask: str = "keep",
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
@@ -73,6 +74,8 @@ def read_scan(
     undefined_pixels, levelling : str
         ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
         the scan lines first, or ``"quadratic"``, which also subtracts the bow of a scanner.
+    mask : str
+        Of pixels under a mask in a file of Gwyddion: ``"keep"`` the heights, or ``"exclude"`` them.
     unit, map_size : str, float or str
         For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer side in
         nm.
@@ -89,11 +92,13 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
-    check_read_arguments([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    check_read_arguments(
+        [path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+    )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
-    scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size))
+    scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
     return _prepare(scan, sphere_radius, levelling)
 
 
@@ -153,6 +158,7 @@ def read_spectrum(
     undefined_pixels: str = "harmonic",
     unit: str = NONE,
     map_size: float | str = NONE,
+    mask: str = "keep",
     levelling: str = "plane",
     sphere_radius: float | None = None,
     extrapolated: bool = False,
@@ -167,7 +173,7 @@ def read_spectrum(
         The only member of a container to read; empty: all members.
     tip_radius : float or None
         Radius of the tip in nm for scans whose files do not state it.
-    undefined_pixels, unit, levelling : str
+    undefined_pixels, unit, mask, levelling : str
         As for `read_scan`.
     map_size, sphere_radius : float or str, float or None
         As for `read_scan`.
@@ -185,7 +191,9 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
-    check_read_arguments(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    check_read_arguments(
+        files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+    )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None,
         tip_radius=tip_radius,
@@ -198,6 +206,7 @@ def read_spectrum(
         undefined_pixels=undefined_pixels,
         unit=unit,
         map_size=map_size,
+        mask=mask,
         levelling=levelling,
         sphere_radius=sphere_radius,
     ).spectrum

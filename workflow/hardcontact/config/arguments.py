@@ -17,6 +17,7 @@ from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.scans import MASKS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The usual values of CONTACT_QUANTITIES, beyond which the unit may be wrong. Sources: spheres and
@@ -52,6 +53,8 @@ def check_read_arguments(files: Sequence[object], **texts: object) -> None:
     for name, text in texts.items():
         if not isinstance(text, str):
             faults.append(f"{name}: expected a text, found {shorten(text)}")
+    if texts.get("mask", MASKS[0]) not in MASKS:
+        faults.append(f"mask: expected {' or '.join(MASKS)}, found {shorten(texts['mask'])}")
     refuse_lines(faults)
 
 

@@ -24,7 +24,7 @@ PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 #: Stands for the digest of the files of a sphere without scans.
 SMOOTH = "smooth"
 
-_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size")
+_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
 _MEASURED = (*_READING, "scan.levelling", "scans")
 _GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
 _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")

@@ -100,6 +100,7 @@ def predict(arguments: Namespace) -> str:
         unit=arguments.unit,
         map_size=quantities["size"].number if "size" in quantities else NONE,
         levelling=arguments.levelling,
+        mask=arguments.mask,
     )
     _, user_spectrum = refuse_all([partial(refuse_lines, faults), reader])
     numbers = {

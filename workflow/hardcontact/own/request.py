@@ -14,6 +14,7 @@ from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.surfaces.height_map import LEVELLING
+from hardcontact.surfaces.scans import MASKS
 
 #: The top folder, whose paths studies are named relative to.
 ROOT = LIBRARY.parents[1]
@@ -113,6 +114,10 @@ def add_shared_options(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--size", help="longer side of the scan, for the files that do not state it"
     )
+    parser.add_argument(
+        "--mask", choices=MASKS, default="keep",
+        help="what pixels under a mask in a file are: heights, or gaps",
+    )  # fmt: skip
     parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
         help="what is subtracted from height maps: a plane, offsets of lines, or a quadratic "

@@ -5,6 +5,7 @@ The template own_caution.txt has the sentence for each code.
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from pathlib import PurePath
 from statistics import NormalDist
 
 import numpy as np
@@ -23,6 +24,7 @@ from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
+from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 
@@ -60,6 +62,8 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     found = [
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
+        *_reading(data.spectra),
+        *_same_places(data.spectra),
         _few_places(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
@@ -67,6 +71,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _small_scans(data),
         _few_pixels(data.force),
         _few_tests(numbers),
+        _repeated_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
@@ -109,6 +114,31 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
     return defects
 
 
+def _reading(spectra: xr.Dataset) -> list[Caution]:
+    """Return the cautions of the reader of each measurement, as sentences."""
+    return [
+        Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
+        for measurement in split_measurements(measurements(spectra))
+        for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
+    ]
+
+
+def _same_places(spectra: xr.Dataset) -> list[Caution]:
+    """Return a caution for each scan of a place that an earlier scan shows."""
+    return [
+        Caution(
+            "same_place",
+            grave=True,
+            texts={
+                "scan": measurement_name(measurement),
+                "first": PurePath(str(measurement["same_place"].item())).name,
+            },
+        )
+        for measurement in split_measurements(measurements(spectra))
+        if measurement["same_place"].item()
+    ]
+
+
 def _few_places(force: xr.Dataset) -> Caution | None:
     """Return a caution if the contacts on a scan touch too few places for an interval."""
     if force["interval_source"].item() != "few_places":
@@ -142,7 +172,15 @@ def _few_tests(numbers: Mapping[str, Number]) -> Caution | None:
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
     if not above > MAX_LOPSIDEDNESS * below:
         return None
-    return Caution("few_tests", numbers={"tests": numbers["measured_force_tests"]})
+    return Caution("few_tests", numbers={"tests": numbers["measured_force_places"]})
+
+
+def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return a caution if tests look as if several were made at one place."""
+    repeated = numbers.get("measured_force_looks_repeated")
+    if repeated is None or not repeated.value:
+        return None
+    return Caution("repeated_tests", True, {"tests": numbers["measured_force_tests"]})
 
 
 def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:

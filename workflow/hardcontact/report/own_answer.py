@@ -19,6 +19,7 @@ from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.own_comparison import comparison_numbers
 from hardcontact.report.own_edges import (
     EDGES,
     Measurement,
@@ -83,19 +84,25 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
 
 def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
     """Return the answer of each surface that has a band."""
+    labels = datasets.labels()
+    reference = datasets.select_surface(next(iter(labels)))
     return [
-        _surface_answer(name, label, datasets.select_surface(name), setting)
-        for name, label in datasets.labels().items()
+        _surface_answer(name, label, datasets.select_surface(name), reference, setting)
+        for name, label in labels.items()
     ]
 
 
-def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> SurfaceAnswer:
-    """Return the answer of one surface from its datasets."""
+def _surface_answer(
+    name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
+) -> SurfaceAnswer:
+    """Return the answer of one surface from its datasets, compared to those of the first."""
     numbers = [
         *strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))),
         *edge_numbers(data),
         *force_numbers(data),
     ]
+    if data.force["surface"].item() != reference.force["surface"].item():
+        numbers += comparison_numbers(data, reference)
     # A user who gave both range and work of adhesion, or own forces, has a pair.
     if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
         numbers += pair_numbers(data.force, setting.pairs)

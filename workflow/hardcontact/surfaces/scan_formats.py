@@ -15,14 +15,15 @@ from typing import Any
 
 import numpy as np
 import yaml
-from SurfaceTopography import open_topography
+from SurfaceTopography import Topography, open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
-from SurfaceTopography.IO import AscReader, MagicMatch, XYZReader, readers
+from SurfaceTopography.IO import AscReader, GWYReader, MagicMatch, XYZReader, readers
 from SurfaceTopography.Support.UnitConversion import is_length_unit
 
 from hardcontact.surfaces.plain_text import POINT_COLUMNS, ROW, readable_text
 from hardcontact.surfaces.scan_heights import (
     MAX_ASPECT_DEVIATION,
+    TAKE_CARE,
     check_points,
     map_values,
     profile_values,
@@ -76,7 +77,7 @@ def list_datasets(content: bytes) -> dict[str, Any]:
 
 
 def read_fields(
-    content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str
+    content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
     entries = _container_entries(content)
@@ -112,6 +113,9 @@ def read_fields(
     if metadata_in_words:
         origin = "stated by the container" if entry else "given by the user"
         notes.append(f"{', '.join(metadata_in_words)} ({origin})".replace("_", " "))
+    if mask == "keep" and isinstance(reader, GWYReader):
+        topography, mask_notes = _keep_marked_pixels(topography)
+        notes += mask_notes
     is_map = topography.dim == 2
     if is_map and isinstance(reader, AscReader):
         # A text has no count of lines: it may have been cut short.
@@ -136,6 +140,24 @@ def read_fields(
         **values,
         "notes": [*notes, *values["notes"], *tip_notes],
     }
+
+
+def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
+    """Return a map with the heights under its mask, and a caution on them.
+
+    Under a mask of gaps, heights are undefined or, as programs fill them, all equal.
+    """
+    unscaled_heights = topography.parent_topography.heights()
+    is_marked = np.ma.getmaskarray(unscaled_heights)
+    heights = np.ma.getdata(unscaled_heights) * topography.height_scale_factor
+    if len(np.unique(heights[is_marked])) < 2:
+        return topography, []
+    caution = (
+        f"{TAKE_CARE}its mask marks {is_marked.sum()} of {is_marked.size} pixels, whose heights "
+        "count: --mask exclude (scan.mask: exclude) takes them for gaps"
+    )
+    sizes, unit = topography.physical_sizes, topography.unit
+    return Topography(heights, sizes, unit=unit, info=topography.info), [caution]
 
 
 def _describe_unread(content: bytes, reader_messages: str) -> str:

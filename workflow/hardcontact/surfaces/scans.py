@@ -36,6 +36,8 @@ SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT = 600
+#: What pixels under a mask in a file are: heights, or undefined.
+MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE = 2000
 
@@ -50,16 +52,18 @@ def read_scan(
     undefined_pixels: str = "refuse",
     unit: str = "none",
     map_size: float | str = "none",
+    mask: str = "keep",
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
     `dataset` names a member of a container, or a channel. `unit` (two: of positions, heights) and
-    `map_size`, the longer side in nm, serve files that state none. Raises ValueError, in one line,
+    `map_size`, the longer side in nm, serve files that state none. Pixels under a mask that the
+    user drew stay, or ``"exclude"`` takes them for undefined. Raises ValueError, in one line,
     if the scan cannot be used, or has undefined pixels and their interpolation is ``"refuse"``.
     """
     from hardcontact.surfaces.scan_formats import read_fields
 
-    fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size)
+    fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size, mask)
     fields["notes"] = tuple(fields["notes"])
     return HeightMap(path=str(path), **fields)
 
