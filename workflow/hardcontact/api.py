@@ -72,7 +72,8 @@ def read_scan(
         The member of a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels, levelling : str
         ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
-        the scan lines first, or ``"quadratic"``, which also subtracts the bow of a scanner.
+        the scan lines and fills streaks first, or ``"quadratic"``, which also subtracts the bow of
+        a scanner.
     unit, map_size : str, float or str
         For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer side in
         nm.

@@ -83,8 +83,8 @@ class ScanKeys(Keys):
     map_size: Annotated[Length, or_word("none")] = key("none")
     """Longer side of scans whose files state no size; `none`: refuse them."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """What is subtracted from measured scans: a `plane`, offsets of `lines` and a plane, or a
-    `quadratic` polynomial."""
+    """What is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
+    `plane`, or a `quadratic` polynomial."""
 
 
 class ContactKeys(Keys):

@@ -179,7 +179,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
         band=reliable_band(flat, radius, density),
         density=density,
         undefined=scan.undefined,
-        notes=scan.notes,
+        notes=flat.notes,
         defects=flat.defects,
     )
 

@@ -119,8 +119,8 @@ def add_shared_options(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
-        help="what is subtracted from height maps: a plane, offsets of lines, or a quadratic "
-        "polynomial",
+        help="what is removed from height maps: a plane, errors of lines (streaks, offsets), or a "
+        "quadratic polynomial",
     )  # fmt: skip
 
 
