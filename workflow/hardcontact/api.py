@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
+    arguments_in_messages,
     check_contact,
     check_cutoffs,
     check_heights,
@@ -94,7 +95,8 @@ def read_scan(
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
-    scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size))
+    with arguments_in_messages():
+        scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size))
     return _prepare(scan, sphere_radius, levelling)
 
 
@@ -133,10 +135,11 @@ def from_topography(
             f"{type(topography).__name__}"
         )
     check_optional_lengths(sphere_radius=sphere_radius)
-    try:
-        values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
-    except RefusedFile as error:
-        raise ValueError(f"topography: {error}") from None
+    with arguments_in_messages():
+        try:
+            values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+        except RefusedFile as error:
+            raise ValueError(f"topography: {error}") from None
     scan = HeightMap(values["heights"], values["pixel_size"])
     return _prepare(scan, sphere_radius, levelling)
 
@@ -192,16 +195,17 @@ def read_spectrum(
         tip_radius=tip_radius,
         sphere_radius=sphere_radius,
     )
-    spectrum = own_spectrum(
-        files,
-        dataset=dataset,
-        tip_radius=tip_radius,
-        undefined_pixels=undefined_pixels,
-        unit=unit,
-        map_size=map_size,
-        levelling=levelling,
-        sphere_radius=sphere_radius,
-    ).spectrum
+    with arguments_in_messages():
+        spectrum = own_spectrum(
+            files,
+            dataset=dataset,
+            tip_radius=tip_radius,
+            undefined_pixels=undefined_pixels,
+            unit=unit,
+            map_size=map_size,
+            levelling=levelling,
+            sphere_radius=sphere_radius,
+        ).spectrum
     return (
         spectrum.extrapolated() if extrapolated and isinstance(spectrum, ScanSpectrum) else spectrum
     )
