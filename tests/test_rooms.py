@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 636,
+    "base": 648,
     "surfaces": 3177,
     "contact": 1374,
-    "inference": 1467,
+    "inference": 1470,
     "theory": 647,
-    "paper": 1451,
-    "config": 1896,
-    "own": 1756,
+    "paper": 1457,
+    "config": 1931,
+    "own": 1789,
     "report": 2867,
     "api": 208,
 }
