@@ -9,7 +9,7 @@ from scan_files import container, scan
 
 from hardcontact.own import inventory as module
 from hardcontact.own.inventory import inventory, table_rows
-from hardcontact.own.request import Source
+from hardcontact.own.request import Source, list_sources, parse_arguments
 
 
 def source(path, **others):
@@ -56,6 +56,21 @@ def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
     unusable_container = container(tmp_path / "bad.zip", members[1:], files)
     entries, unreadable, problems = inventory([source(unusable_container)], None)
     assert not entries and not unreadable and len(problems) == 1
+
+
+def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp_path):
+    scan(tmp_path / "b.nc", wave(), (640.0, 640.0))
+    (tmp_path / "a.txt").write_text("notes")
+    (tmp_path / ".hidden").write_text("no scan")
+    arguments = parse_arguments(["new", "name", str(tmp_path)])
+    sources, faults = list_sources(arguments, 1e5)
+    ((entry,), (line,), problems) = inventory(sources, None)
+    assert entry.name == "b.nc" and not faults and not problems
+    assert_says(line, "a.txt: expected")
+    (tmp_path / "b.nc").unlink()
+    sources, _ = list_sources(arguments, 1e5)
+    _, _, problems = inventory(sources, None)
+    assert_says(problems[0], "a.txt: expected")
 
 
 def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):

@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
+    arguments_in_messages,
     check_contact,
     check_cutoffs,
     check_heights,
@@ -73,7 +74,8 @@ def read_scan(
         The member of a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels, levelling : str
         ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
-        the scan lines first, or ``"quadratic"``, which also subtracts the bow of a scanner.
+        the scan lines and fills streaks first, or ``"quadratic"``, which also subtracts the bow of
+        a scanner.
     mask : str
         Of pixels under a mask in a file of Gwyddion: ``"keep"`` the heights, or ``"exclude"`` them.
     unit, map_size : str, float or str
@@ -98,7 +100,8 @@ def read_scan(
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
-    scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
+    with arguments_in_messages():
+        scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
     return _prepare(scan, sphere_radius, levelling)
 
 
@@ -137,10 +140,11 @@ def from_topography(
             f"{type(topography).__name__}"
         )
     check_optional_lengths(sphere_radius=sphere_radius)
-    try:
-        values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
-    except RefusedFile as error:
-        raise ValueError(f"topography: {error}") from None
+    with arguments_in_messages():
+        try:
+            values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+        except RefusedFile as error:
+            raise ValueError(f"topography: {error}") from None
     scan = HeightMap(values["heights"], values["pixel_size"])
     return _prepare(scan, sphere_radius, levelling)
 
@@ -199,17 +203,18 @@ def read_spectrum(
         tip_radius=tip_radius,
         sphere_radius=sphere_radius,
     )
-    spectrum = own_spectrum(
-        files,
-        dataset=dataset,
-        tip_radius=tip_radius,
-        undefined_pixels=undefined_pixels,
-        unit=unit,
-        map_size=map_size,
-        mask=mask,
-        levelling=levelling,
-        sphere_radius=sphere_radius,
-    ).spectrum
+    with arguments_in_messages():
+        spectrum = own_spectrum(
+            files,
+            dataset=dataset,
+            tip_radius=tip_radius,
+            undefined_pixels=undefined_pixels,
+            unit=unit,
+            map_size=map_size,
+            mask=mask,
+            levelling=levelling,
+            sphere_radius=sphere_radius,
+        ).spectrum
     return (
         spectrum.extrapolated() if extrapolated and isinstance(spectrum, ScanSpectrum) else spectrum
     )

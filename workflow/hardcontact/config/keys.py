@@ -86,8 +86,8 @@ class ScanKeys(Keys):
     """Pixels under a mask in a file of Gwyddion: `keep` their heights, or `exclude` them as
     undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """What is subtracted from measured scans: a `plane`, offsets of `lines` and a plane, or a
-    `quadratic` polynomial."""
+    """What is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
+    `plane`, or a `quadratic` polynomial."""
 
 
 class ContactKeys(Keys):

@@ -124,7 +124,9 @@ def inventory(
             faults += str(error).splitlines()
         entries += file_entries
         # A member that cannot be used stops nothing: the user cannot take it out.
-        (unreadable if file_entries else problems).extend(faults)
+        (unreadable if file_entries or source.is_in_folder else problems).extend(faults)
+    if not entries and not problems:
+        problems += unreadable
     # The same scan twice makes intervals too narrow. Formats round differently: twins have equal
     # pixels, and sizes and roughness that agree within 1e-4.
     for entry, twin in combinations(entries, 2):
@@ -203,7 +205,7 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
         band=reliable_band(flat, radius, density),
         density=density,
         undefined=scan.undefined,
-        notes=scan.notes,
+        notes=flat.notes,
         defects=flat.defects,
         coarse=coarse_map(flat),
     )

@@ -53,7 +53,7 @@ COLUMN_UNITS = {
 #: Bytes of the first line of a file that tell a table from heights: more than any header has.
 MAX_LINE = 1000
 #: The first heading of a table of positions and heights.
-POSITION_HEADING = re.compile(r"\W*(x|position|distance)\b", re.IGNORECASE)
+POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECASE)
 #: The fewest wavelengths with roughness that a table must have. In a trial with roll-offs, the rms
 #: height between so many points over four decades was wrong by up to 41 %, with one less by 57 %.
 MIN_WAVELENGTHS = 5

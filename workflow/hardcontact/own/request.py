@@ -58,6 +58,9 @@ class Source(NamedTuple):
     file: str
     path: str
     sphere_radius: float | None = None  #: in nm, of scans of the sphere
+    is_in_folder: bool = (
+        False  #: whether the user named only its folder, which may hold other files
+    )
 
 
 def parse_arguments(arguments: Sequence[str]) -> Namespace:
@@ -76,7 +79,10 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"
     )
     parser.add_argument(
-        "files", metavar="FILE", nargs="*", help="scans, line scans or containers of one surface"
+        "files",
+        metavar="FILE",
+        nargs="*",
+        help="scans, line scans or containers of one surface, or folders of them",
     )
     parser.add_argument(
         "--surface", nargs="+", action="append", default=[], metavar=("LABEL", "FILE"),
@@ -120,8 +126,8 @@ def add_shared_options(parser: ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
-        help="what is subtracted from height maps: a plane, offsets of lines, or a quadratic "
-        "polynomial",
+        help="what is removed from height maps: a plane, errors of lines (streaks, offsets), or a "
+        "quadratic polynomial",
     )  # fmt: skip
 
 
@@ -235,9 +241,16 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
             )
         labels.setdefault(surface, label)
         sphere_radius = radius if files is arguments.sphere else None
-        sources += [
-            Source(surface, label, file, path_from_root(file), sphere_radius) for file in files
-        ]
+        for file in files:
+            members = _files_in(file)
+            if not members:
+                faults.append(f"{file}: expected a folder with files of scans, found none")
+            sources += [
+                Source(
+                    surface, label, member, path_from_root(member), sphere_radius, member != file
+                )
+                for member in members
+            ]
     paths = [source.path for source in sources]
     faults += [
         f"{path}: expected each file once, found it {paths.count(path)} times"
@@ -245,6 +258,17 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
         if paths.count(path) > 1
     ]
     return sources, faults
+
+
+def _files_in(file: str) -> list[str]:
+    """Return the files in a folder, without hidden ones; any other path alone."""
+    if not Path(file).is_dir():
+        return [file]
+    return sorted(
+        str(path)
+        for path in Path(file).iterdir()
+        if path.is_file() and not path.name.startswith(".")
+    )
 
 
 def surface_id(label: str) -> str:

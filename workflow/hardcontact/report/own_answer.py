@@ -39,6 +39,8 @@ from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import rendered_lines, rendered_text
 from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE
 
+#: The name of the range of adhesion among the inputs of contacts.
+RANGE = "range of adhesion"
 #: Metrics of a scan, with their units.
 METRIC_UNITS = {
     "rms_height": "nm",
@@ -66,20 +68,34 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers."""
     surfaces = surface_answers(datasets, setting)
     study_numbers = _study_numbers(datasets, setting)
+    chosen = _chosen_inputs(datasets.force, setting)
     return {
         "study": setting.study,
         "version": setting.version,
         "effort": setting.effort,
         "kind": "own surfaces",
-        "headline": rendered_lines("own_headline.txt", surfaces=surfaces),
+        "headline": rendered_lines(
+            "own_headline.txt",
+            surfaces=surfaces,
+            chosen=chosen,
+            contact=setting.contact,
+        ),
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
         "assumed": list(setting.of_paper),
+        "chosen": chosen,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
         "notes": _notes(surfaces, study_numbers),
         "quantities": all_quantities(
             study_numbers, {surface.name: surface.numbers.values() for surface in surfaces}
         ),
     }
+
+
+def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
+    """Return the inputs that the scans forced: a range of adhesion of which none is shorter."""
+    ranges = force["rho"].values
+    is_shortest = len(ranges) > 1 and np.isclose(force.attrs["range_of_adhesion"], ranges.min())
+    return [RANGE] if is_shortest and RANGE not in setting.of_paper else []
 
 
 def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
@@ -104,7 +120,7 @@ def _surface_answer(
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
     # A user who gave both range and work of adhesion, or own forces, has a pair.
-    if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
+    if data.fit is None and {RANGE, "work of adhesion"} & set(setting.of_paper):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)

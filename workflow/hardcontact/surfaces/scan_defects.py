@@ -1,7 +1,7 @@
 """Defects of a scan that make forces wrong although its file is readable.
 
-The defects are spikes, lines that were not measured, a clipped range, a curvature that remains
-after levelling, a lay and edges.
+The defects are streaks, spikes, lines that were not measured, a clipped range, a curvature that
+remains after levelling, offsets of lines, a lay and edges.
 """
 
 from collections.abc import Mapping
@@ -17,15 +17,24 @@ from numpy.typing import NDArray
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.height_map import HeightMap, flatten
 from hardcontact.surfaces.spectrum import Floats
+from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
 #: The defects by their code: the units of their numbers. scan_defects.yaml has their sentences.
 DEFECTS = {
+    "streaks": {
+        "streak_lines": "1",
+        "first_streak_line": "1",
+        "last_streak_line": "1",
+        "rms_height_without_streaks": "nm",
+    },
     "spikes": {"spike_share": "1", "rms_height_without_spikes": "nm"},
     "equal_lines": {"equal_line_share": "1"},
     "highest": {"highest_share": "1"},
     "lowest": {"lowest_share": "1"},
     "curvature": {"curvature_radius": "nm", "uncurved_share": "1"},
+    "offset_lines": {"line_offset": "nm"},
     "lay": {"lay_ratio": "1"},
+    "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
     "edges": {"edge_slope_share": "1"},
 }
 #: The numbers of all defects with their units.
@@ -59,6 +68,9 @@ MIN_LAY_RATIO = 3.0
 MIN_LAY_SHARE = 0.1
 MIN_WAVELENGTH_PIXELS = 4
 MIN_WAVES = 4
+#: Smallest correlation of steps from line to line with the next: they have 0 if heights walk at
+#: random, and -0.5 if each line is offset at random, which is noise of the instrument.
+MIN_STEP_CORRELATION = -0.25
 #: Share of pixels that are edges, and their least share of the squared slopes. In rough surfaces
 #: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
 EDGE_PIXELS = 0.05
@@ -75,7 +87,7 @@ def scan_defects(
     Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
     nm is the spacing of a line scan.
     """
-    numbers = {"spikes": _spike_numbers(levelled_heights)}
+    numbers: dict[str, list[float]] = {}
     measured_heights = raw_heights
     if raw_heights.ndim == 2:
         rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
@@ -84,8 +96,13 @@ def scan_defects(
         if share > MAX_EQUAL_LINE_SHARE:
             numbers["equal_lines"] = [share]
             measured_heights = raw_heights[~rows][:, ~columns]
-        else:  # Unmeasured lines would look like a lay.
-            numbers["lay"] = _lay_numbers(levelled_heights)
+        else:  # Unmeasured lines would look like a lay or like streaks.
+            levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
+            numbers["offset_lines"] = _line_offset_numbers(levelled_heights)
+            numbers["lay"], slope_ratio = _lay_numbers(levelled_heights)
+            if slope_ratio > MIN_LAY_RATIO and not (numbers["lay"] or numbers["offset_lines"]):
+                numbers["slopes"] = _slope_numbers(levelled_heights, pixel_size)
+    numbers["spikes"] = _spike_numbers(levelled_heights)
     numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["edges"] = _edge_numbers(levelled_heights)
@@ -102,6 +119,15 @@ def examine(
     """Return a scan from `flatten`, with its defects."""
     flat = flatten(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
+
+
+def _without_streaks(heights: Floats) -> tuple[Floats, list[float]]:
+    """Return heights without streaks, and their lines and the rms height (nm); empty for none."""
+    filled, is_filled = fill_streaks(heights)
+    lines = np.flatnonzero(is_filled.any(axis=1)) + 1
+    if not lines.size:
+        return heights, []
+    return filled, [float(lines.size), float(lines[0]), float(lines[-1]), float(filled.std())]
 
 
 def _spike_numbers(heights: Floats) -> list[float]:
@@ -178,8 +204,33 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> list[float]:
     return [float(1 / np.abs(curvatures).max()), float(np.sqrt(uncurved_power / total))]
 
 
-def _lay_numbers(heights: Floats) -> list[float]:
-    """Return the ratio of variances of profiles along and across a lay; empty without a lay."""
+def _line_offset_numbers(heights: Floats) -> list[float]:
+    """Return the rms offset (nm) of lines that are offset at random; empty without offsets."""
+    steps = np.diff(heights, axis=0)
+    line_steps = steps.mean(axis=1)
+    is_most = line_steps.var() > steps.var() / 2
+    is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
+    return [float(line_steps.std() / np.sqrt(2))] if is_most and is_random else []
+
+
+def _correlation_of_steps(steps: Floats) -> float:
+    """Return the correlation of steps with the next ones along the first axis."""
+    return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
+
+
+def _slope_numbers(heights: Floats, pixel_size: float) -> list[float]:
+    """Return the rms slopes along x and y; empty if noise of lines makes the steeper one."""
+    steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
+    slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
+    is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
+    return [] if is_noise else slopes
+
+
+def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
+    """Return the ratio of variances of profiles along and across a lay, and that of slopes.
+
+    The first is empty if variances do not tell a lay.
+    """
     pixels = len(heights)
     window = np.hanning(pixels + 1)[:-1]
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
@@ -190,6 +241,8 @@ def _lay_numbers(heights: Floats) -> list[float]:
     # opposite wavevectors have the same square
     squares = (power[is_resolved] * (wavevector[is_resolved] / size[is_resolved]) ** 2).sum()
     direction = np.exp(0.5j * np.angle(squares))
+    squared_slopes = (power * size**2)[is_resolved].sum()
+    slope_difference = abs((power * wavevector**2)[is_resolved].sum())
 
     def profile_variance(axis: complex) -> float:
         component = np.abs((wavevector * np.conj(axis)).real)
@@ -199,7 +252,9 @@ def _lay_numbers(heights: Floats) -> list[float]:
     variance_along = profile_variance(direction)
     variance_across = profile_variance(1j * direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    return [variance_along / max(variance_across, variance_along / LARGEST_RATIO)] if is_lay else []
+    slope_ratio = (squared_slopes + slope_difference) / (squared_slopes - slope_difference)
+    ratio = variance_along / max(variance_across, variance_along / LARGEST_RATIO)
+    return [ratio] if is_lay else [], slope_ratio
 
 
 def _edge_numbers(heights: Floats) -> list[float]:
@@ -218,7 +273,10 @@ def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
     words = {name: _format_number(name, number) for name, number in numbers.items()}
     return _sentences()[code].format(
-        **words, spike=MIN_SPIKE_DISTANCE, edge_pixels=format_share(EDGE_PIXELS)
+        **words,
+        streak=MIN_STREAK_STEPS,
+        spike=MIN_SPIKE_DISTANCE,
+        edge_pixels=format_share(EDGE_PIXELS),
     )
 
 
@@ -233,5 +291,7 @@ def _format_number(name: str, number: float) -> str:
     """Return a number of a defect with its unit, a share in per cent."""
     if DEFECT_UNITS[name] == "nm":
         return format_length(number)
+    if name.endswith(("_lines", "_line")):
+        return f"{number:.0f}"
     number = float(f"{number:.2g}")
     return format_share(number) if name.endswith("_share") else f"{number:g}"

@@ -90,7 +90,10 @@ def read_in_child(
     Raises ValueError, one line with the path, if anything fails with the file or in the child.
     """
     if path.is_dir():
-        raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
+        raise ValueError(
+            f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
+            "new takes all of them"
+        )
     if not path.is_file():
         reason = "no regular file" if path.exists() else "no such file"
         raise ValueError(f"{path}: expected a scan, found {reason}")
@@ -116,8 +119,9 @@ def read_in_child(
             answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
         except EOFError:
             answer = {
-                "refused": "expected a readable file, found one whose reader crashes or takes more "
-                f"than {seconds} s or {memory >> 20} MB, which a file of this size may take"
+                "refused": "expected a readable scan, found a file whose reader stops by itself or "
+                f"takes more than {seconds} s or {memory >> 20} MB, which a file of this size may "
+                "take: save the heights as text or netCDF"
             }
         finally:
             child.kill()
@@ -152,8 +156,8 @@ def _run_child(
         answer = {"refused": str(error)}
     except Exception as error:  # damaged bytes may raise anything in a reader
         answer = {
-            "refused": "expected a readable scan, found one damaged or of an unknown kind "
-            f"({type(error).__name__}: {str(error)[:200]})"
+            "refused": "expected a readable scan, found one that its reader cannot follow "
+            f"({type(error).__name__}: {str(error)[:200]}): save the heights as text or netCDF"
         }
     if "refused" in answer:
         answer = {
