@@ -22,6 +22,7 @@ from hardcontact.report.artificial import (
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
+from hardcontact.surfaces.reliable_band import OTHER_BODY
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
@@ -69,6 +70,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _few_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
+        _sphere_places(numbers),
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
@@ -87,6 +89,7 @@ def _blind_scans(data: Datasets) -> Caution | None:
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
     is_reliable = (scans["reliable"].values == 1).any(axis=1)
+    makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
     is_blind = makes_contacts.any() and not is_reliable[makes_contacts].any()
     return Caution("blind_scans", grave=True) if is_blind else None
 
@@ -217,6 +220,13 @@ def _conditional_intervals(force: xr.Dataset) -> Caution | None:
         "correlation": number_of(force, "correlation_of_parts"),
     }
     return Caution("conditional_intervals", numbers=numbers)
+
+
+def _sphere_places(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return by how much the force depends on the place at which a rough sphere touches."""
+    if "place_factor" not in numbers:
+        return None
+    return Caution("sphere_places", numbers={"factor": numbers["place_factor"]})
 
 
 def _contradiction(spectra: xr.Dataset) -> Caution | None:

@@ -92,7 +92,7 @@ def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]
 def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> SurfaceAnswer:
     """Return the answer of one surface from its datasets."""
     numbers = [
-        *strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))),
+        *_octave_numbers(data),
         *edge_numbers(data),
         *force_numbers(data),
     ]
@@ -114,6 +114,19 @@ def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> 
     basis = str(data.topography["basis"].item())
     verdict = surface_verdict(by_name)
     return SurfaceAnswer(name, label, basis, by_name, verdict, surface_cautions, measurements)
+
+
+def _octave_numbers(data: Datasets) -> Iterator[Number]:
+    """Yield the strongest octaves of one surface, and the sphere's share of the power of each."""
+    for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
+        yield number
+        if number.unit == "nm" and "sphere_share" in data.spectra:
+            shares = data.spectra["sphere_share"].assign_coords(
+                bin_wavevector=np.log(data.spectra["bin_wavevector"])
+            )
+            middle = np.log(2 * np.pi / (np.sqrt(2) * number.value))
+            share = shares.interp(bin_wavevector=middle).item()
+            yield Number(f"{number.name}_sphere_share", share)
 
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
