@@ -87,7 +87,8 @@ def test_files_of_all_kinds_are_reported_and_used(own_study, several):
     assert overlay["scan"]["undefined_pixels"] == "harmonic"
     spectra = xr.load_dataset(several / "spectra.nc")
     film, twin = spectra["kind"].values[:2].tolist()
-    assert film == ["map", "line scan"] and twin[0] == "map"
+    # The scans of the sphere are the last.
+    assert film == ["map", "line scan", "map", "map"] and twin[:3] == ["map"] * 3
     assert "4 undefined pixels" in spectra["notes"].values[1, 0]
     assert spectra["label"].values[0] == "My film"
 

@@ -26,8 +26,10 @@ CHUNK = 15
 MASTERS_CHUNK = 5
 DRAWS_CHUNK = 10
 #: Places on a rough sphere at which own surfaces touch it, the fewest. A trade: an interval from 16
-#: places is 1.1 times as wide as from many, and each place costs a force sum.
+#: places is 1.1 times as wide as from many, and each place costs the force sums of its contacts.
 SPHERE_PLACES = 16
+#: Contacts along a side at each of several places.
+CONTACTS_A_PLACE = 6
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
 #: The shortest range of adhesion (nm) on whole surfaces. They may rise several hundred shorter
@@ -217,11 +219,9 @@ class Files:
 
     @property
     def contacts_a_place(self) -> int:
-        """Contacts along a side of their array at each place on the sphere, even for quarters."""
+        """Contacts along a side of their array at each place on the sphere."""
         count = int(self._configuration["contact"]["count"])
-        if self.places_per_side == 1:
-            return count
-        return 2 * ceil(count / (2 * self.places_per_side))
+        return count if self.places_per_side == 1 else min(count, CONTACTS_A_PLACE)
 
     # Scans
 

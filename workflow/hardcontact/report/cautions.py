@@ -312,7 +312,10 @@ def _long_waves(data: Datasets) -> Caution | None:
     numbers = {
         "rolloff": Number("rolloff", rolloff, "nm", source="extrapolated"),
         "above": number_of(data.spectra, "longest_measured", "nm"),
-        "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
-        "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
     }
+    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is that of both bodies.
+        numbers |= {
+            "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
+            "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
+        }
     return Caution("long_waves", numbers=numbers)

@@ -36,6 +36,7 @@ from hardcontact.report.own_forces import (
 )
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import rendered_lines, rendered_text
+from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE
 
 #: Metrics of a scan, with their units.
@@ -107,7 +108,7 @@ def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> 
     measurements = next_measurements(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number in measurements],
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in measurements],
         *_scan_numbers(data),
     ]
     by_name = {number.name: number for number in numbers}
@@ -121,11 +122,7 @@ def _octave_numbers(data: Datasets) -> Iterator[Number]:
     for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
         yield number
         if number.unit == "nm" and "sphere_share" in data.spectra:
-            shares = data.spectra["sphere_share"].assign_coords(
-                bin_wavevector=np.log(data.spectra["bin_wavevector"])
-            )
-            middle = np.log(2 * np.pi / (np.sqrt(2) * number.value))
-            share = shares.interp(bin_wavevector=middle).item()
+            share = sphere_share(data.spectra, np.sqrt(2) * number.value)
             yield Number(f"{number.name}_sphere_share", share)
 
 

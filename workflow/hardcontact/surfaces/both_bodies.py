@@ -106,6 +106,15 @@ def _dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.Dataset:
     )
 
 
+def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
+    """Return the sphere's share of the power of both bodies at a wavelength (nm), NaN if smooth."""
+    if "sphere_share" not in spectra:
+        return np.nan
+    wavevector = np.log(spectra["bin_wavevector"].values)
+    shares = spectra["sphere_share"].values
+    return float(np.interp(np.log(2 * np.pi / wavelength), wavevector, shares))
+
+
 def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     """Return the sum of two sampled spectra; its height factor is the rms of both factors."""
     bodies = (substrate, sphere)
