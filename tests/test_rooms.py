@@ -19,7 +19,7 @@ BUDGET = {
     "base": 636,
     "surfaces": 3079,
     "contact": 1383,
-    "inference": 1483,
+    "inference": 1485,
     "theory": 647,
     "paper": 1451,
     "config": 1947,

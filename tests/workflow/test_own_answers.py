@@ -110,7 +110,10 @@ def test_the_interval_from_own_forces_contains_the_true_work(several):
     assert fit.test_count.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
     works = fit.work_by_range_interval
     low, high = works.sel(surface="twin").sel(rho_fine=RANGE, method="nearest").values
-    assert low < WORK < high < 5 * low
+    force = xr.load_dataset(several / "force.nc").sel(surface="twin", contact_model="plastic")
+    weak, strong = force.force_interval.sel(rho=RANGE, method="nearest").values
+    # The mean of the tests adds little to what scans and places on the sphere leave open.
+    assert low < WORK < high < 1.3 * low * strong / weak
     # The scan of the film is too small for an interval, so that no pair is known.
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()
 

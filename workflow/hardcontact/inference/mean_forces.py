@@ -83,18 +83,21 @@ def _variances_of_places(forces: xr.DataArray) -> list[Variance]:
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    A rough sphere touches at one place, which is not known.
+    A rough sphere touches at one place, which is not known: half widths of parts and of places add
+    in squares.
     """
-    sources = [
-        [jackknife_variance(log_means, scan_parts)]
-        for log_means, scan_parts in zip(
-            surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
-        )
-    ]
-    for range_sources, variance in zip(sources, surface_forces.place_variances, strict=False):
-        range_sources.append(variance)
-    half = [half_width(range_sources, confidence) for range_sources in sources]
-    return logarithmic_interval(surface_forces.mean, np.array(half))
+    left_out_parts = zip(
+        surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
+    )
+    half = np.array(
+        [
+            half_width([jackknife_variance(log_means, scan_parts)], confidence)
+            for log_means, scan_parts in left_out_parts
+        ]
+    )
+    for index, variance in enumerate(surface_forces.place_variances):
+        half[index] = np.hypot(half[index], half_width([variance], confidence))
+    return logarithmic_interval(surface_forces.mean, half)
 
 
 class Masters(NamedTuple):
