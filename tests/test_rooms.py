@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 636,
+    "base": 648,
     "surfaces": 3079,
     "contact": 1383,
-    "inference": 1485,
+    "inference": 1488,
     "theory": 647,
-    "paper": 1451,
-    "config": 1947,
-    "own": 1842,
+    "paper": 1457,
+    "config": 1977,
+    "own": 1875,
     "report": 2900,
     "api": 204,
 }
