@@ -27,7 +27,7 @@ VALUES = {
     "shape": ["flat", "sphere-R250um"],
     "realization": ["1"],
     "side": ["small", "large"],
-    "probe": ["smooth", "rough"],
+    "probe": ["smooth", "rough", "combined"],
     "radius": ["R250um", "R0.5um"],
     "load": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],
     "range": ["rho5.6nm"],

@@ -27,9 +27,9 @@ rule compute_whole:
 rule amplify_octaves:
     """Compute the forces on a measured scan with each octave amplified, or the last replaced."""
     input:
-        stitched=PATTERNS.stitched_substrate,
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        sphere=FILES.first_sphere if SELECTION.scans(SPHERE) else [],
+        stitched=lambda w: FILES.roughness(w.surface, int(w.scan)),
+        spectrum=lambda w: FILES.roughness_spectrum(w.surface),
+        sphere=FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else [],
         code=code_inputs("amplify_octaves.py"),
     output:
         PATTERNS.octaves,
@@ -37,7 +37,7 @@ rule amplify_octaves:
         canonical=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
-            measurement=SELECTION.all_scans(w.surface).index(int(w.scan)),
+            measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
             seed=STUDY["seed"],
             contact=CONTACT,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},

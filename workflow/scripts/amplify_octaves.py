@@ -20,8 +20,12 @@ with job(snakemake) as job:
     limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
     octaves = octaves_of_surface(stitched, limits, forces)
     spectrum = read(job.input.spectrum)
-    measurement = spectrum.isel(measurement=params["measurement"])
-    band = [measurement[f"{end}_reliable"].item() for end in ("shortest", "longest")]
+    measurements = spectrum.isel(measurement=params["measurements"])
+    measurements = measurements.where(measurements["reliable"].any("bin_wavevector"))
+    band = (
+        measurements["shortest_reliable"].min().item(),
+        measurements["longest_reliable"].max().item(),
+    )
     hindcast = hindcast_forces(
         stitched,
         {

@@ -11,7 +11,13 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import CONTACT_QUANTITIES, Study, quantity_type
+from hardcontact.config.model import (
+    CONTACT_QUANTITIES,
+    NONE,
+    SMOOTH_SPHERE,
+    Study,
+    quantity_type,
+)
 from hardcontact.contact.contact import Contact
 
 
@@ -55,6 +61,12 @@ def refuse_unreadable(path: str | Path) -> None:
 def get_key(tree: Mapping[str, Any], key: str) -> Any:
     """Return the value of a key, with dots between its parts, in a tree of keys."""
     return reduce(getitem, key.split("."), tree)
+
+
+def combines_bodies(configuration: Mapping[str, Any]) -> bool:
+    """Return whether a study, of own surfaces, adds the roughness of a sphere to theirs."""
+    sphere = configuration["sphere"]["surface"]
+    return bool(configuration["published"] == NONE and sphere != SMOOTH_SPHERE)
 
 
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:

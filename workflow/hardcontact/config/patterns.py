@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from hardcontact.base.origin import canonical
-from hardcontact.config.configuration import get_key
+from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.surfaces.features import KINDS
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
@@ -51,8 +51,13 @@ STORE_KEYS = {
     "octaves": _CONTACTS,
     "pool": (*_DRAWS, "sets.rms_heights"),
     "draws": _DRAWS,
+    "both_bodies": SCAN_KEYS,
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
 }
+
+#: Further keys on which intermediates depend that have the roughness of both bodies.
+BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
+BOTH_BODIES = frozenset({"both_bodies", "octaves", "masters", "pull_off"})
 
 _SURFACE = "{surface}/{sources}"
 _SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
@@ -72,8 +77,12 @@ def key_values(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[
 
 def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
     """Return the digest of the keys of each kind of intermediate."""
+    further = BOTH_BODIES_KEYS if combines_bodies(configuration) else ()
     return {
-        kind: short_digest(key_values(configuration, keys)) for kind, keys in STORE_KEYS.items()
+        kind: short_digest(
+            key_values(configuration, (*keys, *further) if kind in BOTH_BODIES else keys)
+        )
+        for kind, keys in STORE_KEYS.items()
     }
 
 
@@ -122,6 +131,11 @@ class Patterns:
         # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
         grid = f"{{radii}}/{{loads}}/{{ranges}}/{_SURFACE}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
+        # The roughness of both bodies.
+        both = f"{folder['both_bodies']}/{rough_sphere}"
+        self.both_stitched = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
+        self.both_spectrum = f"{both}/{_SURFACE}/spectrum.nc"
+        self.both_sampled_spectrum = f"{both}/{_REALIZATION}.nc"
         self.filtered = f"{store}/filtered/{{purpose}}/{{settings}}/{grid}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
@@ -180,7 +194,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",
-        "probe": "smooth|rough",
+        "probe": "smooth|rough|combined",
         "radius": radius,
         "load": load,
         "range": rho,

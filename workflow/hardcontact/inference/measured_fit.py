@@ -171,7 +171,10 @@ def _computed_forces(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
-    """Sample mean forces (sample, rho) of a surface: the same random numbers at every range."""
+    """Sample mean forces (sample, rho) of a surface: the same random numbers at every range.
+
+    The place at which a rough sphere touches is the same on all surfaces.
+    """
     deviations = [
         sampled_deviations(
             sampling.generator("scans", surface), delete_one_log_means, scan_parts, sampling.samples
@@ -180,6 +183,11 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
             surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
         )
     ]
+    for index, variance in enumerate(surface_forces.place_variances):
+        place = sampling.generator("place on the sphere").standard_t(
+            variance.freedom, sampling.samples
+        )
+        deviations[index] = deviations[index] + place * np.sqrt(variance.value)
     return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
 
 

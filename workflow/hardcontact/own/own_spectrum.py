@@ -68,6 +68,8 @@ class OwnSpectrum(NamedTuple):
     spectrum: Spectrum  #: Of scans a `ScanSpectrum`.
     notes: tuple[str, ...]
     scans: tuple[HeightMap, ...] = ()  #: Levelled; none of a table.
+    #: The levelled maps of a substrate and of a rough sphere, whose sum is the only scan.
+    bodies: tuple[HeightMap, ...] = ()
 
 
 def own_spectrum(

@@ -23,6 +23,7 @@ from hardcontact.report.artificial import (
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
+from hardcontact.surfaces.reliable_band import OTHER_BODY
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.synthesis import SIDES
@@ -74,6 +75,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _repeated_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
+        _sphere_places(numbers),
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
@@ -92,6 +94,7 @@ def _blind_scans(data: Datasets) -> Caution | None:
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
     is_reliable = (scans["reliable"].values == 1).any(axis=1)
+    makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
     is_blind = makes_contacts.any() and not is_reliable[makes_contacts].any()
     return Caution("blind_scans", grave=True) if is_blind else None
 
@@ -257,6 +260,13 @@ def _conditional_intervals(force: xr.Dataset) -> Caution | None:
     return Caution("conditional_intervals", numbers=numbers)
 
 
+def _sphere_places(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return by how much the force depends on the place at which a rough sphere touches."""
+    if "place_factor" not in numbers:
+        return None
+    return Caution("sphere_places", numbers={"factor": numbers["place_factor"]})
+
+
 def _contradiction(spectra: xr.Dataset) -> Caution | None:
     """Return a caution about the two measurements that contradict each other most, if any do."""
     scans = measurements(spectra)
@@ -340,7 +350,10 @@ def _long_waves(data: Datasets) -> Caution | None:
     numbers = {
         "rolloff": Number("rolloff", rolloff, "nm", source="extrapolated"),
         "above": number_of(data.spectra, "longest_measured", "nm"),
-        "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
-        "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
     }
+    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is that of both bodies.
+        numbers |= {
+            "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
+            "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
+        }
     return Caution("long_waves", numbers=numbers)

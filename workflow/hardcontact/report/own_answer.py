@@ -37,6 +37,7 @@ from hardcontact.report.own_forces import (
 )
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import rendered_lines, rendered_text
+from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE
 
 #: The name of the range of adhesion among the inputs of contacts.
@@ -113,7 +114,7 @@ def _surface_answer(
 ) -> SurfaceAnswer:
     """Return the answer of one surface from its datasets, compared to those of the first."""
     numbers = [
-        *strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))),
+        *_octave_numbers(data),
         *edge_numbers(data),
         *force_numbers(data),
     ]
@@ -130,13 +131,22 @@ def _surface_answer(
     measurements = next_measurements(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number in measurements],
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in measurements],
         *_scan_numbers(data),
     ]
     by_name = {number.name: number for number in numbers}
     basis = str(data.topography["basis"].item())
     verdict = surface_verdict(by_name)
     return SurfaceAnswer(name, label, basis, by_name, verdict, surface_cautions, measurements)
+
+
+def _octave_numbers(data: Datasets) -> Iterator[Number]:
+    """Yield the strongest octaves of one surface, and the sphere's share of the power of each."""
+    for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
+        yield number
+        if number.unit == "nm" and "sphere_share" in data.spectra:
+            share = sphere_share(data.spectra, np.sqrt(2) * number.value)
+            yield Number(f"{number.name}_sphere_share", share)
 
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:

@@ -47,6 +47,7 @@ def force_numbers(data: Datasets) -> list[Number]:
         number_of(force, "weibull_modulus", "1", name="force_scatter_weibull_modulus"),
         number_of(force, "contacts_needed", "1", name="force_scatter_contacts_needed"),
         number_of(force, "search_size", "nm", name="force_scatter_search_size"),
+        *([number_of(forces, "place_factor")] if "place_factor" in forces else []),
         Number("range_sensitivity", _sensitivity(force)),
     ]
 
