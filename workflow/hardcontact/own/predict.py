@@ -24,7 +24,7 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
-from hardcontact.own.scan_force import add_force_on_scan
+from hardcontact.own.scan_force import WIDE_PIXEL, add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
@@ -37,7 +37,8 @@ from the power spectral density of a surface, within seconds:
   hardcontact predict my-scan.di --radius 250um --range 5.6nm --work 46mJ/m2
   hardcontact predict my-psd.csv
 
-The force on a map is the sum over its pixels, without roughness beyond the map.
+The force on a map is the sum over its pixels, without roughness beyond the map. Its interval
+includes pixels four times finer, as pixels four times wider change the force.
 A table has a header and these columns, with the unit of each in a column of its own:
   wavevector (q = 2 pi/wavelength, e.g. rad/nm) or wavelength (e.g. nm)
   c_iso (h_rms² = 1/(2 pi) ∫ q C_iso dq, e.g. nm4) or c_1d (h_rms² = (1/pi) ∫ C_1D dq, e.g. nm3)
@@ -199,5 +200,6 @@ def _report(
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
         confidence=Study().inference.confidence,
+        finer=WIDE_PIXEL,
     )
     return report.rstrip()

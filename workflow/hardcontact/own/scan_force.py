@@ -13,6 +13,7 @@ from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
+from hardcontact.inference.octaves import forces_with
 from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -27,6 +28,8 @@ CONTACTS = 20
 #: their images in the window: both keep the time below a few seconds.
 MAX_PIXELS = 2048
 MAX_CONTACT_PIXELS = 2**23
+#: Pixels along a side of the blocks that take their mean height, as if pixels were so much wider.
+WIDE_PIXEL = 4
 #: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
 #: the range of adhesion is too short for its pixels or its relief.
 NO_MAP, SEVERAL_SCANS, TOO_LARGE, SHORT_RANGE = (
@@ -109,6 +112,27 @@ def stitched_map(scan: HeightMap) -> HeightMap:
     return mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
 
 
+def widen_pixels(scan: HeightMap) -> HeightMap:
+    """Return a map on the same pixels whose blocks of WIDE_PIXEL pixels have their mean height.
+
+    Blocks at the last rows and columns may be smaller.
+    """
+    starts = np.arange(0, scan.pixels, WIDE_PIXEL)
+    counts = np.diff(starts, append=scan.pixels)
+    sums = np.add.reduceat(np.add.reduceat(scan.heights.astype(float), starts, 0), starts, 1)
+    means = sums / np.outer(counts, counts)
+    return replace(scan, heights=means.repeat(counts, 0).repeat(counts, 1))
+
+
+def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
+    """Return a force whose interval includes that on pixels WIDE_PIXEL times finer.
+
+    Finer pixels are taken to divide the force by at most the factor by which wider pixels multiply
+    it (tests/benchmarks/validate_random_surfaces.py).
+    """
+    return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
+
+
 def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iterator[Number]:
     """Yield the mean plastic force on a levelled map, its share, and numbers to judge it by.
 
@@ -128,16 +152,22 @@ def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iter
     bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
     mean, low, high = bounded.tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
+    wide_pixel_force = contact.work * forces_with(contact)(stitched_map(widen_pixels(scan))).mean()
+    wide_pixel_ratio = float(wide_pixel_force / surface_forces.mean.item())
+    force = include_finer_pixels(force, wide_pixel_ratio)
     yield force
     yield Number("force_on_scan_share", mean / smooth)
+    yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_places", places)
-    yield from _closed_form_numbers(surface, force, scan.size, contact)
+    form, search = _closed_form_numbers(surface, force, scan.size, contact)
+    yield search
+    yield include_finer_pixels(form, wide_pixel_ratio)
 
 
 def _closed_form_numbers(
     surface: HeightMap, force: Number, size: float, contact: Contact
-) -> Iterator[Number]:
-    """Yield the search size, and the closed form for all waves of the stitched map.
+) -> tuple[Number, Number]:
+    """Return the closed form for all waves of the stitched map, and the search size.
 
     It agrees if its interval, with the factor that a scan of this size (nm) may add, contains the
     force on the map. Heights are not Gaussian if both intervals have nothing in common.
@@ -147,9 +177,6 @@ def _closed_form_numbers(
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
     form = closed_form(spectrum, contact)
     search = search_size(spectrum, contact.radius, contact.area)
-    yield Number(
-        "search_size", search, "nm", status=SMALL if size < LARGE_ENOUGH * search else LARGE
-    )
     _, small_scan_ratio = finite_scan_ratio(size, search)
     lowest, highest = nearest_errors(table_coordinates(spectrum, contact, form), "force")
     low, high = lowest * form.force, highest * small_scan_ratio * form.force
@@ -162,4 +189,9 @@ def _closed_form_numbers(
     else:
         status = OUTSIDE
     interval = (low, high) if status == AGREES else (math.nan, math.nan)
-    yield Number("closed_form_on_scan", form.force, "N", *interval, status)
+    return (
+        Number("closed_form_on_scan", form.force, "N", *interval, status),
+        Number(
+            "search_size", search, "nm", status=SMALL if size < LARGE_ENOUGH * search else LARGE
+        ),
+    )
