@@ -44,7 +44,8 @@ class Verdict(NamedTuple):
         wavelengths at which a scan is reliable. "no" if none of them does, if contacts touch too
         few places, or if there is no band. Otherwise "partly".
     band: "few_places", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
-        fails, "overlapping" if the short edge is the longer one, otherwise "found".
+        fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
+        longer one, otherwise "found".
     extrapolated: sides with a known force with extrapolated roughness.
     """
 
@@ -164,7 +165,7 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
         band = "few_places"
     elif short.status == "no_band":
         band = "none"
-    elif "no_hindcast" in (short.status, long.status):
+    elif {"no_hindcast", "ripples"} & {short.status, long.status}:
         band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"
