@@ -16,7 +16,8 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import mean_pull_off_of_pair
-from hardcontact.own.scan_force import CONTACTS, WIDE_PIXEL, stitched_map, window_of_scan
+from hardcontact.inference.hindcast import WIDE_PIXEL
+from hardcontact.own.scan_force import CONTACTS, stitched_map, window_of_scan
 from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface

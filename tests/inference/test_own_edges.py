@@ -101,3 +101,14 @@ def test_the_error_of_artificial_roughness_widens_intervals():
     np.testing.assert_allclose(added.sel(side="large").dropna("cutoff_wavelength"), 0, atol=1e-7)
     low, high = wide.edge_interval.sel(side="small").values
     assert low < wide.edge.sel(side="small") and not high < 1000
+
+
+def test_scans_on_which_the_filter_ripples_have_no_short_edge():
+    ratio = xr.DataArray([0.5, 0.95], {"surface": ["a", "b"]})
+    curves = [[SMALL, LARGE]] * 2
+    plain = edges(curves, [3], spread=0.1)
+    band = edges(curves, [3], xr.Dataset({"filtered_scan_ratio": ratio}), spread=0.1)
+    assert band.edge_status.values.tolist() == [["ripples", "found"], ["found", "found"]]
+    assert np.isnan(band.edge.sel(surface="a", side="small"))
+    xr.testing.assert_equal(band.sel(side="large"), plain.sel(side="large"))
+    xr.testing.assert_equal(band.sel(surface="b"), plain.sel(surface="b"))

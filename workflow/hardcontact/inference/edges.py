@@ -233,12 +233,15 @@ def edges_of_scans(
     curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     if "hindcast_ratio" in sensitivity:
         curves = _widen_ratios(curves, sensitivity["hindcast_ratio"])
+    edges = edges_of_curves(curves, tolerance)
+    if "filtered_scan_ratio" in sensitivity:
+        edges = _without_ripples(edges, sensitivity["filtered_scan_ratio"] < 1 - tolerance)
     curves = curves.transpose("surface", "side", ...)
     sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
     return (
         curves[["filtered_force_ratio", "filtered_force_ratio_interval"]]
         .merge(sources.isel(side=0, drop=True))
-        .merge(edges_of_curves(curves, tolerance))
+        .merge(edges)
     )
 
 
@@ -269,6 +272,16 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))
     return widen(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
+
+
+def _without_ripples(edges: xr.Dataset, shows_ripples: xr.DataArray) -> xr.Dataset:
+    """Return edges without the short edges of scans on which the filter ripples (surface)."""
+    is_kept = ~shows_ripples.reindex(surface=edges["surface"], fill_value=False)
+    is_kept = is_kept | (edges["side"] != "small")
+    known = edges.where(is_kept)
+    return known.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
+        "surface", "side", ...
+    )
 
 
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:

@@ -17,6 +17,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
+from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
@@ -24,7 +25,7 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
-from hardcontact.own.scan_force import WIDE_PIXEL, add_force_on_scan
+from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction

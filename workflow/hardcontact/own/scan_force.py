@@ -12,6 +12,7 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.inference.octaves import forces_with
 from hardcontact.own.contact_scans import window_on_scans
@@ -28,8 +29,6 @@ CONTACTS = 20
 #: their images in the window: both keep the time below a few seconds.
 MAX_PIXELS = 2048
 MAX_CONTACT_PIXELS = 2**23
-#: Pixels along a side of the blocks that take their mean height, as if pixels were so much wider.
-WIDE_PIXEL = 4
 #: Statuses of a force that is not computed: there is no map or more than one, it is too large, or
 #: the range of adhesion is too short for its pixels or its relief.
 NO_MAP, SEVERAL_SCANS, TOO_LARGE, SHORT_RANGE = (
@@ -112,24 +111,8 @@ def stitched_map(scan: HeightMap) -> HeightMap:
     return mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
 
 
-def widen_pixels(scan: HeightMap) -> HeightMap:
-    """Return a map on the same pixels whose blocks of WIDE_PIXEL pixels have their mean height.
-
-    Blocks at the last rows and columns may be smaller.
-    """
-    starts = np.arange(0, scan.pixels, WIDE_PIXEL)
-    counts = np.diff(starts, append=scan.pixels)
-    sums = np.add.reduceat(np.add.reduceat(scan.heights.astype(float), starts, 0), starts, 1)
-    means = sums / np.outer(counts, counts)
-    return replace(scan, heights=means.repeat(counts, 0).repeat(counts, 1))
-
-
 def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a force whose interval includes that on pixels WIDE_PIXEL times finer.
-
-    Finer pixels are taken to divide the force by at most the factor by which wider pixels multiply
-    it (tests/benchmarks/validate_random_surfaces.py).
-    """
+    """Return a force whose interval includes that on finer pixels, as in `own_force`."""
     return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
@@ -98,9 +99,11 @@ def edge_numbers(data: Datasets) -> list[Number]:
 def _known_ends(data: Datasets, side: str) -> Number:
     """Return an edge without the ends of its interval at artificial wavelengths.
 
-    It has no value if the hindcast fails: the force that it compares with has artificial roughness.
+    It has no value if the filter ripples, or if the hindcast fails: the force that it compares with
+    has artificial roughness.
     """
-    if fails_hindcast(data, side):
+    status = data.edges["edge_status"].sel(side=side).item()
+    if status != RIPPLES and fails_hindcast(data, side):
         return Number(EDGES[side], np.nan, "nm", status="no_hindcast", source="artificial")
     source = EDGE_SOURCES[classify_edge(data, side)]
     edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
@@ -165,7 +168,7 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
         band = "few_places"
     elif short.status == "no_band":
         band = "none"
-    elif {"no_hindcast", "ripples"} & {short.status, long.status}:
+    elif {"no_hindcast", RIPPLES} & {short.status, long.status}:
         band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"
