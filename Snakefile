@@ -49,6 +49,7 @@ start.keep_logs(workflow, PATTERNS)
 
 onstart:
     start.check_folders(PATTERNS.results, PATTERNS.store)
+    start.stop_jobs_at_interrupt(workflow)
 
 
 onsuccess:

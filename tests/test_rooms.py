@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 636,
+    "base": 648,
     "surfaces": 2987,
     "contact": 1374,
-    "inference": 1529,
+    "inference": 1532,
     "theory": 647,
-    "paper": 1451,
-    "config": 1877,
-    "own": 1756,
+    "paper": 1457,
+    "config": 1912,
+    "own": 1789,
     "report": 2874,
     "api": 204,
 }

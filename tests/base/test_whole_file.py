@@ -1,11 +1,16 @@
 """Files are written whole or not at all."""
 
+import os
+from itertools import count
 from pathlib import Path
 
 import pytest
+import xarray as xr
 from refusals import assert_says
 
-from hardcontact.base.whole_file import PART, whole_file
+from hardcontact.base import dataset
+from hardcontact.base.origin import Origin, keep_records
+from hardcontact.base.whole_file import PART, remove_parts, whole_file
 
 
 def test_a_file_appears_when_the_block_has_ended(tmp_path):
@@ -19,7 +24,6 @@ def test_a_file_appears_when_the_block_has_ended(tmp_path):
 
 def test_a_failing_write_keeps_the_old_file(tmp_path):
     (tmp_path / "old.nc").write_text("whole")
-    (tmp_path / f"{PART}old.nc").write_text("half of an earlier file, of a killed process")
     for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
         with pytest.raises(RuntimeError), whole_file(target) as temporary:
             Path(temporary).write_text("half")
@@ -37,3 +41,40 @@ def test_a_refusal_of_the_system_is_one_line(tmp_path):
         message, f"{path}: expected a file to be written, found:", "MB of the disk are free"
     )
     assert len(message.splitlines()) == 1
+
+
+def test_parts_of_a_killed_process_are_removed_by_name(tmp_path):
+    for name in (f"{PART}0a1b-a.nc", f"{PART}0a1b-b.nc", "a.nc"):
+        (tmp_path / name).write_text("half")
+    remove_parts(tmp_path / "a.nc")
+    assert sorted(os.listdir(tmp_path)) == [f"{PART}0a1b-b.nc", "a.nc"]
+
+
+def failing(call, number, calls):
+    """Return a call of the system that fails if it is the one of this number among all calls."""
+
+    def call_or_fail(*arguments):
+        if next(calls) == number:
+            raise OSError(28, "No space left on device")
+        return call(*arguments)
+
+    return call_or_fail
+
+
+def test_a_failure_at_any_write_leaves_whole_files(tmp_path, monkeypatch):
+    path = tmp_path / "a.nc"
+
+    def write(text):
+        dataset.write(xr.Dataset(attrs={"text": text}), path)
+        keep_records([path], Origin("{}", {}, []))
+
+    write("old" * 1000)
+    for number in range(4):  # content and name of the file, and of its record
+        calls = count()
+        with monkeypatch.context() as patch, pytest.raises(ValueError, match="No space left"):
+            for name in ("fsync", "replace"):
+                patch.setattr(os, name, failing(getattr(os, name), number, calls))
+            write("new" * 1000)
+        with xr.open_dataset(path) as written:
+            assert written.attrs["text"] == ("old" if number < 2 else "new") * 1000
+        assert not [*tmp_path.rglob(f"{PART}*")]

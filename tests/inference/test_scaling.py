@@ -12,7 +12,7 @@ from scipy.special import erf
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
-from hardcontact.inference.scaling import force_exponent, short_edge_exponents
+from hardcontact.inference.scaling import edge_exponents, force_exponent
 
 CONTACTS = [
     Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
@@ -55,15 +55,6 @@ def test_every_combination_equals_its_single_contact():
     assert forces["contact_area"].values == pytest.approx([100.0, 800.0])
 
 
-def test_without_cutoffs_only_the_unfiltered_force_is_computed():
-    contacts = [replace(CONTACTS[0], range=5.0)]
-    forces = filtered_pull_off(master(3.0), Filters("large", 64, []), contacts)
-    assert forces["pull_off_force"].sizes["cutoff_wavelength"] == 0
-    filtered = filtered_pull_off(master(3.0), Filters("large", 64, [80.0]), contacts)
-    name = "unfiltered_pull_off_force"
-    np.testing.assert_array_equal(forces[name], filtered[name])
-
-
 RADII, AREAS = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0]
 CUTOFFS = np.geomspace(10, 2e4, 60)
 
@@ -76,7 +67,7 @@ def power_law(radius_exponent, contact_exponent):
 
 
 def curves(*exponents, scatter=0.0):
-    """Return ratios of three realizations whose short edge is a known power law.
+    """Return ratios of three realizations whose edges are a known power law.
 
     The exponents of the realizations scatter about the given exponents, and each edge scatters
     about the power law of its exponents.
@@ -85,31 +76,32 @@ def curves(*exponents, scatter=0.0):
     noise = np.random.default_rng(5).standard_normal(3)
     noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
     scattered_edge = power_law(*(exponent + noise for exponent in exponents))
-    # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge.
-    log_ratio = np.log(1.1) * (1 + 2 * np.log(cutoff / (scattered_edge * np.exp(noise))))
-    ratio = np.exp(np.maximum(log_ratio, 0)).expand_dims(surface=["a"], side=["small"])
+    # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge, on either side.
+    sign = xr.DataArray([1, -1], {"side": ["small", "large"]}, "side")
+    distance = sign * np.log(cutoff / (scattered_edge * np.exp(noise)))
+    ratio = np.exp(np.maximum(np.log(1.1) * (1 + 2 * distance), 0)).expand_dims(surface=["a"])
     return xr.Dataset(
         {
             "filtered_force_ratio": ratio,
-            "unfiltered_wavelength": (("surface", "side"), [[5.0]]),
-            "contact_area": (("surface", "realization", "side", "area"), [[[AREAS]] * 3]),
+            "unfiltered_wavelength": (("surface", "side"), [[5.0, 4e4]]),
+            "contact_area": (("surface", "realization", "side", "area"), [[[AREAS] * 2] * 3]),
         }
     )
 
 
 @pytest.mark.parametrize("exponents", [(1.0, 0.0), (0.2, 0.9), (0.0, -0.8)])
 def test_exponents_of_a_known_power_law_are_recovered(exponents):
-    scaling = short_edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
-    exponent = scaling["short_edge_exponent"]
-    np.testing.assert_allclose(exponent, exponents, atol=0.02)
-    low, high = bounds(scaling, "short_edge_exponent")
+    scaling = edge_exponents(curves(*exponents, scatter=0.02), 0.1, 0.95).sel(surface="a")
+    exponent = scaling["edge_exponent"]
+    np.testing.assert_allclose(exponent, [exponents] * 2, atol=0.02)
+    low, high = bounds(scaling, "edge_exponent")
     assert (low <= exponent).all() and (exponent <= high).all()
 
 
 def test_open_edges_give_no_exponent():
     forces = curves(1.0, 0.0)
     forces["filtered_force_ratio"][:] = 1.0
-    assert short_edge_exponents(forces, 0.1, 0.95)["short_edge_exponent"].isnull().all()
+    assert edge_exponents(forces, 0.1, 0.95)["edge_exponent"].isnull().all()
 
 
 def test_the_exponent_of_a_force_in_the_radius_is_recovered():

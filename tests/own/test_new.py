@@ -190,6 +190,11 @@ def test_a_study_is_replaced_only_with_overwrite(folder, run):
     assert_says(error, f"config/{NAME}.yaml", "--overwrite")
     assert (folder / f"config/{NAME}.yaml").read_text() == "mine"
     accepted(folder, run(NAME, "one.nc", "--overwrite"))
+    locks = folder / ".snakemake/locks"
+    locks.mkdir(parents=True)
+    (locks / "0.output.lock").write_text(f"results/{NAME}-quick/answer.json\n")
+    (error,) = run(NAME, "one.nc", "--overwrite").errors
+    assert_says(error, "--overwrite: expected no run", NAME, "snakemake --unlock")
 
 
 def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
@@ -219,7 +224,7 @@ REFUSED = [
     ([NAME], ["expected files"]),
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
     ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
-    (["config", "one.nc", "--overwrite"], ["found config"]),
+    (["store", "one.nc", "--overwrite"], ["found store"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),
     ([NAME, "one.nc", "./one.nc"], ["one.nc", "once", "2 times"]),
     ([NAME, "--surface", "A"], ["--surface A", "expected files"]),

@@ -2,6 +2,8 @@
 
 import csv
 import json
+import os
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -129,13 +131,33 @@ def test_faulty_options_are_reported_with_the_faults_of_the_table(tmp_path):
         (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than 880 µN"]),
         # Both are suspected: the hardness was meant to be in GPa.
         (["--hardness", "25kPa"], ["like a smooth sphere; --hardness 25kPa: is the unit right?"]),
-        (["--json", "-", "--csv", "-"], ["--csv: expected a file"]),
+        (
+            ["--json", "-", "--csv", "-"],
+            ["--csv: expected another file"],
+        ),
         (["--json", str(tmp_path / "new/x.json")], ["--json: expected a file in a folder"]),
     ):
         message = refusal(printed, missing_file, *options)
         assert_says(message, "none.csv", "found no file", *message_parts)
         assert len(message.splitlines()) == 1 + len(message_parts)
     assert not any(tmp_path.iterdir())
+
+
+def test_nothing_is_replaced_unasked(table, tmp_path):
+    path = table(*rows_of(rough(17, 1000, 0.8, 20)))
+    numbers = tmp_path / "numbers.json"
+    numbers.write_text("{}")
+    assert_says(refusal(printed, path, "--json", path, "--overwrite"), "than that of the surface")
+    assert_says(refusal(printed, path, "--json", str(numbers)), "new file", "add --overwrite")
+    assert numbers.read_text() == "{}"
+    printed(path, "--json", str(numbers), "--overwrite")
+    assert "pull_off_force" in json.loads(numbers.read_text())
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with ThreadPoolExecutor() as reader:
+        text = reader.submit(pipe.read_text)
+        printed(path, "--csv", str(pipe))
+        assert text.result(timeout=10).startswith("quantity,") and pipe.is_fifo()
 
 
 # Numbers

@@ -66,7 +66,7 @@ def predicted(tmp_path, heights, *options):
     path = tmp_path / "scan.nc"
     scan_files.scan(path, heights.T, (PIXELS * PIXEL_SIZE,) * 2)
     numbers = tmp_path / "numbers.json"
-    words = predict(predict_arguments([str(path), "--json", str(numbers), *options]))
+    words = predict(predict_arguments([str(path), "--json", str(numbers), "--overwrite", *options]))
     return words, json.loads(numbers.read_text())
 
 

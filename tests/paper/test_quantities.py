@@ -108,8 +108,8 @@ def test_elastic_contact_is_compared_with_rigid_and_plastic_contact():
     near(contact.median_plastic_over_elastic_area(three), (4 + 1) / 2)  # 400 nm² carry the preload
     exponents = xr.Dataset({"force_exponent": ("surface", [0.7, 0.1, 0.0])})
     near(contact.median_force_exponent(exponents), 0.1)
-    exponents = xr.Dataset({"short_edge_exponent": ("surface", [-0.2, 0.6, 2.0])})
-    near(contact.median_short_edge_exponent(exponents), 0.6)
+    exponents = xr.Dataset({"edge_exponent": ("surface", [-0.2, 0.6, 2.0])})
+    near(contact.median_edge_exponent(exponents), 0.6)
 
 
 def test_waves_of_a_sphere_s_slope_have_its_mean_pressure():

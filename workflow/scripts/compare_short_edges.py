@@ -1,4 +1,4 @@
-"""How forces and short edges scale (scaling.nc), and what moves these edges (enhancement.nc)."""
+"""How forces and edges scale (scaling.nc), and what moves short edges (enhancement.nc)."""
 
 import xarray as xr
 
@@ -6,7 +6,7 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.all_surfaces import read_masters, with_names
 from hardcontact.inference.enhancement import edges_by_contact
-from hardcontact.inference.scaling import force_exponent, short_edge_exponents
+from hardcontact.inference.scaling import edge_exponents, force_exponent
 
 with job(snakemake) as job:
     params = job.parameters
@@ -21,14 +21,14 @@ with job(snakemake) as job:
     exponents = xr.merge(
         [
             force_exponent(scaled, area, confidence),
-            short_edge_exponents(scaled, tolerance, confidence),
+            edge_exponents(scaled, tolerance, confidence),
         ]
     )
     job.write(
         with_names(exponents, params).assign_attrs(
             area=area, tolerance=tolerance, confidence=confidence
         ),
-        title="exponents of the pull-off force and of the short edge of the critical band",
+        title="exponents of the pull-off force and of the edges of the critical band",
         output="scaling",
     )
     edges = edges_by_contact(forces["enhancement"], tolerance, sampling)

@@ -34,7 +34,7 @@ with job(snakemake) as job:
             master = varied_master(side, key, sources.scans[index], sources.spectra[index], scales)
         forces[realization, side] = filtered_pull_off(
             master,
-            Filters(side, scales["pixels"], scales.get("cutoffs", [])),
+            Filters(side, scales["pixels"], scales["cutoffs"]),
             contacts,
             sphere,
             params["radii"],

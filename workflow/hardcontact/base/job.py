@@ -14,8 +14,8 @@ from typing import Any, NamedTuple, TypeVar
 import xarray as xr
 
 from hardcontact.base import dataset as labelled
-from hardcontact.base.origin import Origin, digests, keep_records, refuse_changed
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.origin import Origin, digests, keep_records, record_path, refuse_changed
+from hardcontact.base.whole_file import remove_parts, whole_file
 
 _logger = logging.getLogger("hardcontact")
 
@@ -70,6 +70,9 @@ def job(snakemake: Any) -> Iterator[Job]:
         canonical_parameters = snakemake.params.canonical
         input_digests = digests(inputs)
         refuse_changed(input_digests)
+        for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
+            remove_parts(path)
+            remove_parts(record_path(path))
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, input_digests, list(code))
         parameters = json.loads(canonical_parameters)

@@ -1,6 +1,8 @@
 """Files that appear whole or not at all."""
 
+import glob
 import os
+import secrets
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,15 +16,15 @@ PART = ".part-"
 def whole_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary path in the same folder; rename it if the block succeeds, else remove it.
 
-    Missing folders are made. The next attempt replaces a temporary file that a killed process left.
-    Raises ValueError, with one line, if the file cannot be written.
+    Missing folders are made. The content is on the disk before the name is, also after a power
+    loss. Raises ValueError, with one line, if the file cannot be written.
     """
     path = Path(path)
-    temporary = path.with_name(PART + path.name)
+    temporary = path.with_name(f"{PART}{secrets.token_hex(4)}-{path.name}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        temporary.unlink(missing_ok=True)
         yield str(temporary)
+        _flush(temporary)
         os.replace(temporary, path)
     except OSError as error:
         existing = next(folder for folder in path.parents if folder.exists())
@@ -33,3 +35,16 @@ def whole_file(path: str | Path) -> Iterator[str]:
     finally:
         if path.parent.is_dir():
             temporary.unlink(missing_ok=True)
+
+
+def _flush(path: Path) -> None:
+    """Wait until the content of a file is on the disk."""
+    with open(path, "rb") as file:
+        os.fsync(file.fileno())
+
+
+def remove_parts(path: str | Path) -> None:
+    """Remove what killed processes left of a file, which nobody else may be writing."""
+    path = Path(path)
+    for part in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
+        part.unlink(missing_ok=True)

@@ -267,8 +267,6 @@ class Files:
         }
         if purpose == "enhancement":
             del sides["large"]
-        elif purpose == "scaling":  # Only the unfiltered force on large-scale masters is fitted.
-            del sides["large"]["cutoffs"]
         return {"contacts_per_side": get_key(configuration, count_key), "sides": sides}
 
     def _grid_names(self, purpose: str) -> dict[str, str]:

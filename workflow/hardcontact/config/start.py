@@ -6,6 +6,7 @@ Only this module uses the inside of Snakemake.
 import json
 import logging
 import os
+import signal
 import sys
 import tempfile
 import threading
@@ -15,6 +16,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
+import psutil
 import yaml
 from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
@@ -36,6 +38,8 @@ logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
+#: The last line of a run that failed or was stopped.
+RESUME = "Not all is made: the same command goes on from here."
 
 
 def _refuse(message: object) -> NoReturn:
@@ -53,6 +57,8 @@ def prepare(workflow: Any) -> None:
     os.environ.setdefault("MALLOC_MMAP_THRESHOLD_", str(REUSED_MEMORY))
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
     check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
+    if _plans_the_run(workflow):
+        _stop_at_interrupt(workflow)
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -74,6 +80,45 @@ def _refuse_elsewhere(workflow: Any) -> None:
 def _plans_the_run(workflow: Any) -> bool:
     """Return True if this process plans the run; False if it executes a job of the run."""
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
+
+
+def _stop(workflow: Any) -> NoReturn:
+    """End a run and its jobs, whose files are whole or not there, at once and in one line."""
+    for process in psutil.Process().children(recursive=True):
+        process.kill()
+    if workflow.persistence:
+        workflow.persistence.unlock()
+    os.write(2, f"{RESUME}\n".encode())
+    os._exit(130)
+
+
+def _stop_at_interrupt(workflow: Any) -> None:
+    """End at Ctrl-C while the run is planned."""
+    signal.signal(signal.SIGINT, lambda *_: _stop(workflow))
+
+
+def stop_jobs_at_interrupt(workflow: Any) -> None:
+    """End at Ctrl-C, of which jobs hear nothing; on a cluster, at the second one.
+
+    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake first
+    cancels what it has submitted.
+    """
+    if workflow.local_exec:
+        # Threads and jobs that begin from here on inherit what is blocked.
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+        def wait() -> None:
+            signal.sigwait({signal.SIGINT})
+            _stop(workflow)
+
+        threading.Thread(target=wait, daemon=True).start()
+    else:
+
+        def interrupt(*_: object) -> NoReturn:
+            _stop_at_interrupt(workflow)
+            raise KeyboardInterrupt
+
+        signal.signal(signal.SIGINT, interrupt)
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:
@@ -186,7 +231,7 @@ def log_answer(workflow: Any, page: str) -> None:
 def log_how_to_resume(workflow: Any) -> None:
     """Log, at the end of a failed or stopped run that makes files, that its command resumes it."""
     if any(job.output for job in workflow.dag.jobs):
-        logger.error("Not all is made: the same command goes on from here.")
+        logger.error(RESUME)
     _stop_looking()
 
 

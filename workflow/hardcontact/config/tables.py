@@ -26,6 +26,8 @@ from hardcontact.surfaces.spectrum import (
     read_segments,
 )
 
+#: Size of a table of a hundred thousand rows.
+MAX_BYTES = 10_000_000
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
@@ -101,6 +103,11 @@ def user_table(
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
+    if os.path.getsize(path) > MAX_BYTES:
+        raise ValueError(
+            f"{path}: expected {content}, of at most {MAX_BYTES / 1e6:g} MB, found "
+            f"{os.path.getsize(path) / 1e6:.0f} MB"
+        )
     try:
         text = Path(path).read_bytes().decode("utf-8-sig")
         head = text.partition("\n")[0]

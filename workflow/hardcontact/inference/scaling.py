@@ -1,4 +1,4 @@
-"""How the pull-off force and the short edge of the band scale with the sphere and the load.
+"""How the pull-off force and the edges of the band scale with the sphere and the load.
 
 Two lengths are varied: sqrt(R) and sqrt(A), with the radius R of the sphere and the area A in
 contact. An edge with the exponent 0 does not depend on a length; an edge with the exponent 1 is
@@ -20,7 +20,7 @@ FORCE_EXPONENT = DIMENSIONLESS | {
     "long_name": "exponent of the pull-off force against the radius of the sphere"
 }
 EDGE_EXPONENT = DIMENSIONLESS | {
-    "long_name": "exponent of the short edge against the square root of a quantity"
+    "long_name": "exponent of an edge against the square root of a quantity"
 }
 
 
@@ -42,61 +42,63 @@ def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dat
     return xr.Dataset(variables, {"surface": forces["surface"]})
 
 
-def short_edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
-    """Return the exponents of the short edge against the square roots of SCALED_QUANTITIES.
+def edge_exponents(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dataset:
+    """Return the exponents of both edges against the square roots of SCALED_QUANTITIES.
 
-    Forces come from `stacked_forces`. ``short_edge_exponent`` (surface, exponent_of) is fitted by
-    least squares to all edges that are found; its interval is that of the jackknife over
-    realizations.
+    Forces come from `stacked_forces`. ``edge_exponent`` (surface, side, exponent_of) is fitted by
+    least squares to all edges that are found; its interval is the jackknife's over realizations.
     """
-    small = forces.sel(side="small", drop=True)
-    exponents = _fit_all_exponents(small, tolerance)
-    count = small.sizes["realization"]
+    exponents = _fit_all_exponents(forces, tolerance)
+    count = forces.sizes["realization"]
     jackknife_exponents = [
-        _fit_all_exponents(small.drop_isel(realization=index), tolerance)
+        _fit_all_exponents(forces.drop_isel(realization=index), tolerance)
         for index in range(count if count > 2 else 0)
     ]
     # The jackknife uses Student's t for the logarithm of a positive number, here the exponent.
     interval = np.log(
         jackknife_interval(np.exp(exponents), np.exp(jackknife_exponents), confidence)
     )
-    dimensions = ("surface", "exponent_of")
+    dimensions = ("surface", "side", "exponent_of")
     variables = with_interval(
-        "short_edge_exponent", dimensions, exponents, interval, EDGE_EXPONENT, confidence
+        "edge_exponent", dimensions, exponents, interval, EDGE_EXPONENT, confidence
     )
-    return xr.Dataset(variables, {"surface": small["surface"], "exponent_of": SCALED_QUANTITIES})
+    names = {name: forces[name].values for name in dimensions[:2]}
+    return xr.Dataset(variables, names | {"exponent_of": SCALED_QUANTITIES})
 
 
-def _fit_all_exponents(small: xr.Dataset, tolerance: float) -> Floats:
-    """Return the exponents (surface, exponent_of) of the short edges of all surfaces."""
-    contact_area = small["contact_area"].isel(surface=0, realization=0)
-    lengths = [np.log(values) / 2 for values in (small["radius"], contact_area)]
+def _fit_all_exponents(forces: xr.Dataset, tolerance: float) -> Floats:
+    """Return the exponents (surface, side, exponent_of) of the edges of all surfaces."""
+    contact_area = forces["contact_area"].isel(surface=0, realization=0, side=0)
+    lengths = [np.log(values) / 2 for values in (forces["radius"], contact_area)]
     exponents: xr.DataArray = xr.apply_ufunc(
         _fit_exponents,
-        np.log(_short_edges(small, tolerance)),
+        np.log(_edges(forces, tolerance)),
         *lengths,
         input_core_dims=[["radius", "area"], ["radius"], ["area"]],
         output_core_dims=[["exponent_of"]],
         vectorize=True,
     )
-    return np.asarray(exponents.transpose("surface", "exponent_of"))
+    return np.asarray(exponents.transpose("surface", "side", "exponent_of"))
 
 
-def _short_edges(small: xr.Dataset, tolerance: float) -> xr.DataArray:
-    """Return the short edges (surface, radius, area) in nm, NaN if they are open."""
-    cutoffs = small["cutoff_wavelength"].values
+def _edges(forces: xr.Dataset, tolerance: float) -> xr.DataArray:
+    """Return the edges (surface, side, radius, area) in nm, NaN if they are open."""
+    cutoffs = forces["cutoff_wavelength"].values
 
-    def short_edge(ratios: Floats, unfiltered: float) -> float:
-        """Return the edge of mean ratios (cutoff,) behind the unfiltered wavelength (nm)."""
-        values = np.append(0.0, np.log(ratios))
-        limits = logarithmic_limits(tolerance)
-        return find_edge(RatioCurve("small", np.append(unfiltered, cutoffs), values, limits)).value
+    def edge(ratios: Floats, unfiltered: float, side: str) -> float:
+        """Return the edge of the mean ratios (cutoff,) of a side, NaN at the other's cutoffs."""
+        is_known = np.isfinite(ratios)
+        order = np.argsort(cutoffs[is_known])[:: 1 if side == "small" else -1]
+        wavelengths = np.append(unfiltered, cutoffs[is_known][order])
+        values = np.append(0.0, np.log(ratios[is_known][order]))
+        return find_edge(RatioCurve(side, wavelengths, values, logarithmic_limits(tolerance))).value
 
     edges: xr.DataArray = xr.apply_ufunc(
-        short_edge,
-        small["filtered_force_ratio"].mean("realization"),
-        small["unfiltered_wavelength"],
-        input_core_dims=[["cutoff_wavelength"], []],
+        edge,
+        forces["filtered_force_ratio"].mean("realization", skipna=False),
+        forces["unfiltered_wavelength"],
+        forces["side"],
+        input_core_dims=[["cutoff_wavelength"], [], []],
         vectorize=True,
     )
     return edges

@@ -2,9 +2,10 @@
 
 import json
 import math
+import os
 import sys
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -70,6 +71,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     parser.add_argument("--verbose", action="store_true", help="print all numbers and cautions")
     for name in WRITERS:
         parser.add_argument(f"--{name}", metavar="FILE", help="write the numbers; - for stdout")
+    parser.add_argument("--overwrite", action="store_true", help="replace files of numbers")
     return parser.parse_args(arguments)
 
 
@@ -91,12 +93,7 @@ def predict(arguments: Namespace) -> str:
     cautions = [*implausible_quantities(quantities)]
     if wide and not faults:
         faults.append("; ".join([f"--{wide}", *cautions]))
-    if arguments.json == arguments.csv == "-":
-        faults.append("--csv: expected a file, as --json goes to stdout, found -")
-    for name in WRITERS:
-        path = getattr(arguments, name)
-        if path is not None and not Path(path).parent.is_dir():
-            faults.append(f"--{name}: expected a file in a folder that exists, found {path}")
+    faults += _output_faults(arguments)
     reader = partial(
         own_spectrum,
         [arguments.file],
@@ -135,9 +132,37 @@ def predict(arguments: Namespace) -> str:
             sys.stderr.writelines(f"{line}\n" for line in notes)
             report = write(numbers)
         elif path is not None:
-            with whole_file(path) as temporary:
-                Path(temporary).write_text(write(numbers) + "\n", "utf-8")
+            _write(path, write(numbers) + "\n")
     return report
+
+
+def _output_faults(arguments: Namespace) -> Iterator[str]:
+    """Yield a line for each file of numbers that cannot be written, or would replace another."""
+    taken = {os.path.realpath(arguments.file): "another file than that of the surface"}
+    for name in WRITERS:
+        path = getattr(arguments, name)
+        if path is None:
+            continue
+        place = path if path == "-" else os.path.realpath(path)
+        if place in taken:
+            yield f"--{name}: expected {taken[place]}, found {path}"
+        elif path != "-" and (not Path(place).parent.is_dir() or Path(place).is_dir()):
+            yield f"--{name}: expected a file in a folder that exists, found {path}"
+        elif Path(place).is_file() and not arguments.overwrite:
+            yield (
+                f"--{name}: expected a new file, found {path}: take another name, or add "
+                "--overwrite"
+            )
+        taken[place] = f"another file than that of --{name}"
+
+
+def _write(path: str, text: str) -> None:
+    """Write a file whole; pipes and devices take the text as it comes."""
+    if Path(path).exists() and not Path(path).is_file():
+        Path(path).write_text(text, "utf-8")
+        return
+    with whole_file(os.path.realpath(path)) as temporary:
+        Path(temporary).write_text(text, "utf-8")
 
 
 def _json(numbers: Mapping[str, Number]) -> str:

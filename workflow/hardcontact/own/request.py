@@ -20,7 +20,9 @@ ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
-RESERVED_NAMES = ("config", "paper", "quick", "surfaces")
+RESERVED_NAMES = (
+    "config", "constraints.txt", "environment.txt", "paper", "quick", "store", "surfaces"
+)  # fmt: skip
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
 USAGE = """\
@@ -182,6 +184,21 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
         for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
             if os.path.lexists(ROOT / file):
                 yield f"{file}: expected none, found one: take another name, or add --overwrite"
+    elif _is_locked(name):
+        yield (
+            f"--overwrite: expected no run of {name}, found its lock: wait for its end, or remove "
+            "what a killed run left with `snakemake --unlock`"
+        )
+
+
+def _is_locked(study: str) -> bool:
+    """Return whether a run of Snakemake writes results of a study, at either effort."""
+    locked = (path.read_text("utf-8") for path in (ROOT / ".snakemake/locks").glob("*.lock"))
+    return any(
+        line.startswith((f"results/{study}/", f"results/{study}{QUICK_SUFFIX}/"))
+        for text in locked
+        for line in text.splitlines()
+    )
 
 
 def _label_faults(option: str, label: str) -> Iterator[str]:

@@ -7,6 +7,7 @@ and `value_interval` (`paper.numbers`); its dimensions are in brackets.
 import numpy as np
 import xarray as xr
 
+from hardcontact.base.statistics import bounds
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.paper.numbers import (
     absolute_value,
@@ -98,6 +99,16 @@ def median_share_above_hardness(elastic: xr.Dataset) -> xr.Dataset:
     return variable_as_number(elastic, "share_above_hardness").median("surface", skipna=False)
 
 
+def share_of_two_asperities(asperities: xr.Dataset) -> xr.Dataset:
+    """Return the share of the force that the two strongest patches carry (surface, rho).
+
+    The patches together carry the share of `asperities`, which ends the interval.
+    """
+    number = variable_as_number(asperities, "two_largest_share")
+    low, high = bounds(number, "value")
+    return number_with_interval(number["value"], low, high.clip(max=asperities.attrs["share"]))
+
+
 def median_plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
     """Return the area of plastic contact relative to elastic contact (no dimensions).
 
@@ -126,12 +137,12 @@ def median_force_exponent(scaling: xr.Dataset) -> xr.Dataset:
     return variable_as_number(scaling, "force_exponent").median("surface", skipna=False)
 
 
-def median_short_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
-    """Return d ln(short edge)/d ln(root of a quantity), the median over surfaces (exponent_of).
+def median_edge_exponent(scaling: xr.Dataset) -> xr.Dataset:
+    """Return d ln(edge)/d ln(root of a quantity), the median over surfaces (side, exponent_of).
 
     The interval is that of the surfaces whose edges determine one.
     """
-    exponent = variable_as_number(scaling, "short_edge_exponent")
+    exponent = variable_as_number(scaling, "edge_exponent")
     is_known = exponent["value"].notnull().all("surface")
     return exponent.median("surface").where(is_known)
 
@@ -176,7 +187,8 @@ def nonstickiness(topography: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 QUANTITIES = (
     effective_work_decades, printed_effective_work, tabor_by_convention,
     classical_over_numerical, apex_level, plastic_contact_area, finer_pixel_ratio,
-    elastic_change, median_share_above_hardness, median_plastic_over_elastic_area,
-    deformation_over_adhesion, median_force_exponent, median_short_edge_exponent,
+    elastic_change, median_share_above_hardness, share_of_two_asperities,
+    median_plastic_over_elastic_area,
+    deformation_over_adhesion, median_force_exponent, median_edge_exponent,
     elastic_pressure_over_hardness, nonstickiness,
 )  # fmt: skip
