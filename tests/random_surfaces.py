@@ -30,7 +30,6 @@ FORCES = ("force_on_scan", "closed_form_on_scan", "pull_off_force", "extrapolate
 class Case(NamedTuple):
     """A surface on fine pixels, the levelled scan of it, and a contact."""
 
-    family: str
     fine: HeightMap
     scan: HeightMap
     contact: Contact
@@ -53,7 +52,7 @@ def random_case(family, seed, pixels):
         preload=_between(rng, 1e-6, 30e-6),
         hardness=25e9,
     )
-    return Case(family, fine, level(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
+    return Case(fine, level(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
 
 
 def _between(rng, low, high):

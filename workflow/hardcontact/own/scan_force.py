@@ -112,7 +112,7 @@ def stitched_map(scan: HeightMap) -> HeightMap:
 
 
 def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
-    """Return a force whose interval includes that on finer pixels, as in `own_force`."""
+    """Return a force whose interval includes that on finer pixels, like those of a study."""
     return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
 
 
