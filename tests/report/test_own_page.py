@@ -31,6 +31,7 @@ from browser import WIDTHS, measure_page, needs_browser, run_on_page
 from html_page import Page
 from matplotlib.text import Text
 from paper_study import CITATION, svg
+from refusals import assert_says
 
 from hardcontact.report.figures import own_figures as figures
 from hardcontact.report.figures import style
@@ -143,6 +144,17 @@ def test_the_headline_says_which_force_is_which():
     )
     assert "20 nm, 320 [256, 400] nN with roughness extrapolated above 1 µm" in line
     assert "on the scans" not in headline_of()
+
+
+def test_ripples_of_the_filter_are_no_short_edge():
+    data = edges()
+    for name in ("edge", "edge_interval"):
+        data[name].loc[{"side": "small"}] = np.nan
+    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "small", "ripples"))
+    line = headline_of(edges=data)
+    assert_says(line, "partly answered. Short edge none: the filter's ripples", ". Long edge 1.7")
+    notes = [note["text"] for note in own_answer(datasets(edges=data), setting())["notes"]]
+    assert any("Without short waves the force falls" in note for note in notes)
 
 
 @pytest.mark.parametrize(

@@ -322,7 +322,8 @@ def force_ratios(
     xarray.Dataset
         ``edge`` (side) in nm, the cutoff where the force leaves its tolerance; ``edge_status``
         (side), ``"found"``, or ``"open_above"`` or ``"open_below"`` if the edge lies above or below
-        ``edge_bound`` (side) in nm; ``filtered_force_ratio`` (side, cutoff_wavelength) of the mean
+        ``edge_bound`` (side) in nm, or ``"ripples"`` if those of the filter beside steps, not
+        roughness, change the force; ``filtered_force_ratio`` (side, cutoff_wavelength) of the mean
         plastic force to the force on the unfiltered scan, NaN at cutoffs of the other side.
 
     Examples

@@ -14,6 +14,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
+from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.report.artificial import (
     fails_hindcast,
     measurement_name,
@@ -80,6 +81,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
         *_hindcasts(data),
+        _ripples(data.edges),
         _tail(data),
         _long_waves(data),
     ]
@@ -322,6 +324,11 @@ def _hindcasts(data: Datasets) -> list[Caution]:
             code = f"hindcast_{side}"
             side_cautions.append(Caution(code, fails_hindcast(data, side), numbers, {"side": side}))
     return side_cautions
+
+
+def _ripples(edges: xr.Dataset) -> Caution | None:
+    """Return a caution if the short edge would show the ripples of the filter."""
+    return Caution("ripples") if (edges["edge_status"] == RIPPLES).any() else None
 
 
 def _tail(data: Datasets) -> Caution:
