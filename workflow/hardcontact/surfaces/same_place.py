@@ -66,8 +66,8 @@ def show_same_place(first: HeightMap, second: HeightMap) -> bool:
     waves, other_waves = (_short_waves(scan, pixel_size, longest) for scan in (smaller, larger))
     if _best_correlation(waves, other_waves) <= SAME_PLACE_CORRELATION:
         return False
-    left, right = np.array_split(waves, 2, axis=1)
-    return _best_correlation(left, right) <= SAME_PLACE_CORRELATION
+    halves = [np.array_split(waves, 2, axis=axis) for axis in (0, 1)]
+    return all(_best_correlation(*pair) <= SAME_PLACE_CORRELATION for pair in halves)
 
 
 def _short_waves(scan: HeightMap, pixel_size: float, longest: float) -> Floats:
