@@ -17,6 +17,8 @@ COMPARED_PIXELS = 64
 LONGEST_COMPARED_SHARE = 1 / 4
 #: Least overlap after a shift, as a share of the smaller map.
 MIN_OVERLAP = 0.5
+#: Least product of variances, relative to the largest: rounding of Fourier transforms is smaller.
+ROUNDING = 1e-9
 #: Largest ratio of the sides of two maps: a smaller part of a place shows other waves.
 MAX_SIZE_RATIO = 1.25
 
@@ -91,6 +93,9 @@ def _best_correlation(first: Floats, second: Floats) -> float:
     ones, other_ones = np.ones(first.shape), np.ones(second.shape)
     overlap = sums(ones, other_ones)
     variances = sums(first**2, other_ones) * sums(ones, second**2)
-    overlaps_enough = overlap >= MIN_OVERLAP * min(first.size, second.size)
-    products = sums(first, second)[overlaps_enough]
-    return float((products / np.sqrt(variances[overlaps_enough])).max())
+    # Where one map is constant, such as in unmeasured lines, rounding leaves no variance to trust.
+    is_comparable = (overlap >= MIN_OVERLAP * min(first.size, second.size)) & (
+        variances > ROUNDING * variances.max()
+    )
+    correlations = sums(first, second)[is_comparable] / np.sqrt(variances[is_comparable])
+    return float(correlations.max(initial=0.0))
