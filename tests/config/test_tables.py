@@ -58,6 +58,7 @@ def test_a_table_may_have_decimal_commas_between_semicolons(table):
         ("surface,value,unit", "bare,40,mN/m"),  # a force over the radius of 250 µm
         ("surface,pull-off [nN]", "bare,10000"),
         ("surface,place,value (µN)", "bare,,10"),
+        ("Surface\tValue [nN]", "bare\t1,0e4"),
     ],
 )
 def test_forces_are_read_in_the_units_that_people_have(tmp_path, header, row):

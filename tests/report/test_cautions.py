@@ -196,7 +196,7 @@ def test_scans_of_the_same_place_are_named():
     data["same_place"] = data["same_place"].astype(object)
     data["same_place"][{"surface": 0, "measurement": 1}] = "scans/trace.spm"
     (caution,) = find_cautions("same_place", spectra=data)
-    assert caution.texts["first"] == "trace.spm"
+    assert caution.texts["first"] == "scans/trace.spm"
 
 
 def test_repeated_tests_are_asked_about():

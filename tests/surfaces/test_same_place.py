@@ -47,7 +47,15 @@ def test_other_places_are_not_the_same(hurst, rolloff):
     assert earlier_scans_of_places([*places[:2], places[0]]) == [None, None, 0]
 
 
-def test_a_grating_resembles_itself_everywhere():
-    wave = 20 * np.sin(np.arange(3 * PIXELS) * 2 * np.pi / 12)
-    surface = large_map(4) / 20 + wave
-    assert not show_same_place(coarse(cut(surface)), coarse(cut(surface, 250, 220)))
+def test_flat_maps_are_no_copies():
+    flat, step = np.zeros((PIXELS, PIXELS)), np.zeros((PIXELS, PIXELS))
+    step[:5] = 3.0
+    assert not show_same_place(coarse(flat), coarse(step))
+
+
+def test_gratings_and_lays_resemble_themselves_everywhere():
+    grating = 20 * np.sin(np.arange(3 * PIXELS) * 2 * np.pi / 12)
+    lay = large_map(5)[0]
+    for lines in (grating, lay, lay[:, None]):
+        surface = large_map(4) / 20 + lines
+        assert not show_same_place(coarse(cut(surface)), coarse(cut(surface, 250, 220)))

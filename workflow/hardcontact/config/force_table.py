@@ -78,10 +78,11 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     for cell in header:
         match = COLUMN_WITH_UNIT.fullmatch(cell)
         if match and _is_force_unit(match[2]):
-            name = match[1] if match[1] in FORCE_COLUMNS else "value"
+            name = match[1].lower()
+            name = name if name in FORCE_COLUMNS else "value"
             units[name] = match[2]
         else:
-            name = cell
+            name = cell.lower()
         names.append(name)
     return names, units
 

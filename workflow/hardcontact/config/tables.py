@@ -105,8 +105,8 @@ def user_table(
 ) -> UserTable:
     """Read a table that the user wrote, with a header; between tabs nothing is quoted.
 
-    Semicolons may separate cells, as in some spreadsheets; decimals may then have a comma. Raises
-    ValueError with one line that names the required content and form of the table.
+    Semicolons or tabs may separate cells, and decimals then have a comma, as in spreadsheets.
+    Raises ValueError with one line that names the required content and form of the table.
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
@@ -118,16 +118,15 @@ def user_table(
     try:
         text = decode(Path(path).read_bytes())
         head = text.partition("\n")[0]
-        if ";" in head and separator not in head:
-            separator = ";"
+        used = next((mark for mark in (separator, ";", "\t") if mark in head), separator)
         reader = csv.reader(
             io.StringIO(text, newline=None),
             strict=True,
-            delimiter=separator,
-            quoting=csv.QUOTE_NONE if separator == "\t" else csv.QUOTE_MINIMAL,
+            delimiter=used,
+            quoting=csv.QUOTE_NONE if used == "\t" else csv.QUOTE_MINIMAL,
         )
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
-        if separator == ";":
+        if used != separator:
             rows = [(line, [DECIMAL.sub(r"\1.\2", cell) for cell in row]) for line, row in rows]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None

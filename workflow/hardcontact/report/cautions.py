@@ -5,7 +5,6 @@ The template own_caution.txt has the sentence for each code.
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
-from pathlib import PurePath
 from statistics import NormalDist
 
 import numpy as np
@@ -136,7 +135,7 @@ def _same_places(spectra: xr.Dataset) -> list[Caution]:
             grave=True,
             texts={
                 "scan": measurement_name(measurement),
-                "first": PurePath(str(measurement["same_place"].item())).name,
+                "first": str(measurement["same_place"].item()),
             },
         )
         for measurement in split_measurements(measurements(spectra))

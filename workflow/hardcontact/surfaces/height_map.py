@@ -48,6 +48,11 @@ class HeightMap:
         )
 
     @property
+    def name(self) -> str:
+        """The path of the file and, if the file has several scans, the name of this one in it."""
+        return f"{self.path}: {self.dataset}" if self.dataset else self.path
+
+    @property
     def kind(self) -> str:
         """The kind of scan: ``"map"`` or ``"line scan"``."""
         return "map" if self.heights.ndim == 2 else "line scan"

@@ -50,7 +50,7 @@ def measurement_descriptions(
             "dataset": measurement.dataset,
             "tip_radius": np.nan if radius is None else radius,
             "notes": "; ".join(measurement.notes),
-            "same_place": "" if earlier is None else measurements[earlier].path,
+            "same_place": "" if earlier is None else measurements[earlier].name,
             **dict.fromkeys(DEFECT_UNITS, np.nan),
             **{
                 name: number
