@@ -107,6 +107,10 @@ CASES = {
     "offset lines": (
         rough(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)), {"offset_lines": [0.3]},
     ),
+    "noise": (
+        rough(46, 0.2, 1.0, SIZE / 4) + generator(47).normal(0, 0.1, X.shape),
+        {"noise": [0.1, 0.2]},
+    ),
     "lay of short waves": (LONG_WAVES + SHORT_WAVE, {"slopes": [None, SHORT_SLOPE]}),
     "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": [None]}),
     "pillars": (pillars(generator(62)), {"edges": [None]}),

@@ -1,7 +1,7 @@
 """Defects of a scan that make forces wrong although its file is readable.
 
 The defects are streaks, spikes, lines that were not measured, a clipped range, a curvature that
-remains after levelling, offsets of lines, a lay and edges.
+remains after levelling, offsets of lines, a lay, edges and noise.
 """
 
 from collections.abc import Mapping
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.height_map import HeightMap, flatten
+from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.spectrum import Floats
 from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
@@ -36,6 +37,7 @@ DEFECTS = {
     "lay": {"lay_ratio": "1"},
     "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
     "edges": {"edge_slope_share": "1"},
+    "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
@@ -75,6 +77,8 @@ MIN_STEP_CORRELATION = -0.25
 #: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
 EDGE_PIXELS = 0.05
 MIN_EDGE_SHARE = 0.7
+#: Least share of noise in the variance of heights: it changes the rms height by one per cent.
+MIN_NOISE_SHARE = 0.02
 #: Value in place of an infinite ratio, which a pattern without noise has.
 LARGEST_RATIO = 1e6
 
@@ -106,6 +110,11 @@ def scan_defects(
     numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["edges"] = _edge_numbers(levelled_heights)
+        has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
+        if raw_heights.ndim == 2 and not (
+            has_levels or numbers["edges"] or numbers["offset_lines"]
+        ):
+            numbers["noise"] = _noise_numbers(levelled_heights)
     return {
         code: dict(zip(units, numbers[code], strict=True))
         for code, units in DEFECTS.items()
@@ -267,6 +276,35 @@ def _edge_numbers(heights: Floats) -> list[float]:
     steepest = squares[-max(1, round(EDGE_PIXELS * squares.size)) :]
     share = float(steepest.sum() / squares.sum())
     return [share] if share > MIN_EDGE_SHARE else []
+
+
+def _noise_numbers(heights: Floats) -> list[float]:
+    """Return the rms of white noise and the rms height without it (nm); empty without noise.
+
+    The spectrum of a noisy scan is flatter than that of a self-affine surface at two to four pixels
+    and steeper at longer waves.
+    """
+    pixels = len(heights)
+    window = np.hanning(pixels + 1)[:-1]
+    power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
+    waves = np.fft.fftfreq(pixels, 1 / pixels)
+    half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
+    octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
+    density = [power[half_octave == octave].mean() for octave in octaves]
+    counts = [np.count_nonzero(half_octave == octave) for octave in octaves]
+    slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
+    # The window makes one independent wave of four, and opposite wavevectors have the same power.
+    relative_errors = np.sqrt(8 / np.array(counts))
+    errors = 2 / np.log(2) * np.hypot(relative_errors[1:], relative_errors[:-1])
+    is_noisy = (
+        slopes[0] - MIN_STANDARD_ERRORS * errors[0] > FLATTEST_SLOPE
+        and (slopes + MIN_STANDARD_ERRORS * errors).min() < FLATTEST_SLOPE
+    )
+    noise = density[0] / (window**2).sum() ** 2
+    variance = heights.var()
+    if not is_noisy or noise < MIN_NOISE_SHARE * variance:
+        return []
+    return [float(np.sqrt(noise)), float(np.sqrt(max(variance - noise, 0)))]
 
 
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:

@@ -67,11 +67,17 @@ VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I
 #: What to do with files that hold heights in a form that no reader takes.
 EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are no heights: {EXPORT}"
+ARCHIVE = "an archive: unpack it, and give the scans in it"
 MODEL = "a model of triangles or points: save its points as a text of x, y, height"
 #: Kinds of files that no reader knows, by how they begin, with the remedy.
 UNKNOWN_KINDS = {
     b"DSCOMPRESSED": "a compressed file of MountainsMap: save it without compression",
-    b"PK\3\4": "an archive: unpack it, and give the scans in it",
+    b"PK\3\4": ARCHIVE,
+    b"BZh": ARCHIVE,
+    b"\xfd7zXZ": ARCHIVE,
+    b"7z\xbc\xaf": ARCHIVE,
+    b"Rar!": ARCHIVE,
+    b"BM": PICTURE,
     b"II*\0": PICTURE,
     b"MM\0*": PICTURE,
 }
@@ -87,8 +93,8 @@ OTHER_KINDS = {
     b"%PDF": f"a document: {EXPORT}",
 }
 GZIP = b"\x1f\x8b"
-#: SurfaceTopography's message on values that are no lengths.
-UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'")
+#: SurfaceTopography's messages on values that are no lengths.
+UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
@@ -204,8 +210,8 @@ def _open(content: bytes) -> Any:
         if unit is None:
             raise
         raise RefusedFile(
-            f"expected heights, found values in {unit[1]}, which is no unit of length: save the "
-            "heights in place of them"
+            f"expected heights, found values in {unit[unit.lastindex or 0]!r}, which is no unit of "
+            "length: save the heights in place of them"
         ) from None
     if not has_channels:
         raise RefusedFile(f"expected a file with heights, found {_describe_unread(content, '')}")
@@ -228,6 +234,8 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
     )
     if zipfile.is_zipfile(io.BytesIO(content)):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            if "[Content_Types].xml" in archive.namelist():
+                return f"a document of an office program: {EXPORT}"
             if any(name.endswith("/main.xml") for name in archive.namelist()):
                 reader_names = ["X3PReader"]
                 kind_in_words = "an X3P with files in a folder: zip them without the folder"
