@@ -57,6 +57,11 @@ def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rul
     assert planned(own_study, "other.yaml") == rules | PAGE
 
 
+def test_a_dry_run_gives_the_reason(own_study):
+    (own_study / "other.yaml").write_text("adhesion: {work: 60 mJ/m2}")
+    assert re.search(r"before: work=0\.\d+ now: work=0\.06\b", run_dry(own_study, "other.yaml"))
+
+
 @pytest.mark.parametrize(
     ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic")]
 )
