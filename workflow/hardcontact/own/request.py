@@ -58,9 +58,7 @@ class Source(NamedTuple):
     file: str
     path: str
     sphere_radius: float | None = None  #: in nm, of scans of the sphere
-    is_in_folder: bool = (
-        False  #: whether the user named only its folder, which may hold other files
-    )
+    is_in_folder: bool = False  #: whether the user named its folder, which may hold other files
 
 
 def parse_arguments(arguments: Sequence[str]) -> Namespace:

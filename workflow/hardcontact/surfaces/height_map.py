@@ -168,9 +168,11 @@ def level_lines(scan: HeightMap) -> HeightMap:
     also all real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
     """
     heights, is_filled = fill_streaks(level(scan).heights)
+    scan = replace(scan, heights=heights)
     streak_lines = int(is_filled.any(axis=1).sum())
-    notes = [f"streaks along {streak_lines} lines filled from the lines beside them"]
-    scan = replace(scan, heights=heights, notes=(*scan.notes, *notes[: min(streak_lines, 1)]))
+    if streak_lines:
+        note = f"streaks along {streak_lines} lines filled from the lines beside them"
+        scan = replace(scan, notes=(*scan.notes, note))
     aligned = library_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
     return level(replace(scan, heights=aligned.heights().T))
 

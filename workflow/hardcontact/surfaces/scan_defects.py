@@ -261,9 +261,13 @@ def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
     variance_along = profile_variance(direction)
     variance_across = profile_variance(1j * direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    slope_ratio = (squared_slopes + slope_difference) / (squared_slopes - slope_difference)
-    ratio = variance_along / max(variance_across, variance_along / LARGEST_RATIO)
-    return [ratio] if is_lay else [], slope_ratio
+    slope_ratio = _ratio(squared_slopes + slope_difference, squared_slopes - slope_difference)
+    return [_ratio(variance_along, variance_across)] if is_lay else [], slope_ratio
+
+
+def _ratio(larger: float, smaller: float) -> float:
+    """Return the ratio of two powers, at most LARGEST_RATIO; 1 if both are zero."""
+    return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
 def _edge_numbers(heights: Floats) -> list[float]:
@@ -290,6 +294,8 @@ def _noise_numbers(heights: Floats) -> list[float]:
     waves = np.fft.fftfreq(pixels, 1 / pixels)
     half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
     octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
+    if len(octaves) < 2:
+        return []
     density = [power[half_octave == octave].mean() for octave in octaves]
     counts = [np.count_nonzero(half_octave == octave) for octave in octaves]
     slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
