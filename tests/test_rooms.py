@@ -19,7 +19,7 @@ BUDGET = {
     "base": 648,
     "surfaces": 2987,
     "contact": 1374,
-    "inference": 1532,
+    "inference": 1534,
     "theory": 647,
     "paper": 1457,
     "config": 1912,
