@@ -19,7 +19,7 @@ BUDGET = {
     "base": 745,
     "surfaces": 3411,
     "contact": 1383,
-    "inference": 1573,
+    "inference": 1575,
     "theory": 647,
     "paper": 1463,
     "config": 2256,

@@ -42,7 +42,9 @@ FILTERED_SCAN = DIMENSIONLESS | {
 WIDE_PIXELS = DIMENSIONLESS | {
     "long_name": "mean pull-off force on four times wider pixels, relative to that on the scan's"
 }
-FAILS = DIMENSIONLESS | {"long_name": "1 where artificial roughness changes the force"}
+FAILS = DIMENSIONLESS | {
+    "long_name": "1 where artificial roughness changes the force, or is not tested"
+}
 
 
 def last_octave(side: str, transition: float, shortest: float, longest: float) -> Octave | None:
@@ -161,7 +163,7 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
 
     Forces (map, side, ...) come from `hindcast_forces`. The prediction interval of one more random
     octave contains 1 if the scan's octave is random, too. The hindcast fails if it does not, and
-    the ratio differs from 1 by more than the tolerance.
+    the ratio differs from 1 by more than the tolerance, or if there is no octave.
     """
     from scipy import special
 
@@ -173,12 +175,12 @@ def hindcasts(forces: xr.Dataset, tolerance: float, confidence: float) -> xr.Dat
     half = quantile * logs.std("realization", ddof=1) * np.sqrt(1 + 1 / count)
     log_ratio = logs.mean("realization") - scan_log
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))
-    fails = (np.abs(log_ratio) > half) & (np.abs(log_ratio) > np.log1p(tolerance))
+    passes = (np.abs(log_ratio) <= half) | (np.abs(log_ratio) <= np.log1p(tolerance))
     variables = with_interval(
         "hindcast_ratio", "side", np.exp(log_ratio.values), interval, RATIO, confidence
     )
     return xr.Dataset(
-        variables | {"hindcast_fails": ("side", fails.values.astype(int), FAILS)},
+        variables | {"hindcast_fails": ("side", (~passes).values.astype(int), FAILS)},
         {"side": forces["side"]},
     )
 

@@ -318,10 +318,10 @@ def _hindcasts(data: Datasets) -> list[Caution]:
     for side in SIDES:
         force = data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
-        if np.isfinite(ratio.value):
+        fails = fails_hindcast(data, side)
+        if fails or np.isfinite(ratio.value):
             numbers = {"ratio": ratio, "start": number_of(force, "transition", "nm", name="start")}
-            code = f"hindcast_{side}"
-            side_cautions.append(Caution(code, fails_hindcast(data, side), numbers, {"side": side}))
+            side_cautions.append(Caution(f"hindcast_{side}", fails, numbers, {"side": side}))
     return side_cautions
 
 
