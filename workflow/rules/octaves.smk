@@ -29,6 +29,7 @@ rule amplify_octaves:
     input:
         stitched=lambda w: FILES.roughness(w.surface, int(w.scan)),
         spectrum=lambda w: FILES.roughness_spectrum(w.surface),
+        body_spectra=lambda w: [FILES.spectrum(body) for body in FILES.rough_bodies(w.surface)],
         sphere=FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else [],
         code=code_inputs("amplify_octaves.py"),
     output:
@@ -38,6 +39,10 @@ rule amplify_octaves:
             surface=w.surface,
             scan=int(w.scan),
             measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
+            sphere_scan=[
+                (body, FILES.sphere_scan(w.surface, int(w.scan)))
+                for body in FILES.rough_bodies(w.surface)[1:]
+            ],
             seed=STUDY["seed"],
             contact=CONTACT,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},

@@ -184,6 +184,11 @@ class Files:
             return []
         return [name for name in self._selection.substrates if basis[name] == "measured"]
 
+    def rough_bodies(self, surface: str) -> list[str]:
+        """Return the surfaces whose roughness is in a map of a substrate."""
+        is_combined = surface in self.combined_surfaces
+        return [surface, self._selection.sphere] if is_combined else [surface]
+
     def roughness(self, surface: str, scan: int) -> str:
         """Return the stitched scan of a substrate, with the sphere's roughness if that is added."""
         if surface not in self.combined_surfaces:
