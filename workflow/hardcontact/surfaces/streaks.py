@@ -15,7 +15,7 @@ MIN_STREAK_STEPS = 6.0
 MEDIAN_STEP = 0.6745
 #: Least number of pixels along a line: fewer may be a particle. A streak is also more than twice as
 #: long as the longest such row of pixels across the lines, which the surface itself makes.
-MIN_STREAK_PIXELS = 4
+MIN_STREAK_PIXELS = 8
 MAX_LENGTH_RATIO = 2
 #: Least distance of the ends of a streak, in typical steps.
 END_STEPS = 1.0
@@ -32,16 +32,14 @@ def find_streaks(heights: Floats) -> Mask:
     streaks is not one: of both signs, that with more pixels counts.
     """
     for width in STREAK_WIDTHS:
-        across = _distances(heights.T, width)
-        longest_across = max(_run_lengths(steps > MIN_STREAK_STEPS).max() for steps in across)
+        along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
+        across = [_run_lengths(_candidates(steps)) for steps in _distances(heights.T, width)]
+        longest_across = max(lengths.max() for lengths in across)
         min_length = max(MIN_STREAK_PIXELS, MAX_LENGTH_RATIO * longest_across + 1)
-        streaks = [
-            _runs_with(steps > END_STEPS, _run_lengths(steps > MIN_STREAK_STEPS) >= min_length)
-            for steps in _distances(heights, width)
-        ]
-        more = max(streaks, key=np.count_nonzero)
-        if more.any():
-            return more
+        above, below = (lengths >= min_length for lengths in along)
+        streaks: Mask = above if above.sum() >= below.sum() else below
+        if streaks.any():
+            return streaks
     return np.zeros(heights.shape, bool)
 
 
@@ -64,15 +62,17 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
     """Return how far pixels are above, and below, both lines a width before and after.
 
-    Distances are in typical steps. Near the first and the last line only one of these is there.
+    Distances are in typical steps. The first and the last line have one line beside them; wider
+    streaks at an edge are not told from steps.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]
+    lower, upper = (np.fmin, np.fmax) if width == 1 else (np.minimum, np.maximum)
     typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_STEP
     scale = max(typical_step, np.finfo(np.float32).tiny)
     return (
-        (heights - np.fmax(before, after)) / scale,
-        (np.fmin(before, after) - heights) / scale,
+        (heights - upper(before, after)) / scale,
+        (lower(before, after) - heights) / scale,
     )
 
 
@@ -93,10 +93,11 @@ def _run_lengths(mask: Mask) -> NDArray[np.intp]:
     return lengths
 
 
-def _runs_with(mask: Mask, seeds: Mask) -> Mask:
-    """Return the mask of the runs of a mask that hold a seed."""
-    kept = np.zeros(mask.shape, bool)
-    if seeds.any():
-        for row, pixels in _runs(mask):
-            kept[row, pixels] = seeds[row, pixels].any()
-    return kept
+def _candidates(steps: Floats) -> Mask:
+    """Return the mask of runs of pixels that lie outside by END_STEPS, a pixel by many steps."""
+    is_certain = steps > MIN_STREAK_STEPS
+    mask = np.zeros(steps.shape, bool)
+    if is_certain.any():
+        for row, pixels in _runs(steps > END_STEPS):
+            mask[row, pixels] = is_certain[row, pixels].any()
+    return mask
