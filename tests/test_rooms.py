@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1457,
     "config": 1980,
     "own": 1875,
-    "report": 2900,
+    "report": 2910,
     "api": 204,
 }
 NO_CODE = {
