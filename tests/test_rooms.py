@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2259,
     "own": 2001,
-    "report": 3005,
+    "report": 3014,
     "api": 215,
 }
 NO_CODE = {

@@ -25,6 +25,7 @@ from hardcontact.report.datasets import Datasets, preferred_model
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.figures.values import mean_free_heights, value_and_interval
+from hardcontact.surfaces.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.
 SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
@@ -67,14 +68,20 @@ def draw_octaves(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     is_shown = [shown_octaves(datasets.select_surface(surface)) for surface in labels]
     sensitivity = datasets.sensitivity.sel(surface=list(labels))
+    looks = style.colours(labels).items()
+    handles = [Patch(color=colour, label=labels[surface]) for surface, colour in looks]
+    if "sphere_share" in datasets.spectra:
+        middles = np.sqrt(2) * sensitivity["octave"].values
+        spectra = [datasets.spectra.sel(surface=surface) for surface in labels]
+        shares = [[sphere_share(spectrum, middle) for middle in middles] for spectrum in spectra]
+        sensitivity = sensitivity.assign(sphere_share=(("surface", "octave"), shares))
+        handles.append(Patch(**panels.SPHERE_SHARE_LOOK, label="the sphere's share of the power"))
     figure = Figure(figsize=(PAGE_WIDTH, 3.0), layout="constrained")
     axes = figure.subplots()
     panels.draw_octaves(axes, sensitivity.assign(is_shown=(("surface", "octave"), is_shown)))
     low, high = axes.get_ylim()
     limit = MAX_OCTAVE_MARGIN * float(np.abs(sensitivity["octave_sensitivity"]).max())
     axes.set_ylim(max(low, -limit), min(high, limit))
-    looks = style.colours(labels).items()
-    handles = [Patch(color=colour, label=labels[surface]) for surface, colour in looks]
     style.legend_above(figure, handles, max_columns=2)
     return figure
 

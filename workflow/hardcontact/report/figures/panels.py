@@ -15,6 +15,7 @@ from hardcontact.report.figures.style import Look
 from hardcontact.report.figures.values import value_and_interval
 
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
+SPHERE_SHARE_LOOK: Look = {"color": "black", "alpha": 0.4, "lw": 0}  # of the bar of an octave
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
 
 
@@ -76,7 +77,8 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
     """Draw d ln F / d ln a of each octave, a bar for each surface, with its interval.
 
     ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data. Octaves are hatched
-    where ``is_shown`` (surface, octave), if there, is false.
+    where ``is_shown`` (surface, octave), if there, is false. ``sphere_share`` (surface, octave), if
+    there, is the dark share of a bar.
     """
     octaves = sensitivity["octave"].values
     surfaces = style.looks(sensitivity["surface"].values)
@@ -88,9 +90,11 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         if "is_shown" in sensitivity:
             for position in positions[~sensitivity["is_shown"].sel(surface=surface).values]:
                 axes.axvspan(position, position * 2**width, zorder=-1, **style.ARTIFICIAL_LOOK)
-        axes.bar(
-            positions, curve["value"], positions * (2**width - 1), align="edge", color=look["color"]
-        )
+        widths = positions * (2**width - 1)
+        axes.bar(positions, curve["value"], widths, align="edge", color=look["color"])
+        if "sphere_share" in sensitivity:
+            dark = curve["value"] * sensitivity["sphere_share"].sel(surface=surface)
+            axes.bar(positions, dark, widths, align="edge", **SPHERE_SHARE_LOOK)
         draw_bars(
             axes, positions * 2 ** (width / 2), curve, fmt="none", ecolor="0.25", elinewidth=0.7
         )
