@@ -1,6 +1,6 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-from hardcontact.config import start
+from hardcontact.config import endings, start
 
 start.prepare(workflow)
 
@@ -50,15 +50,15 @@ start.keep_logs(workflow, PATTERNS)
 
 onstart:
     start.check_folders(PATTERNS.results, PATTERNS.store)
-    start.stop_jobs_at_interrupt(workflow)
+    endings.stop_jobs_at_interrupt(workflow)
 
 
 onsuccess:
-    start.log_answer(workflow, PATTERNS.result("answer.html"))
+    endings.log_answer(workflow, PATTERNS.result("answer.html"))
 
 
 onerror:
-    start.log_how_to_resume(workflow)
+    endings.log_how_to_resume(workflow)
 
 
 rule all:

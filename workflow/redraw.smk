@@ -1,6 +1,6 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.config import start
+from hardcontact.config import endings, start
 from hardcontact.base.packages import write_pins
 
 start.prepare(workflow)
@@ -40,11 +40,11 @@ onstart:
 
 
 onsuccess:
-    start.log_answer(workflow, PATTERNS.result("answer.html"))
+    endings.log_answer(workflow, PATTERNS.result("answer.html"))
 
 
 onerror:
-    start.log_how_to_resume(workflow)
+    endings.log_how_to_resume(workflow)
 
 
 rule redraw:

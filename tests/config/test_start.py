@@ -1,22 +1,16 @@
-"""The messages and refusals of a run before its first job and at its end."""
+"""The refusals of a run before its first job."""
 
 import logging
-import os
-import signal
-import subprocess
-import sys
 from copy import deepcopy
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 import yaml
 from refusals import assert_says
-from repository import PAPER, ROOT, TINY, copy_repository, environment, snakemake
+from repository import PAPER, ROOT, snakemake
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
-from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.config import start
 
@@ -109,33 +103,6 @@ def test_a_faulty_value_of_the_command_line_is_refused_with_its_key(text):
     assert_says(line, "config key asperities.contacts", "a whole number", text.strip("'"))
 
 
-def listen_to_ctrl_c():
-    """Undo what a shell does to programs in the background, and they to theirs: ignore Ctrl-C."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-
-@pytest.mark.study
-def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
-    study = copy_repository(tmp_path / "study")
-    # Three jobs, one after the other: the first ends before the others begin.
-    master = TINY_PATTERNS.small_master.format(
-        surface="uncd", sources=TINY_SOURCES["uncd"], realization=1
-    )
-    with subprocess.Popen(
-        [sys.executable, "-m", "snakemake", master, "--configfile", TINY],
-        cwd=study, env=environment(study), text=True, start_new_session=True,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, preexec_fn=listen_to_ctrl_c,
-    ) as run:  # fmt: skip
-        messages = []
-        for line in run.stdout:
-            if "jobs done" in line:
-                os.killpg(run.pid, signal.SIGINT)  # Ctrl-C reaches all processes of a terminal.
-            messages.append(line.rstrip())
-    assert run.returncode == 130
-    assert messages[-1] == start.RESUME and "jobs done" in messages[-2]
-    assert not [*study.glob(".snakemake/locks/*")]
-
-
 def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     path = tmp_path / "a.yaml"
     path.write_text("seed: 1\n'seed': 2")
@@ -145,30 +112,6 @@ def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
     )
     workflow.exec_mode = ExecMode.SUBPROCESS
     assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
-
-
-@pytest.mark.parametrize(
-    ("outputs", "messages"),
-    [
-        (
-            ["answer.html", "answer.json"],
-            ["Band 1 to 2 nm.", "Take care.", "The answer is made: open answer.html"],
-        ),
-        (["other.nc"], []),
-    ],
-)
-def test_a_run_ends_with_its_headline_and_the_page_to_open(
-    caplog, tmp_path, monkeypatch, outputs, messages
-):
-    monkeypatch.chdir(tmp_path)
-    Path("answer.json").write_text(
-        '{"headline": ["Band 1 to 2 nm."], "notes": [{"grave": true, "text": "Take care."}, '
-        '{"grave": false, "text": "Less so."}]}'
-    )
-    caplog.set_level(logging.INFO, start.logger.name)
-    workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
-    start.log_answer(workflow, "answer.html")
-    assert caplog.messages == messages
 
 
 # The command line

@@ -5,18 +5,17 @@ loss or a clock set back.
 """
 
 import json
+import os
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hardcontact.base.origin import (
-    Record,
-    canonical,
-    digest,
-    lineage,
-    read_record,
-    versions,
-)
+from snakemake.jobs import Job
+from snakemake.persistence import ParamsChange, PersistenceBase
+from snakemake.settings.types import RerunTrigger
+
+from hardcontact.base.origin import Record, canonical, digest, lineage, read_record, versions
 
 #: Size in bytes up to which files of earlier jobs are read; of larger ones the record counts, with
 #: which the job that uses them compares them.
@@ -115,3 +114,39 @@ def _own_lineage(path: str) -> str:
 def _named_values(text: str) -> set[str]:
     """Return the values of a canonical JSON text with their keys."""
     return {f"{key}={canonical(value)}" for key, value in json.loads(text).items()}
+
+
+def plan_by_records(workflow: Any) -> None:
+    """Make records decide which files are made again, in place of times and Snakemake's metadata.
+
+    The only trigger is a change of parameters: `_recorded_change` finds all changes.
+    """
+    type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
+    workflow.log_provenance_info = lambda: None  # It advises to trust times.
+    Job.output_mintime = property(_no_time)
+    PersistenceBase.has_metadata = lambda self, job: True
+    PersistenceBase.has_outdated_metadata = lambda self, job: False
+    PersistenceBase.params_changed = _recorded_change
+
+
+async def _no_time(job: Any) -> None:
+    """Return no time of the files of a job, with which Snakemake would compare inputs."""
+
+
+def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
+    """Return changed parameters of a job or of one of its files; add changed inputs to reasons."""
+    paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
+    reruns = _reruns(persistence.dag)
+    changes = [reruns.change(job, path) for path in paths]
+    updated_input = persistence.dag.reason(job).updated_input
+    updated_input.update(path for change in changes for path in change.inputs)
+    return ParamsChange(
+        only_old={value for change in changes for value in change.before},
+        only_new={value for change in changes for value in change.now},
+        files=set(paths),
+    )
+
+
+@cache
+def _reruns(dag: Any) -> Reruns:
+    return Reruns(dag.dependencies)

@@ -1,27 +1,18 @@
-"""Checks before the first job of a run, which refuse in one line a run that would fail.
+"""Checks before the first job of a run, which refuse in one line a run that would fail."""
 
-Only this module uses the inside of Snakemake.
-"""
-
-import json
 import logging
 import os
-import signal
 import sys
 import tempfile
-import threading
 from collections.abc import Iterator, Mapping
 from copy import deepcopy
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
-import psutil
 import yaml
 from snakemake.io import strip_wildcard_constraints
-from snakemake.jobs import Job
-from snakemake.persistence import ParamsChange, PersistenceBase
-from snakemake.settings.types import ExecMode, RerunTrigger
+from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
 from hardcontact.base import published
@@ -29,28 +20,20 @@ from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import refuse_unreadable
+from hardcontact.config.endings import end_at_interrupt
 from hardcontact.config.faults import refuse_all, shorten
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
-from hardcontact.config.reruns import Reruns
-from hardcontact.config.selection import (
-    Selection,
-    selected_scans,
-    source_digests,
-    surface_table,
-)
+from hardcontact.config.reruns import plan_by_records
+from hardcontact.config.selection import Selection, selected_scans, source_digests, surface_table
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
-#: Logger of the study's own messages, which a terminal shows with the stages of a run.
-logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
 #: Names of studies that an overlay without a name of its own has.
 OWN_NAMES = ("paper", "quick")
-#: The last line of a run that failed or was stopped.
-RESUME = "Not all is made: the same command goes on from here."
 
 
 def _refuse(message: object) -> NoReturn:
@@ -69,48 +52,12 @@ def prepare(workflow: Any) -> None:
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
     check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if _plans_the_run(workflow):
-        _stop_at_interrupt(workflow)
+        end_at_interrupt(workflow)
         try:
             refuse_other_versions()
         except ValueError as error:
             _refuse(error)
-        _plan_by_records(workflow)
-
-
-def _plan_by_records(workflow: Any) -> None:
-    """Make records decide which files are made again, in place of times and Snakemake's metadata.
-
-    The only trigger is a change of parameters: the method below finds all changes.
-    """
-    type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
-    workflow.log_provenance_info = lambda: None  # It advises to trust times.
-    Job.output_mintime = property(_no_time)
-    PersistenceBase.has_metadata = lambda self, job: True
-    PersistenceBase.has_outdated_metadata = lambda self, job: False
-    PersistenceBase.params_changed = _recorded_change
-
-
-async def _no_time(job: Any) -> None:
-    """Return no time of the files of a job, with which Snakemake would compare inputs."""
-
-
-def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
-    """Return changed parameters of a job or of one of its files; add changed inputs to reasons."""
-    paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
-    reruns = _reruns(persistence.dag)
-    changes = [reruns.change(job, path) for path in paths]
-    updated_input = persistence.dag.reason(job).updated_input
-    updated_input.update(path for change in changes for path in change.inputs)
-    return ParamsChange(
-        only_old={value for change in changes for value in change.before},
-        only_new={value for change in changes for value in change.now},
-        files=set(paths),
-    )
-
-
-@cache
-def _reruns(dag: Any) -> Reruns:
-    return Reruns(dag.dependencies)
+        plan_by_records(workflow)
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -132,45 +79,6 @@ def _refuse_elsewhere(workflow: Any) -> None:
 def _plans_the_run(workflow: Any) -> bool:
     """Return True if this process plans the run; False if it executes a job of the run."""
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
-
-
-def _stop(workflow: Any) -> NoReturn:
-    """End a run and its jobs, whose files are whole or not there, at once and in one line."""
-    for process in psutil.Process().children(recursive=True):
-        process.kill()
-    if workflow.persistence:
-        workflow.persistence.unlock()
-    os.write(2, f"{RESUME}\n".encode())
-    os._exit(130)
-
-
-def _stop_at_interrupt(workflow: Any) -> None:
-    """End at Ctrl-C while the run is planned."""
-    signal.signal(signal.SIGINT, lambda *_: _stop(workflow))
-
-
-def stop_jobs_at_interrupt(workflow: Any) -> None:
-    """End at Ctrl-C, of which jobs hear nothing; on a cluster, at the second one.
-
-    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake first
-    cancels what it has submitted.
-    """
-    if workflow.local_exec:
-        # Threads and jobs that begin from here on inherit what is blocked.
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-
-        def wait() -> None:
-            signal.sigwait({signal.SIGINT})
-            _stop(workflow)
-
-        threading.Thread(target=wait, daemon=True).start()
-    else:
-
-        def interrupt(*_: object) -> NoReturn:
-            _stop_at_interrupt(workflow)
-            raise KeyboardInterrupt
-
-        signal.signal(signal.SIGINT, interrupt)
 
 
 def finished_configuration(config: Mapping[str, Any]) -> str:
@@ -299,32 +207,6 @@ def keep_logs(workflow: Any, patterns: Patterns) -> None:
         rule.set_log(patterns.run_record("logs", ".log", rule.name, output))
         if rule.output:
             rule.benchmark = patterns.run_record("benchmarks", ".tsv", rule.name, output)
-
-
-def log_answer(workflow: Any, page: str) -> None:
-    """Log the answer at the end of a run that makes its page, and the page to open."""
-    if page in {str(path) for job in workflow.dag.jobs for path in job.output}:
-        answer = Path(page).with_name("answer.json")
-        content = json.loads(answer.read_text("utf-8"))
-        grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
-        for line in [*content["headline"], *grave_notes]:
-            logger.info(line)
-        logger.info(f"The answer is made: open {page}")
-    _stop_looking()
-
-
-def log_how_to_resume(workflow: Any) -> None:
-    """Log, at the end of a failed or stopped run that makes files, that its command resumes it."""
-    if any(job.output for job in workflow.dag.jobs):
-        logger.error(RESUME)
-    _stop_looking()
-
-
-def _stop_looking() -> None:
-    """End without waiting for Snakemake's timers, since no work is left."""
-    for thread in threading.enumerate():
-        if isinstance(thread, threading.Timer):
-            thread.cancel()
 
 
 def check_folders(*folders: str) -> None:

@@ -1,0 +1,81 @@
+"""The ends of a run: its answer in the terminal, a failure, and Ctrl-C."""
+
+import json
+import logging
+import os
+import signal
+import threading
+from pathlib import Path
+from typing import Any, NoReturn
+
+import psutil
+
+#: Logger of the study's own messages, which a terminal shows with the stages of a run.
+logger = logging.getLogger("snakemake.logging.study")
+#: The last line of a run that failed or was stopped.
+RESUME = "Not all is made: the same command goes on from here."
+
+
+def log_answer(workflow: Any, page: str) -> None:
+    """Log the answer at the end of a run that makes its page, and the page to open."""
+    if page in {str(path) for job in workflow.dag.jobs for path in job.output}:
+        answer = Path(page).with_name("answer.json")
+        content = json.loads(answer.read_text("utf-8"))
+        grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
+        for line in [*content["headline"], *grave_notes]:
+            logger.info(line)
+        logger.info(f"The answer is made: open {page}")
+    _stop_looking()
+
+
+def log_how_to_resume(workflow: Any) -> None:
+    """Log, at the end of a failed or stopped run that makes files, that its command resumes it."""
+    if any(job.output for job in workflow.dag.jobs):
+        logger.error(RESUME)
+    _stop_looking()
+
+
+def _stop_looking() -> None:
+    """End without waiting for Snakemake's timers, since no work is left."""
+    for thread in threading.enumerate():
+        if isinstance(thread, threading.Timer):
+            thread.cancel()
+
+
+def _stop(workflow: Any) -> NoReturn:
+    """End a run and its jobs, whose files are whole or not there, at once and in one line."""
+    for process in psutil.Process().children(recursive=True):
+        process.kill()
+    if workflow.persistence:
+        workflow.persistence.unlock()
+    os.write(2, f"{RESUME}\n".encode())
+    os._exit(130)
+
+
+def end_at_interrupt(workflow: Any) -> None:
+    """End at Ctrl-C while the run is planned."""
+    signal.signal(signal.SIGINT, lambda *_: _stop(workflow))
+
+
+def stop_jobs_at_interrupt(workflow: Any) -> None:
+    """End at Ctrl-C, of which jobs hear nothing; on a cluster, at the second one.
+
+    Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake first
+    cancels what it has submitted.
+    """
+    if workflow.local_exec:
+        # Threads and jobs that begin from here on inherit what is blocked.
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+        def wait() -> None:
+            signal.sigwait({signal.SIGINT})
+            _stop(workflow)
+
+        threading.Thread(target=wait, daemon=True).start()
+    else:
+
+        def interrupt(*_: object) -> NoReturn:
+            end_at_interrupt(workflow)
+            raise KeyboardInterrupt
+
+        signal.signal(signal.SIGINT, interrupt)
