@@ -30,6 +30,11 @@ def canonical(parameters: object) -> str:
     return json.dumps(parameters, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
+def value_digest(values: object) -> str:
+    """Return the SHA-256 of the canonical text of values."""
+    return hashlib.sha256(canonical(values).encode()).hexdigest()
+
+
 def digest(path: str | Path) -> str:
     """Return the SHA-256 of the content of a file."""
     with open(path, "rb") as file:
@@ -47,7 +52,7 @@ def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
 
     The lineage of a file that no job made is its SHA-256. It finds changes behind missing inputs.
     """
-    return hashlib.sha256(canonical([parameters, versions(), inputs]).encode()).hexdigest()
+    return value_digest([parameters, versions(), inputs])
 
 
 def digests(paths: Iterable[str | Path]) -> dict[str, str]:
@@ -67,11 +72,10 @@ class Origin(NamedTuple):
 
         The time of writing is not among them: it would differ between equal files.
         """
-        code = canonical({path: self.inputs[path] for path in self.code})
         return {
             "parameters": self.parameters,
             "versions": canonical(versions()),
-            "code_digest": hashlib.sha256(code.encode()).hexdigest(),
+            "code_digest": value_digest({path: self.inputs[path] for path in self.code}),
             "input_digests": canonical(self.inputs),
         }
 

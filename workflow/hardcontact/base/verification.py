@@ -12,7 +12,7 @@ from hardcontact.base.origin import RECORDS, Record, digest, read_record
 from hardcontact.base.packages import installed_version
 
 #: Folders of a study whose files describe runs: no record describes them.
-OF_RUNS = ("logs", "benchmarks")
+RUN_FOLDERS = ("logs", "benchmarks")
 
 
 def traced_records(folder: str | Path) -> dict[str, Record]:
@@ -90,7 +90,7 @@ def _unrecorded(folder: str | Path, inputs: set[str]) -> set[str]:
         for path in Path(folder).rglob("*")
         if path.is_file()
         and RECORDS not in path.parts
-        and path.relative_to(folder).parts[0] not in OF_RUNS
+        and path.relative_to(folder).parts[0] not in RUN_FOLDERS
     }
     return files | {path for path in inputs if (Path(path).parent / RECORDS).is_dir()}
 

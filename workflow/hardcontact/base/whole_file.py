@@ -24,7 +24,8 @@ def whole_file(path: str | Path) -> Iterator[str]:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield str(temporary)
-        _flush(temporary)
+        with open(temporary, "rb") as file:
+            os.fsync(file.fileno())
         os.replace(temporary, path)
     except OSError as error:
         existing = next(folder for folder in path.parents if folder.exists())
@@ -35,12 +36,6 @@ def whole_file(path: str | Path) -> Iterator[str]:
     finally:
         if path.parent.is_dir():
             temporary.unlink(missing_ok=True)
-
-
-def _flush(path: Path) -> None:
-    """Wait until the content of a file is on the disk."""
-    with open(path, "rb") as file:
-        os.fsync(file.fileno())
 
 
 def remove_parts(path: str | Path) -> None:

@@ -1,12 +1,11 @@
 """Every path of a study: patterns with wildcards, and the values of these."""
 
-import hashlib
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from typing import Any
 
-from hardcontact.base.origin import canonical
+from hardcontact.base.origin import value_digest
 from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.surfaces.features import KINDS
 
@@ -67,7 +66,7 @@ _NUMBER = "[0-9.e+-]+"
 
 def short_digest(values: object) -> str:
     """Return a short digest of values, as a part of paths."""
-    return hashlib.sha256(canonical(values).encode()).hexdigest()[:8]
+    return value_digest(values)[:8]
 
 
 def key_values(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
