@@ -15,11 +15,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
-from hardcontact.surfaces.same_place import (
-    coarse_map,
-    earlier_scans_of_places,
-    same_place_line,
-)
+from hardcontact.surfaces.same_place import coarse_map, repeated_places
 from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
@@ -148,13 +144,9 @@ def _leave_out_same_places(entries: Sequence[Entry]) -> tuple[list[Entry], list[
     kept_entries: list[Entry] = []
     lines: list[str] = []
     for scans in entries_by_surface(entries).values():
-        for entry, earlier in zip(
-            scans, earlier_scans_of_places([scan.coarse for scan in scans]), strict=True
-        ):
-            if earlier is None:
-                kept_entries.append(entry)
-            else:
-                lines.append(same_place_line(entry.name, scans[earlier].name))
+        repeated = repeated_places([scan.coarse for scan in scans], [scan.name for scan in scans])
+        kept_entries += [scan for number, scan in enumerate(scans) if number not in repeated]
+        lines += repeated.values()
     return kept_entries, lines
 
 

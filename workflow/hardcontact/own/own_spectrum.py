@@ -8,7 +8,6 @@ import math
 import re
 from collections.abc import Sequence
 from functools import partial
-from itertools import compress
 from pathlib import Path
 from typing import NamedTuple
 
@@ -23,11 +22,7 @@ from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictio
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.same_place import (
-    coarse_map,
-    earlier_scans_of_places,
-    same_place_line,
-)
+from hardcontact.surfaces.same_place import repeated_places
 from hardcontact.surfaces.scan_defects import defect_sentence, examine
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
@@ -113,14 +108,9 @@ def own_spectrum(
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
     names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
-    earlier = earlier_scans_of_places([coarse_map(scan) for scan in scans])
-    repeated = [
-        f"{TAKE_CARE}{same_place_line(name, names[index])}"
-        for name, index in zip(names, earlier, strict=True)
-        if index is not None
-    ]
-    is_kept = [index is None for index in earlier]
-    scans, names = [*compress(scans, is_kept)], [*compress(names, is_kept)]
+    repeated = repeated_places(scans, names)
+    scans = [scan for number, scan in enumerate(scans) if number not in repeated]
+    names = [name for number, name in enumerate(names) if number not in repeated]
     defects = [
         (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)
@@ -134,7 +124,7 @@ def own_spectrum(
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
     limits = ("shortest_reliable", "longest_reliable", "limited_by")
-    notes = repeated
+    notes = [f"{TAKE_CARE}{line}" for line in repeated.values()]
     for name, scan, *band in zip(
         names, scans, *(joined[limit].values for limit in limits), strict=True
     ):

@@ -37,24 +37,30 @@ def coarse_map(scan: HeightMap) -> HeightMap:
 def earlier_scans_of_places(scans: Sequence[HeightMap]) -> list[int | None]:
     """Return for each scan the index of the first scan that shows its place; None if it is new.
 
-    Scans are levelled maps from `coarse_map`, or line scans, which are never compared.
+    Scans are levelled; line scans are never compared.
     """
+    maps = [coarse_map(scan) for scan in scans]
     earlier: list[int | None] = []
-    for scan in scans:
+    for scan in maps:
         first_scans = [number for number, index in enumerate(earlier) if index is None]
         earlier.append(
-            next((number for number in first_scans if show_same_place(scans[number], scan)), None)
+            next((number for number in first_scans if show_same_place(maps[number], scan)), None)
         )
     return earlier
 
 
-def same_place_line(name: str, earlier_name: str) -> str:
-    """Return a line on a scan that is left out."""
-    return f"{name}: it shows the same place as {earlier_name}, and a place counts once"
+def repeated_places(scans: Sequence[HeightMap], names: Sequence[str]) -> dict[int, str]:
+    """Return a line on each scan that shows the place of an earlier scan, by its index."""
+    return {
+        number: f"{names[number]}: it shows the same place as {names[index]}, and a place counts "
+        "once"
+        for number, index in enumerate(earlier_scans_of_places(scans))
+        if index is not None
+    }
 
 
 def show_same_place(first: HeightMap, second: HeightMap) -> bool:
-    """Return whether two levelled maps show the same place.
+    """Return whether two levelled maps from `coarse_map` show the same place.
 
     If parts of a map resemble each other as much, as on a grating, resemblance tells nothing.
     """

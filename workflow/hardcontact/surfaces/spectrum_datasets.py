@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.same_place import coarse_map, earlier_scans_of_places
+from hardcontact.surfaces.same_place import earlier_scans_of_places
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -37,7 +37,7 @@ def measurement_descriptions(
 
     The radii of their tips are in nm, None if unknown.
     """
-    earlier_measurements = earlier_scans_of_places([coarse_map(scan) for scan in measurements])
+    earlier_measurements = earlier_scans_of_places(measurements)
     return [
         {
             "kind": measurement.kind,
