@@ -11,13 +11,7 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import (
-    CONTACT_QUANTITIES,
-    NONE,
-    SMOOTH_SPHERE,
-    Study,
-    quantity_type,
-)
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, Study, quantity_type
 from hardcontact.contact.contact import Contact
 
 

@@ -154,9 +154,4 @@ def _paths(model: type[BaseModel]) -> Iterator[tuple[str, ...]]:
 
 def _written(path: Sequence[str]) -> str:
     """Return a key as YAML has it on one line, such as ``contact: {hardness: ...}``."""
-    *sections, name = path
-    return (
-        "".join(f"{section}: {{" for section in sections)
-        + (f"{name}: ..." if sections else name)
-        + "}" * len(sections)
-    )
+    return ": {".join(path) + (": ..." + "}" * (len(path) - 1) if len(path) > 1 else "")

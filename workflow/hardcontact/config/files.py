@@ -8,12 +8,7 @@ from math import ceil, sqrt
 from typing import Any
 
 from hardcontact.base.units import path_token
-from hardcontact.config.configuration import (
-    combines_bodies,
-    get_key,
-    master_keys,
-    study_contact,
-)
+from hardcontact.config.configuration import combines_bodies, get_key, master_keys, study_contact
 from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, key_values, short_digest
 from hardcontact.config.selection import Selection
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
@@ -67,30 +62,28 @@ class Files:
         self._selection = selection
         self._patterns = patterns
         self.contact = study_contact(configuration)
-        self._swept = {
+        self._defaults = {
             "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
             "load": self.contact.load,
             "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
+            "sphere_sources": selection.sources.get(selection.sphere, SMOOTH),
         }
-        self._sphere_sources = selection.sources.get(selection.sphere, SMOOTH)
         keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
         self._filter_values = key_values(configuration, keys)
         self._combines_bodies = combines_bodies(configuration)
         is_rough = configuration["scales"]["sphere_roughness"]
         self._probe = "rough" if is_rough else "smooth"
         if is_rough or self._combines_bodies:
-            self._filter_values["sphere"] = self._sphere_sources
+            self._filter_values["sphere"] = self._defaults["sphere_sources"]
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""
-        sphere = surface == self._selection.sphere
-        shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        sources = {
+        is_sphere = surface == self._selection.sphere
+        surface_values = {
+            "shape": f"sphere-{self._defaults['radius']}" if is_sphere else "flat",
             "sources": self._selection.sources[surface],
-            "sphere_sources": self._sphere_sources,
         }
-        defaults = {"shape": shape, **sources, **self._swept}
-        return pattern.format(surface=surface, **defaults | wildcards)
+        return pattern.format(surface=surface, **self._defaults | surface_values | wildcards)
 
     def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
         """Return the files of a pattern, one a row."""

@@ -13,12 +13,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.base.statistics import (
-    BOUNDS,
-    Sampling,
-    student_log_samples,
-    with_interval,
-)
+from hardcontact.base.statistics import BOUNDS, Sampling, student_log_samples, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
     RIPPLES,
@@ -274,10 +269,10 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
     return widen(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
 
 
-def _without_ripples(edges: xr.Dataset, shows_ripples: xr.DataArray) -> xr.Dataset:
+def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:
     """Return edges without the short edges of scans on which the filter ripples (surface)."""
-    is_kept = ~shows_ripples.reindex(surface=edges["surface"], fill_value=False)
-    is_kept = is_kept | (edges["side"] != "small")
+    is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
+    is_kept = ~is_rippled | (edges["side"] != "small")
     known = edges.where(is_kept)
     return known.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
         "surface", "side", ...

@@ -80,6 +80,11 @@ def _variances_of_places(forces: xr.DataArray) -> list[Variance]:
     return [Variance(variance, count - 1) for variance in variances]
 
 
+def place_half_widths(surface_forces: SurfaceForces, confidence: float) -> list[np.ndarray]:
+    """Return half widths (rho,) of intervals of ln F for the place at which a sphere touches."""
+    return [half_width([variance], confidence) for variance in surface_forces.place_variances]
+
+
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
@@ -95,8 +100,8 @@ def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarr
             for log_means, scan_parts in left_out_parts
         ]
     )
-    for index, variance in enumerate(surface_forces.place_variances):
-        half[index] = np.hypot(half[index], half_width([variance], confidence))
+    for index, place_half_width in enumerate(place_half_widths(surface_forces, confidence)):
+        half[index] = np.hypot(half[index], place_half_width)
     return logarithmic_interval(surface_forces.mean, half)
 
 

@@ -117,6 +117,7 @@ def fit_measured(
     surfaces = [name for name in adhesion.surface.values.tolist() if name in measured]
     surface_forces = [forces[forces.surface == name] for name in surfaces]
     tests = [measured_tests(rows) for rows in surface_forces]
+    repeated = [int(look_repeated(rows)) for rows in surface_forces]
     samples = [
         sampled_means(sampling.generator("tests", name), test, sampling.samples)
         for name, test in zip(surfaces, tests, strict=True)
@@ -137,11 +138,7 @@ def fit_measured(
     ) | {
         "test_count": ("surface", [test.test_count for test in tests], DIMENSIONLESS),
         "place_count": ("surface", [test.place_count for test in tests], DIMENSIONLESS),
-        "look_repeated": (
-            "surface",
-            [int(look_repeated(rows)) for rows in surface_forces],
-            DIMENSIONLESS,
-        ),
+        "look_repeated": ("surface", repeated, DIMENSIONLESS),
         "interval_source": ("surface", sources),
         "label": adhesion.label.sel(surface=surfaces),
     }

@@ -21,11 +21,7 @@ from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
-from hardcontact.own.request import (
-    add_shared_options,
-    implausible_quantities,
-    parse_quantities,
-)
+from hardcontact.own.request import add_shared_options, implausible_quantities, parse_quantities
 from hardcontact.own.rough_sphere import add_sphere
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.both_bodies import sphere_share

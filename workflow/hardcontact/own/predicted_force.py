@@ -25,9 +25,10 @@ from hardcontact.inference.mean_forces import (
     forces_of_surface,
     half_width_over_masters,
     mean_intervals,
+    place_half_widths,
     summarize_masters,
 )
-from hardcontact.inference.scan_parts import half_width, logarithmic_interval
+from hardcontact.inference.scan_parts import logarithmic_interval
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
@@ -187,12 +188,9 @@ def _surface_force(
 
 def _place_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
     """Return ``place_factor`` (contact_model, rho), of `PLACE_FACTOR`, if a sphere is rough."""
-    if not forces_by_model[0].place_variances:
+    factors = [np.exp(place_half_widths(forces, confidence)) for forces in forces_by_model]
+    if not factors[0].size:
         return {}
-    factors = [
-        [np.exp(half_width([variance], confidence)) for variance in forces.place_variances]
-        for forces in forces_by_model
-    ]
     return {"place_factor": (("contact_model", "rho"), factors, PLACE_FACTOR)}
 
 

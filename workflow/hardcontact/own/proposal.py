@@ -26,7 +26,7 @@ from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
-from hardcontact.surfaces.spectrum import BIN_CENTRES, MIN_BINS
+from hardcontact.surfaces.spectrum import MIN_BINS, nearest_bin
 
 #: The shortest wave that is kept of a scan, in pixels, and the longest, relative to its size. As in
 #: the paper: 20 nm and 1000 nm on scans of 2500 nm with 512 pixels.
@@ -362,7 +362,7 @@ def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> 
 
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
     """Return whether some scan of the other body has no more power at a wavelength (nm)."""
-    index = np.abs(np.log(BIN_CENTRES * wavelength / (2 * np.pi))).argmin()
+    index = nearest_bin(wavelength)
     exceeds = [other.density[index] > scan.density[index] for other in others]
     return not (exceeds and all(exceeds))
 

@@ -16,8 +16,7 @@ def add_sphere(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
 
     Raises ValueError for a table.
     """
-    spectra = [body.spectrum for body in (surface, sphere)]
-    substrate_spectrum, sphere_spectrum = spectra
+    substrate_spectrum, sphere_spectrum = surface.spectrum, sphere.spectrum
     if not isinstance(substrate_spectrum, ScanSpectrum) or not isinstance(
         sphere_spectrum, ScanSpectrum
     ):

@@ -16,9 +16,8 @@ from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.hindcast import widen_pixels
-from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
+from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
 from hardcontact.inference.octaves import forces_with
-from hardcontact.inference.scan_parts import half_width
 from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -168,8 +167,8 @@ def _force_numbers(
     yield Number("force_on_scan_share", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_places", places)
-    for variance in surface_forces.place_variances:
-        yield Number("place_factor", float(np.exp(half_width([variance], confidence))))
+    for place_half_width in place_half_widths(surface_forces, confidence):
+        yield Number("place_factor", float(np.exp(place_half_width)))
     form, search = _closed_form_numbers(surface, force, scan.size, contact)
     yield search
     yield include_finer_pixels(form, wide_pixel_ratio)

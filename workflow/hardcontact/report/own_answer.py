@@ -76,10 +76,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "effort": setting.effort,
         "kind": "own surfaces",
         "headline": rendered_lines(
-            "own_headline.txt",
-            surfaces=surfaces,
-            chosen=chosen,
-            contact=setting.contact,
+            "own_headline.txt", surfaces=surfaces, chosen=chosen, contact=setting.contact
         ),
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
         "assumed": list(setting.of_paper),
@@ -113,11 +110,7 @@ def _surface_answer(
     name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
 ) -> SurfaceAnswer:
     """Return the answer of one surface from its datasets, compared to those of the first."""
-    numbers = [
-        *_octave_numbers(data),
-        *edge_numbers(data),
-        *force_numbers(data),
-    ]
+    numbers = [*_octave_numbers(data), *edge_numbers(data), *force_numbers(data)]
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
     # A user who gave both range and work of adhesion, or own forces, has a pair.

@@ -14,7 +14,12 @@ from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.reliable_band import OTHER_BODY
-from hardcontact.surfaces.spectrum import BIN_CENTRES, all_scales_rms, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    all_scales_rms,
+    nearest_bin,
+    spectrum_of_dataset,
+)
 
 #: Side of a bin of wavelengths relative to its centre; there are ten bins a decade.
 HALF_BIN = 10**0.05
@@ -66,14 +71,12 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
     shortest = float(used["shortest_reliable"].min())
     longest = float(used["longest_reliable"].max())
     short_body, long_body = (
-        (substrate, sphere)[int(is_sphere[np.abs(np.log(BIN_CENTRES * end / 2 / np.pi)).argmin()])]
-        for end in (shortest, longest)
+        sphere if is_sphere[nearest_bin(end)] else substrate for end in (shortest, longest)
     )
-    spectrum = substrate["spectrum"] + sphere["spectrum"]
     share_labels = {"units": "1", "long_name": "share of the sphere in the power of both bodies"}
     joined_psd = np.where(reliable.any(axis=0), total, np.nan)
     return measurements.assign(
-        spectrum=spectrum.assign_attrs(substrate["spectrum"].attrs),
+        spectrum=_sum_of_spectra(substrate, sphere),
         joined_psd=substrate["joined_psd"].copy(data=joined_psd),
         sphere_share=("bin_wavevector", share, share_labels),
     ).assign_attrs(
@@ -121,5 +124,11 @@ def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dat
     variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
     factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]
     factor = float(np.sqrt(np.average(factors, weights=variances)))
-    total = (substrate["spectrum"] + sphere["spectrum"]).assign_attrs(substrate["spectrum"].attrs)
-    return xr.Dataset({"spectrum": total}).assign_attrs(height_factor=factor)
+    return xr.Dataset(
+        {"spectrum": _sum_of_spectra(substrate, sphere)}, attrs={"height_factor": factor}
+    )
+
+
+def _sum_of_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.DataArray:
+    """Return the sum of C_iso (wavevector) of both bodies in nm⁴."""
+    return (substrate["spectrum"] + sphere["spectrum"]).assign_attrs(substrate["spectrum"].attrs)

@@ -10,6 +10,7 @@ import json
 import math
 import re
 import zipfile
+from collections.abc import Mapping
 from contextlib import suppress
 from importlib import import_module
 from typing import Any
@@ -69,28 +70,17 @@ EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
 PICTURE = f"a picture, whose grey values are no heights: {EXPORT}"
 ARCHIVE = "an archive: unpack it, and give the scans in it"
 MODEL = "a model of triangles or points: save its points as a text of x, y, height"
-#: Kinds of files that no reader knows, by how they begin, with the remedy.
+#: Kinds of files that no reader knows, with the remedy, and how they begin.
 UNKNOWN_KINDS = {
-    b"DSCOMPRESSED": "a compressed file of MountainsMap: save it without compression",
-    b"PK\3\4": ARCHIVE,
-    b"BZh": ARCHIVE,
-    b"\xfd7zXZ": ARCHIVE,
-    b"7z\xbc\xaf": ARCHIVE,
-    b"Rar!": ARCHIVE,
-    b"BM": PICTURE,
-    b"II*\0": PICTURE,
-    b"MM\0*": PICTURE,
+    "a compressed file of MountainsMap: save it without compression": (b"DSCOMPRESSED",),
+    ARCHIVE: (b"PK\3\4", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!"),
+    PICTURE: (b"BM", b"II*\0", b"MM\0*"),
 }
-#: Kinds of files without heights on a grid, by how they begin, with the remedy: no reader is tried.
+#: The same for files without heights on a grid: no reader is tried.
 OTHER_KINDS = {
-    b"P2\n": PICTURE,
-    b"P5\n": PICTURE,
-    b"\x89PNG": PICTURE,
-    b"\xff\xd8\xff": PICTURE,
-    b"GIF8": PICTURE,
-    b"#VRML": MODEL,
-    b"ply\n": MODEL,
-    b"%PDF": f"a document: {EXPORT}",
+    PICTURE: (b"P2\n", b"P5\n", b"\x89PNG", b"\xff\xd8\xff", b"GIF8"),
+    MODEL: (b"#VRML", b"ply\n"),
+    f"a document: {EXPORT}": (b"%PDF",),
 }
 GZIP = b"\x1f\x8b"
 #: SurfaceTopography's messages on values that are no lengths.
@@ -192,9 +182,7 @@ def _decompressed(content: bytes) -> bytes:
 
 def _open(content: bytes) -> Any:
     """Return a reader whose channels can be listed; refuse other files with the remedy."""
-    kind_in_words = next(
-        (words for begin, words in OTHER_KINDS.items() if content.startswith(begin)), ""
-    )
+    kind_in_words = _kind_in_words(content, OTHER_KINDS)
     if kind_in_words:
         raise RefusedFile(f"expected a scan of heights, found {kind_in_words}")
     try:
@@ -218,6 +206,11 @@ def _open(content: bytes) -> Any:
     return reader
 
 
+def _kind_in_words(content: bytes, kinds: Mapping[str, tuple[bytes, ...]]) -> str:
+    """Return the kind of file that begins like this content, an empty text if none does."""
+    return next((words for words, begin in kinds.items() if content.startswith(begin)), "")
+
+
 def _describe_unread(content: bytes, reader_messages: str) -> str:
     """Describe a file that no reader takes, with the reasons of the readers of its kind."""
     reasons = {
@@ -229,9 +222,7 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
     reader_names = [
         reader.__name__ for reader in readers if reader.can_read(start) == MagicMatch.YES
     ]
-    kind_in_words = next(
-        (words for begin, words in UNKNOWN_KINDS.items() if content.startswith(begin)), ""
-    )
+    kind_in_words = _kind_in_words(content, UNKNOWN_KINDS)
     if zipfile.is_zipfile(io.BytesIO(content)):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             if "[Content_Types].xml" in archive.namelist():

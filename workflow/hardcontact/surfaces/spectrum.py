@@ -88,6 +88,11 @@ class Spectrum:
         return np.exp(np.interp(log_wavevector, log_table, log_density, right=-np.inf))
 
 
+def nearest_bin(wavelength: float) -> int:
+    """Return the index of the bin of measured PSDs that is nearest to a wavelength (nm)."""
+    return int(np.abs(np.log(BIN_CENTRES * wavelength / (2 * np.pi))).argmin())
+
+
 def read_spectrum(path: str) -> Spectrum:
     """Read a spectrum from a file of the study; raises ValueError if it is unreadable."""
     return spectrum_of_dataset(dataset.read(path))

@@ -70,10 +70,7 @@ def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
     lower, upper = (np.fmin, np.fmax) if width == 1 else (np.minimum, np.maximum)
     typical_step = np.median(np.abs(heights[width:] - heights[:-width])) / MEDIAN_STEP
     scale = max(typical_step, np.finfo(np.float32).tiny)
-    return (
-        (heights - upper(before, after)) / scale,
-        (lower(before, after) - heights) / scale,
-    )
+    return (heights - upper(before, after)) / scale, (lower(before, after) - heights) / scale
 
 
 def _runs(mask: Mask) -> Iterator[tuple[int, slice]]:
