@@ -59,7 +59,7 @@ def test_changed_parameters_are_named_with_both_values(study):
 
 def test_another_version_of_a_package_is_a_change(study, monkeypatch):
     monkeypatch.setattr(reruns, "versions", lambda: origin.versions() | {"scipy": "0.1"})
-    assert change(study, "fit.nc").now == {'scipy="0.1"'}
+    assert change(study, "fit.nc").current == {'scipy="0.1"'}
 
 
 def test_inputs_are_compared_by_content_whatever_their_times(study, tmp_path):
@@ -86,7 +86,7 @@ def test_added_and_removed_inputs_are_changes(study):
 )
 def test_a_file_without_a_whole_record_is_made_again(study, damage):
     damage(record_path("fit.nc"))
-    assert change(study, "fit.nc").before == {"no whole record of fit.nc"}
+    assert change(study, "fit.nc").recorded == {"no whole record of fit.nc"}
 
 
 def test_changes_behind_a_missing_intermediate_are_found(study):

@@ -97,10 +97,11 @@ def _unrecorded(folder: str | Path, inputs: set[str]) -> set[str]:
 
 def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:
     """Yield a line for each version of a package that is not the installed one."""
-    paths = defaultdict[str, list[str]](list)
+    paths_by_version = defaultdict[str, list[str]](list)
     for path, record in sorted(records.items()):
         for name, recorded in json.loads(record["versions"]).items():
             if recorded != installed_version(name):
-                paths[f"{name} {recorded}, here {installed_version(name) or 'none'}"].append(path)
-    for version, made in paths.items():
-        yield f"{len(made)} files, such as {made[0]}, were made with {version}"
+                versions = f"{name} {recorded}, here {installed_version(name) or 'none'}"
+                paths_by_version[versions].append(path)
+    for versions, paths in paths_by_version.items():
+        yield f"{len(paths)} files, such as {paths[0]}, were made with {versions}"

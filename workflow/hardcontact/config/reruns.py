@@ -25,8 +25,8 @@ MAX_READ_SIZE = 1_000_000
 class Change(NamedTuple):
     """What differs between the record of a file and the file that would be made now."""
 
-    before: set[str]  #: Parameters and versions of the record alone.
-    now: set[str]  #: Parameters and versions of now alone.
+    recorded: set[str]  #: Parameters and versions of the record alone.
+    current: set[str]  #: Parameters and versions of now alone.
     inputs: set[str]  #: Inputs that are new, gone, or have another content.
 
 
@@ -47,11 +47,12 @@ class Reruns:
         """Return what changed since a job made a file."""
         try:
             record = read_record(path) or {}
-            before = _named_values(record["parameters"]) | _named_values(record["versions"])
+            recorded = _named_values(record["parameters"]) | _named_values(record["versions"])
         except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
             return Change({f"no whole record of {path}"}, set(), set())
-        now = _named_values(job.params.canonical) | _named_values(canonical(versions()))
-        return Change(before - now, now - before, self._changed_inputs(job, record))
+        current = _named_values(job.params.canonical) | _named_values(canonical(versions()))
+        changed_inputs = self._changed_inputs(job, record)
+        return Change(recorded - current, current - recorded, changed_inputs)
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
         """Return inputs that changed; missing ones only if what leads to them changed."""
@@ -141,8 +142,8 @@ def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> Par
     updated_input = persistence.dag.reason(job).updated_input
     updated_input.update(path for change in changes for path in change.inputs)
     return ParamsChange(
-        only_old={value for change in changes for value in change.before},
-        only_new={value for change in changes for value in change.now},
+        only_old={value for change in changes for value in change.recorded},
+        only_new={value for change in changes for value in change.current},
         files=set(paths),
     )
 

@@ -27,9 +27,9 @@ def add_sphere(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
     if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
         skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
         return OwnSpectrum(reliable_spectrum(joined, skewness), notes, scans)
-    both = _sum_of_maps(*scans)
-    spectrum = reliable_spectrum(joined, metrics(both)["skewness"])
-    return OwnSpectrum(spectrum, notes, (both,), scans)
+    combined_map = _sum_of_maps(*scans)
+    spectrum = reliable_spectrum(joined, metrics(combined_map)["skewness"])
+    return OwnSpectrum(spectrum, notes, (combined_map,), scans)
 
 
 def _sum_of_maps(substrate: HeightMap, sphere: HeightMap) -> HeightMap:

@@ -57,11 +57,11 @@ def add_force_on_scan(
     scans: Sequence[HeightMap],
     contact: Contact,
     confidence: float,
-    both: Sequence[HeightMap] = (),
+    body_maps: Sequence[HeightMap] = (),
 ) -> dict[str, Number]:
     """Return the numbers of a prediction, after the force on its levelled scans, if there are any.
 
-    `both` are the maps of substrate and rough sphere, whose sum is the scan.
+    `body_maps` are those of substrate and rough sphere, whose sum is the scan.
     If the closed form disagrees with this force, its predictions lose their errors.
     """
     if not scans:
@@ -72,7 +72,7 @@ def add_force_on_scan(
         if status == SHORT_RANGE:
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
-        scan_numbers = list(_force_numbers(scans[0], contact, confidence, both))
+        scan_numbers = list(_force_numbers(scans[0], contact, confidence, body_maps))
     result = {number.name: number for number in scan_numbers} | dict(numbers)
     if not status and result["closed_form_on_scan"].status != AGREES:
         for name in result.keys() & set(PREDICTED):
@@ -116,11 +116,11 @@ def stitched_map(scan: HeightMap) -> HeightMap:
     return mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
 
 
-def _forces(surface: HeightMap, both: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
+def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
     """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one at its places."""
     pairs = [bodies(surface, None, contact)]
-    if both:
-        substrate, sphere = (stitched_map(body) for body in both)
+    if body_maps:
+        substrate, sphere = (stitched_map(body) for body in body_maps)
         contact = replace(contact, count=CONTACTS_A_PLACE)
         places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
         pairs = [bodies(substrate, place, contact) for place in places]
@@ -138,7 +138,7 @@ def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
 
 
 def _force_numbers(
-    scan: HeightMap, contact: Contact, confidence: float, both: Sequence[HeightMap]
+    scan: HeightMap, contact: Contact, confidence: float, body_maps: Sequence[HeightMap]
 ) -> Iterator[Number]:
     """Yield the mean plastic force on a levelled map, its share, and numbers to judge it by.
 
@@ -146,7 +146,7 @@ def _force_numbers(
     """
     surface = stitched_map(scan)
     contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
-    pull_off = _forces(surface, both, contact)
+    pull_off = _forces(surface, body_maps, contact)
     places = float(pull_off["touched_places"].max())
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     surface_forces = forces_of_surface(

@@ -93,15 +93,16 @@ def _best_correlation(first: Floats, second: Floats) -> float:
     """Return the largest correlation of two maps over all shifts that overlap enough."""
     from scipy.signal import fftconvolve
 
-    def sums(one: Floats, other: Floats) -> Floats:
-        return np.asarray(fftconvolve(one, other[::-1, ::-1]))
+    def sums_over_shifts(values: Floats, shifted_values: Floats) -> Floats:
+        return np.asarray(fftconvolve(values, shifted_values[::-1, ::-1]))
 
-    ones, other_ones = np.ones(first.shape), np.ones(second.shape)
-    overlap = sums(ones, other_ones)
-    variances = sums(first**2, other_ones) * sums(ones, second**2)
+    first_weights, second_weights = np.ones(first.shape), np.ones(second.shape)
+    overlap = sums_over_shifts(first_weights, second_weights)
+    variances = sums_over_shifts(first**2, second_weights)
+    variances *= sums_over_shifts(first_weights, second**2)
     # Where one map is constant, such as in unmeasured lines, rounding leaves no variance to trust.
-    is_comparable = (overlap >= MIN_OVERLAP * min(first.size, second.size)) & (
-        variances > ROUNDING * variances.max()
-    )
-    correlations = sums(first, second)[is_comparable] / np.sqrt(variances[is_comparable])
+    is_comparable = overlap >= MIN_OVERLAP * min(first.size, second.size)
+    is_comparable &= variances > ROUNDING * variances.max()
+    covariances = sums_over_shifts(first, second)
+    correlations = covariances[is_comparable] / np.sqrt(variances[is_comparable])
     return float(correlations.max(initial=0.0))

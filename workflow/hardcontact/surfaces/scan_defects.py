@@ -111,9 +111,8 @@ def scan_defects(
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["edges"] = _edge_numbers(levelled_heights)
         has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
-        if raw_heights.ndim == 2 and not (
-            has_levels or numbers["edges"] or numbers["offset_lines"]
-        ):
+        hides_noise = has_levels or numbers["edges"] or numbers.get("offset_lines")
+        if raw_heights.ndim == 2 and not hides_noise:
             numbers["noise"] = _noise_numbers(levelled_heights)
     return {
         code: dict(zip(units, numbers[code], strict=True))
