@@ -16,16 +16,16 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 648,
-    "surfaces": 3079,
+    "base": 745,
+    "surfaces": 3411,
     "contact": 1383,
-    "inference": 1496,
+    "inference": 1583,
     "theory": 647,
-    "paper": 1457,
-    "config": 1980,
-    "own": 1882,
-    "report": 2910,
-    "api": 204,
+    "paper": 1463,
+    "config": 2259,
+    "own": 2006,
+    "report": 3014,
+    "api": 215,
 }
 NO_CODE = {
     tokenize.COMMENT,

@@ -36,6 +36,8 @@ VALUES = {
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
     "purpose": ["scales", "sampled", "sets", "scaling"],
     "settings": ["0123abcd", "01234567"],
+    "sources": ["0123abcd", "01234567"],
+    "sphere_sources": ["0123abcd", "smooth"],
 }
 
 

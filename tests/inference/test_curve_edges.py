@@ -2,8 +2,18 @@
 
 import numpy as np
 import pytest
+from measurements import UNCD
 
-from hardcontact.inference.curve_edges import RatioCurve, edge_interval, find_edge, interpolate_edge
+import hardcontact as hc
+from hardcontact.base.random import generator
+from hardcontact.inference.curve_edges import (
+    RatioCurve,
+    edge_interval,
+    find_edge,
+    interpolate_edge,
+    shows_ripples,
+)
+from hardcontact.surfaces.synthesis import random_surface
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
 UNKNOWN = [np.nan] * 3
@@ -102,3 +112,31 @@ def test_an_interval_open_on_both_sides_is_left_out():
 def test_an_exact_curve_has_its_edge_between_two_cutoffs():
     changes = [0.05, 0.15, 0.4]
     assert edge("small", changes, changes, changes)[1].tolist() == [10, 100]
+
+
+@pytest.mark.parametrize(
+    ("side", "ratio", "ripples"),
+    [
+        ("small", [1.05, 0.8, 2.0], True),
+        ("small", [0.95, 1.2, 0.5], False),
+        ("small", [0.95, 1.05, 0.97], False),
+        ("large", [1.05, 0.8, 2.0], False),
+    ],
+)
+def test_a_force_that_falls_without_short_waves_shows_ripples(side, ratio, ripples):
+    cutoffs = CUTOFFS if side == "small" else CUTOFFS[::-1]
+    limits = (np.log(0.9), np.log(1.1))
+    assert shows_ripples(RatioCurve(side, cutoffs, np.log(ratio), limits)) == ripples
+
+
+def test_pillars_have_no_short_edge_and_a_gaussian_surface_has_one():
+    random = random_surface(generator(4), 64, 5.0, UNCD)
+    pillars = np.kron(generator(5).random((8, 8)) > 0.5, np.full((8, 8), 20.0))
+    statuses = [
+        hc.force_ratios(
+            hc.HeightMap(heights, 5.0), {"small": [20, 40, 80]}, radius=5e3, preload=1e-6,
+            hardness=25e9, rho=5.6, window=640, count=4,
+        ).edge_status.item()
+        for heights in (random.heights, pillars)
+    ]  # fmt: skip
+    assert statuses == ["found", "ripples"]

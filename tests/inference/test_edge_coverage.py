@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from hardcontact.base.random import generator
 from hardcontact.contact.all_surfaces import stacked_forces, with_spectrum_shifts
@@ -71,7 +72,8 @@ def edges_of_draw(draw):
     small = small_scale_master(rng, stitched, 256, 160.0, known_density)
     large = large_scale_master(rng, stitched, 1, 1000.0, known_density)
     scales = forces([(1, SMALL, small), (1, LARGE, large)], CONTACT)
-    return edges_of_scans(scales, Masters({"a": 1}, 1, {"a": 99}), 0.1, 0.95).isel(surface=0)
+    masters = Masters({"a": 1}, 1, {"a": 99})
+    return edges_of_scans(scales, xr.Dataset(), masters, 0.1, 0.95).isel(surface=0)
 
 
 @pytest.mark.parametrize("filters", [SMALL, LARGE], ids=TRUTH)
@@ -123,7 +125,8 @@ def interval_of_one_scan(density, number):
     measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
     sampled_scales = scales(sample_spectra(rngs, measurements, [None]))
     shifted_scales = with_spectrum_shifts(measured_scales, sampled_scales)
-    edges = edges_of_scans(shifted_scales, Masters({"a": 1}, TILES, {"a": 99}), 0.1, 0.95)
+    masters = Masters({"a": 1}, TILES, {"a": 99})
+    edges = edges_of_scans(shifted_scales, xr.Dataset(), masters, 0.1, 0.95)
     return edges.edge_interval.sel(side="large").values.ravel()
 
 

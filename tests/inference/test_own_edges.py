@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from known_masters import LARGE, SMALL, scales
 
 from hardcontact.base.statistics import jackknife_interval
@@ -9,9 +10,10 @@ from hardcontact.inference.edges import edges_of_scans
 from hardcontact.inference.mean_forces import Masters
 
 
-def edges(curves, scans, **options):
+def edges(curves, scans, sensitivity=None, **options):
     return edges_of_scans(
         scales(curves, **options),
+        xr.Dataset() if sensitivity is None else sensitivity,
         Masters({"a": scans[0], "b": scans[-1]}, 2, {"a": 99, "b": 99}),
         0.1,
         0.95,
@@ -47,7 +49,7 @@ def test_the_interval_of_three_scans_comes_from_the_jackknife():
         .values
     )
     left_out = [np.delete(ratio, scan).mean() for scan in range(3)]
-    band = edges_of_scans(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+    band = edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
     interval = band.filtered_force_ratio_interval.isel(surface=0).sel(
         side="small", cutoff_wavelength=100.0
     )
@@ -68,7 +70,7 @@ def test_curves_that_never_cross_the_tolerance_give_bounds():
 def test_a_ratio_without_scatter_has_no_interval():
     master_forces = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]], spread=0.1)
     small_side = (
-        edges_of_scans(master_forces, Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
+        edges_of_scans(master_forces, xr.Dataset(), Masters({"a": 3}, 2, {"a": 99}), 0.1, 0.95)
         .isel(surface=0)
         .sel(side="small")
     )
@@ -76,3 +78,37 @@ def test_a_ratio_without_scatter_has_no_interval():
     assert (
         small_side.edge_interval.notnull().all() and small_side.edge_interval.sel(bound="low") >= 10
     )
+
+
+def test_the_error_of_artificial_roughness_widens_intervals():
+    """It adds in squares, and is at most the change itself, so that it denies no change."""
+    error = np.log(1.5)
+    hindcast_ratio = xr.DataArray(
+        [[1 / 1.5, np.nan]], {"surface": ["a"], "side": ["small", "large"]}
+    )
+    curves = [[SMALL, LARGE]]
+    plain = edges(curves, [3], spread=0.1).sel(surface="a")
+    wide = edges(curves, [3], xr.Dataset({"hindcast_ratio": hindcast_ratio}), spread=0.1).sel(
+        surface="a"
+    )
+    half, wide_half = (
+        np.log(band.filtered_force_ratio_interval.sel(bound="high") / band.filtered_force_ratio)
+        for band in (plain, wide)
+    )
+    added = np.sqrt(wide_half**2 - half**2)
+    change = np.log(plain.filtered_force_ratio.sel(side="small"))
+    np.testing.assert_allclose(added.sel(side="small"), np.minimum(change, error))
+    np.testing.assert_allclose(added.sel(side="large").dropna("cutoff_wavelength"), 0, atol=1e-7)
+    low, high = wide.edge_interval.sel(side="small").values
+    assert low < wide.edge.sel(side="small") and not high < 1000
+
+
+def test_scans_on_which_the_filter_ripples_have_no_short_edge():
+    ratio = xr.DataArray([0.5, 0.95], {"surface": ["a", "b"]})
+    curves = [[SMALL, LARGE]] * 2
+    plain = edges(curves, [3], spread=0.1)
+    band = edges(curves, [3], xr.Dataset({"filtered_scan_ratio": ratio}), spread=0.1)
+    assert band.edge_status.values.tolist() == [["ripples", "found"], ["found", "found"]]
+    assert np.isnan(band.edge.sel(surface="a", side="small"))
+    xr.testing.assert_equal(band.sel(side="large"), plain.sel(side="large"))
+    xr.testing.assert_equal(band.sel(surface="b"), plain.sel(surface="b"))

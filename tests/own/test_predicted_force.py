@@ -18,6 +18,7 @@ from hardcontact.own.predicted_force import (
     bound_by_smooth_sphere,
     extrapolated_force,
     force_scatter,
+    include_finer_pixels,
     predicted_force,
 )
 from hardcontact.theory.pull_off_statistics import predict_statistics
@@ -230,3 +231,13 @@ def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
     samples = law.means[level] * np.exp(spread * deviation - spread**2 / 2)
     is_within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
     assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)
+
+
+def test_intervals_include_the_effect_of_finer_pixels():
+    prediction = predicted_force(adhesion([3, 3]), **PREDICTION)
+    wide_pixels = prediction.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
+    result = include_finer_pixels(wide_pixels).force_interval
+    change = (result / prediction.force_interval).transpose("surface", "bound", ...)
+    np.testing.assert_allclose(change.isel(surface=0, bound=0), 1 / 1.5)
+    np.testing.assert_allclose(change.isel(surface=0, bound=1), 1)
+    np.testing.assert_allclose(change.isel(surface=1), 1)

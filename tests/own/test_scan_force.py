@@ -106,7 +106,7 @@ def test_the_closed_form_of_a_gaussian_map_has_its_error(tmp_path):
     assert form["status"] == "agrees"
     assert form["interval"][0] < form["value"] < form["interval"][1]
     assert form["interval"][0] < force["interval"][1] and force["interval"][0] < form["interval"][1]
-    assert_says(words, "closed form, for the spectrum of this scan: ", "nine lie between")
+    assert_says(words, "closed form, for the spectrum of this scan: ", "pixels 4 times finer")
     assert_says(predicted(tmp_path, heights_of("gaussian"), "--verbose")[0], "regime: many")
 
 

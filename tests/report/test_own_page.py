@@ -8,6 +8,7 @@ from html import unescape
 import numpy as np
 import pytest
 from answer_inputs import (
+    CONFIDENCE,
     CUTOFFS,
     LABELS,
     OCTAVES,
@@ -29,8 +30,10 @@ from answer_inputs import (
 )  # fmt: skip
 from browser import WIDTHS, measure_page, needs_browser, run_on_page
 from html_page import Page
+from intervals import between_multiples
 from matplotlib.text import Text
 from paper_study import CITATION, svg
+from refusals import assert_says
 
 from hardcontact.report.figures import own_figures as figures
 from hardcontact.report.figures import style
@@ -143,6 +146,31 @@ def test_the_headline_says_which_force_is_which():
     )
     assert "20 nm, 320 [256, 400] nN with roughness extrapolated above 1 µm" in line
     assert "on the scans" not in headline_of()
+
+
+@pytest.mark.parametrize(("ratio", "lead"), [(0.3, "Its roughness is not that"), (np.nan, "Short")])
+def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
+    ratios = between_multiples("hindcast_ratio", "side", [ratio, 1.0], (0.9, 1.1), CONFIDENCE)
+    data = force().assign(ratios | {"hindcast_fails": ("side", [1, 0])})
+    line = headline_of(force=data)
+    assert_says(line, f"partly answered. {lead}", "Short edge not known. Long edge 1.7")
+    (note,) = [
+        note["text"]
+        for note in own_answer(datasets(force=data), setting())["notes"]
+        if note["code"] == "hindcast_small"
+    ]
+    assert_says(note, "0.3 [" if ratio == 0.3 else "show no octave", "below 20 nm")
+
+
+def test_ripples_of_the_filter_are_no_short_edge():
+    data = edges()
+    for name in ("edge", "edge_interval"):
+        data[name].loc[{"side": "small"}] = np.nan
+    data = data.assign(edge_status=data["edge_status"].where(data["side"] != "small", "ripples"))
+    line = headline_of(edges=data)
+    assert_says(line, "partly answered. Short edge none: the filter's ripples", ". Long edge 1.7")
+    notes = [note["text"] for note in own_answer(datasets(edges=data), setting())["notes"]]
+    assert any("Without short waves the force falls" in note for note in notes)
 
 
 @pytest.mark.parametrize(

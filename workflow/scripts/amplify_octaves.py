@@ -2,11 +2,18 @@
 
 from functools import partial
 
+import xarray as xr
+
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.hindcast import RandomBody, hindcast_forces, last_octave
+from hardcontact.inference.hindcast import (
+    RandomBody,
+    hindcast_forces,
+    last_octave,
+    pixel_forces,
+)
 from hardcontact.inference.octaves import forces_with, octave_limits, octaves_of_surface
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
@@ -15,7 +22,8 @@ with job(snakemake) as job:
     params = job.parameters
     stitched = read_height_map(job.input.stitched)
     sphere = read_height_map(job.input.sphere) if job.input.sphere else None
-    forces = forces_with(Contact(**params["contact"]), sphere)
+    contact = Contact(**params["contact"])
+    forces = forces_with(contact, sphere)
     # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
     limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
     octaves = octaves_of_surface(stitched, limits, forces)
@@ -46,7 +54,7 @@ with job(snakemake) as job:
         forces,
     )
     job.write(
-        octaves.merge(hindcast)
+        xr.merge([octaves, hindcast, pixel_forces(stitched, sphere, contact)])
         .expand_dims(map=[params["scan"]])
         .assign_attrs(map_size=stitched.size / 2),
         title="pull-off forces of one scan with each octave amplified, or the last replaced",

@@ -11,10 +11,11 @@ with job(snakemake) as job:
     params = job.parameters
     adhesion = read(job.input.adhesion)
     scales = read(job.input.scales)
+    sensitivity = read(job.input.sensitivity)
     masters = Masters(params["scans"], params["tiles"], fewest_places(adhesion))
     limits = {name: params[name] for name in ("tolerance", "confidence")}
     job.write(
-        describe_edges(edges_of_scans(scales, masters, **limits), scales, **limits),
+        describe_edges(edges_of_scans(scales, sensitivity, masters, **limits), scales, **limits),
         title="pull-off force against cutoff wavelength, and the edges of the band",
         output="edges",
     )
@@ -27,7 +28,7 @@ with job(snakemake) as job:
             scales,
             read(job.input.topography),
             read(job.input.spectra),
-            read(job.input.sensitivity),
+            sensitivity,
             contact=contact,
             masters=masters,
             **limits,

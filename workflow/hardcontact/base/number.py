@@ -14,7 +14,8 @@ class Number(NamedTuple):
         "open_below": `value` is a bound. "interval_open_low", "interval_open_high": an end of the
         interval is a bound. "ends": only `low`, `high` or both are known. "no_interval": scans do
         not bound the number. "few_places": contacts touch too few places to do so. "no_band",
-        "no_hindcast", "no_exponent", "no_agreement", "one_force": why there is no value.
+        "no_hindcast", "ripples", "no_exponent", "no_agreement", "one_force": why there is no
+        value.
     source: a code for the origin: "computed", "measured", "extrapolated", "artificial", "given",
         "file", "assumed".
     """

@@ -91,7 +91,7 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
 
 def reading_keys(config: Mapping[str, Any], dataset: str) -> dict[str, Any]:
     """Return the arguments of `read_scan` for a scan of the study, given its column `dataset`."""
-    names = ("undefined_pixels", "unit", "map_size")
+    names = ("undefined_pixels", "unit", "map_size", "mask")
     return {"dataset": dataset} | {name: config["scan"][name] for name in names}
 
 

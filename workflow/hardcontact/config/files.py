@@ -14,7 +14,7 @@ from hardcontact.config.configuration import (
     master_keys,
     study_contact,
 )
-from hardcontact.config.patterns import SCAN_KEYS, Patterns, key_values, short_digest
+from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, key_values, short_digest
 from hardcontact.config.selection import Selection
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
@@ -72,16 +72,24 @@ class Files:
             "load": self.contact.load,
             "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
         }
+        self._sphere_sources = selection.sources.get(selection.sphere, SMOOTH)
         keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
         self._filter_values = key_values(configuration, keys)
-        self._probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
         self._combines_bodies = combines_bodies(configuration)
+        is_rough = configuration["scales"]["sphere_roughness"]
+        self._probe = "rough" if is_rough else "smooth"
+        if is_rough or self._combines_bodies:
+            self._filter_values["sphere"] = self._sphere_sources
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""
         sphere = surface == self._selection.sphere
         shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        defaults = {"shape": shape, **self._swept}
+        sources = {
+            "sources": self._selection.sources[surface],
+            "sphere_sources": self._sphere_sources,
+        }
+        defaults = {"shape": shape, **sources, **self._swept}
         return pattern.format(surface=surface, **defaults | wildcards)
 
     def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:

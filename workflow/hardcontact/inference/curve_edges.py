@@ -8,6 +8,7 @@ import numpy as np
 FOUND = "found"
 OPEN_ABOVE = "open_above"
 OPEN_BELOW = "open_below"
+RIPPLES = "ripples"
 
 
 class RatioCurve(NamedTuple):
@@ -27,8 +28,10 @@ class Edge(NamedTuple):
     """The edge of a curve, or a bound of it."""
 
     value: float  #: In nm; NaN if the edge is open.
-    bound: float  #: Cutoff in nm beyond which an open edge lies; NaN if the edge is found.
-    status: str  #: FOUND; OPEN_ABOVE if the edge is longer than its bound, OPEN_BELOW if shorter.
+    bound: float  #: Cutoff in nm beyond which an open edge lies; NaN for another status.
+    #: FOUND; OPEN_ABOVE if the edge is longer than its bound, OPEN_BELOW if shorter; RIPPLES if
+    #: there is no edge, because the curve shows the filter.
+    status: str
 
 
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
@@ -80,6 +83,17 @@ def find_edge(curve: RatioCurve) -> Edge:
     bound = float(curve.cutoffs[0 if is_outside_at_once else -1])
     is_open_below = is_outside_at_once == (curve.side == "small")
     return Edge(np.nan, bound, OPEN_BELOW if is_open_below else OPEN_ABOVE)
+
+
+def shows_ripples(curve: RatioCurve) -> bool:
+    """Return whether a curve of ln(ratio) shows the ripples of the filter, not the roughness.
+
+    Without its short waves a random surface has lower summits, and the force rises. If the force
+    first leaves its limits by falling, the filter made summits that are higher than the surface:
+    its ripples beside steps.
+    """
+    first = first_outside(curve.values, curve.values, curve.limits)
+    return curve.side == "small" and bool((curve.values[first : first + 1] < 0).any())
 
 
 def edge_interval(curve: RatioCurve, lowest: np.ndarray, highest: np.ndarray) -> np.ndarray:

@@ -21,13 +21,16 @@ from hardcontact.base.statistics import (
 )
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.inference.curve_edges import (
+    RIPPLES,
     Edge,
     RatioCurve,
     edge_interval,
     find_edge,
     interpolate_edge,
     logarithmic_limits,
+    shows_ripples,
 )
+from hardcontact.inference.hindcast import widen
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
@@ -48,7 +51,10 @@ CHANGE = DIMENSIONLESS | {
 }
 EDGE = NM | {"long_name": "cutoff at which the change of the force exceeds the tolerance"}
 BOUND = NM | {"long_name": "cutoff beyond which an open edge lies"}
-STATUS = {"long_name": "found, or open_above or open_below: the edge lies above or below its bound"}
+STATUS = {
+    "long_name": "found; open_above or open_below: the edge lies above or below its bound; "
+    "ripples: no edge, the force falls by the ripples of the filter"
+}
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
@@ -212,21 +218,30 @@ def _sampled_edges(curve: RatioCurve, sampled_values: np.ndarray) -> np.ndarray:
 
 
 def edges_of_scans(
-    scales: xr.Dataset, masters: Masters, tolerance: float, confidence: float
+    scales: xr.Dataset,
+    sensitivity: xr.Dataset,
+    masters: Masters,
+    tolerance: float,
+    confidence: float,
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
     `scales` are the forces on filtered masters, as in scales.nc. An interval of a ratio runs from
     zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
-    one or two scans.
+    one or two scans. The error of the hindcast in sensitivity.nc widens the intervals.
     """
     curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
+    if "hindcast_ratio" in sensitivity:
+        curves = _widen_ratios(curves, sensitivity["hindcast_ratio"])
+    edges = edges_of_curves(curves, tolerance)
+    if "filtered_scan_ratio" in sensitivity:
+        edges = _without_ripples(edges, sensitivity["filtered_scan_ratio"] < 1 - tolerance)
     curves = curves.transpose("surface", "side", ...)
     sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
     return (
         curves[["filtered_force_ratio", "filtered_force_ratio_interval"]]
         .merge(sources.isel(side=0, drop=True))
-        .merge(edges_of_curves(curves, tolerance))
+        .merge(edges)
     )
 
 
@@ -249,13 +264,33 @@ def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     )
 
 
+def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
+    """Return ratios whose intervals contain the error of artificial roughness (surface, side).
+
+    The error of the logarithm of a ratio is at most this logarithm.
+    """
+    log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
+    log_ratio = abs(np.log(curves["filtered_force_ratio"]))
+    return widen(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
+
+
+def _without_ripples(edges: xr.Dataset, shows_ripples: xr.DataArray) -> xr.Dataset:
+    """Return edges without the short edges of scans on which the filter ripples (surface)."""
+    is_kept = ~shows_ripples.reindex(surface=edges["surface"], fill_value=False)
+    is_kept = is_kept | (edges["side"] != "small")
+    known = edges.where(is_kept)
+    return known.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
+        "surface", "side", ...
+    )
+
+
 def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
     """Return the edges of several curves with the cutoffs between which they lie.
 
     Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs
     that a curve does not have; side is a coordinate. Over the other dimensions ``edge``,
     ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open; ``edge_status`` is that of
-    `Edge`.
+    `Edge`. A curve that `shows_ripples` has no edge.
     """
     dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
     shape = [ratios.sizes[dim] for dim in dimensions]
@@ -265,8 +300,12 @@ def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
         curve, lowest, highest = _curve_with_interval(
             ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
         )
-        edges.append(find_edge(curve))
-        intervals.append(edge_interval(curve, lowest, highest))
+        if shows_ripples(curve):
+            edges.append(Edge(np.nan, np.nan, RIPPLES))
+            intervals.append(np.full(2, np.nan))
+        else:
+            edges.append(find_edge(curve))
+            intervals.append(edge_interval(curve, lowest, highest))
     variables = _edge_variables(edges, dimensions, shape)
     interval = np.reshape(intervals, (*shape, 2))
     variables["edge_interval"] = ((*dimensions, "bound"), interval, EDGE)

@@ -18,6 +18,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
+from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
@@ -40,7 +41,8 @@ from the power spectral density of a surface, within seconds:
   hardcontact predict my-scan.di --radius 250um --range 5.6nm --work 46mJ/m2
   hardcontact predict my-psd.csv
 
-The force on a map is the sum over its pixels, without roughness beyond the map.
+The force on a map is the sum over its pixels, without roughness beyond the map. Its interval
+includes pixels four times finer, as pixels four times wider change the force.
 A table has a header and these columns, with the unit of each in a column of its own:
   wavevector (q = 2 pi/wavelength, e.g. rad/nm) or wavelength (e.g. nm)
   c_iso (h_rms² = 1/(2 pi) ∫ q C_iso dq, e.g. nm4) or c_1d (h_rms² = (1/pi) ∫ C_1D dq, e.g. nm3)
@@ -103,6 +105,7 @@ def predict(arguments: Namespace) -> str:
         unit=arguments.unit,
         map_size=quantities["size"].number if "size" in quantities else NONE,
         levelling=arguments.levelling,
+        mask=arguments.mask,
     )
     readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
@@ -238,5 +241,6 @@ def _report(
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
         confidence=Study().inference.confidence,
+        finer=WIDE_PIXEL,
     )
     return report.rstrip()

@@ -73,9 +73,12 @@ def own_force(
         factor = at_range.sel(rho=contact.range, method="nearest", drop=True)
         force = widen(force, "extrapolated_force", factor)
     if "hindcast_ratio" in sensitivity:
-        hindcast = sensitivity[["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails"]]
+        hindcast = sensitivity[
+            ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
+        ]
         force = force.merge(hindcast, join="left")
         force = widen(force, "extrapolated_force", force["hindcast_ratio"])
+        force = include_finer_pixels(force)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
         name: spectrum_of_dataset(spectra.sel(surface=name))
@@ -250,6 +253,18 @@ def add_extrapolated_force(
     return force.merge(extrapolated_forces).assign(
         extrapolation_matters=differs.transpose("surface", "side")
     )
+
+
+def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
+    """Return forces on the scans whose intervals include those on pixels WIDE_PIXEL times finer.
+
+    Finer pixels are taken to divide the force by at most the factor by which wider pixels multiply
+    it (tests/benchmarks/validate_random_surfaces.py).
+    """
+    interval = force["force_interval"]
+    factor = force["wide_pixel_ratio"].fillna(1).clip(min=1)
+    widened = interval.where(interval["bound"] != "low", interval / factor)
+    return force.assign(force_interval=widened.transpose(*interval.dims))
 
 
 def bound_by_smooth_sphere(force: xr.Dataset, area: float) -> xr.Dataset:

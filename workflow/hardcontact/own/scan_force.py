@@ -15,7 +15,9 @@ from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
+from hardcontact.inference.octaves import forces_with
 from hardcontact.inference.scan_parts import half_width
 from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
@@ -131,6 +133,11 @@ def _forces(surface: HeightMap, both: Sequence[HeightMap], contact: Contact) -> 
     )
 
 
+def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
+    """Return a force whose interval includes that on finer pixels, like those of a study."""
+    return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
+
+
 def _force_numbers(
     scan: HeightMap, contact: Contact, confidence: float, both: Sequence[HeightMap]
 ) -> Iterator[Number]:
@@ -152,18 +159,26 @@ def _force_numbers(
     bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
     mean, low, high = bounded.tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
+    wide_pixel_force, scan_force = (
+        forces_with(contact)(stitched_map(heights)).mean() for heights in (widen_pixels(scan), scan)
+    )
+    wide_pixel_ratio = float(wide_pixel_force / scan_force)
+    force = include_finer_pixels(force, wide_pixel_ratio)
     yield force
     yield Number("force_on_scan_share", mean / smooth)
+    yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_places", places)
     for variance in surface_forces.place_variances:
         yield Number("place_factor", float(np.exp(half_width([variance], confidence))))
-    yield from _closed_form_numbers(surface, force, scan.size, contact)
+    form, search = _closed_form_numbers(surface, force, scan.size, contact)
+    yield search
+    yield include_finer_pixels(form, wide_pixel_ratio)
 
 
 def _closed_form_numbers(
     surface: HeightMap, force: Number, size: float, contact: Contact
-) -> Iterator[Number]:
-    """Yield the search size, and the closed form for all waves of the stitched map.
+) -> tuple[Number, Number]:
+    """Return the closed form for all waves of the stitched map, and the search size.
 
     It agrees if its interval, with the factor that a scan of this size (nm) may add, contains the
     force on the map. Heights are not Gaussian if both intervals have nothing in common.
@@ -173,9 +188,6 @@ def _closed_form_numbers(
     spectrum = Spectrum(wavevector[has_waves], density[has_waves])
     form = closed_form(spectrum, contact)
     search = search_size(spectrum, contact.radius, contact.area)
-    yield Number(
-        "search_size", search, "nm", status=SMALL if size < LARGE_ENOUGH * search else LARGE
-    )
     _, small_scan_ratio = finite_scan_ratio(size, search)
     lowest, highest = nearest_errors(table_coordinates(spectrum, contact, form), "force")
     low, high = lowest * form.force, highest * small_scan_ratio * form.force
@@ -188,4 +200,9 @@ def _closed_form_numbers(
     else:
         status = OUTSIDE
     interval = (low, high) if status == AGREES else (math.nan, math.nan)
-    yield Number("closed_form_on_scan", form.force, "N", *interval, status)
+    return (
+        Number("closed_form_on_scan", form.force, "N", *interval, status),
+        Number(
+            "search_size", search, "nm", status=SMALL if size < LARGE_ENOUGH * search else LARGE
+        ),
+    )

@@ -13,6 +13,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
+from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.report.artificial import (
     fails_hindcast,
     measurement_name,
@@ -24,6 +25,7 @@ from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.reliable_band import OTHER_BODY
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
+from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 
@@ -61,6 +63,8 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     found = [
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
+        *_reading(data.spectra),
+        *_same_places(data.spectra),
         _few_places(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
@@ -68,6 +72,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _small_scans(data),
         _few_pixels(data.force),
         _few_tests(numbers),
+        _repeated_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
         _sphere_places(numbers),
@@ -75,6 +80,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
         *_hindcasts(data),
+        _ripples(data.edges),
         _tail(data),
         _long_waves(data),
     ]
@@ -112,6 +118,31 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
     return defects
 
 
+def _reading(spectra: xr.Dataset) -> list[Caution]:
+    """Return the cautions of the reader of each measurement, as sentences."""
+    return [
+        Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
+        for measurement in split_measurements(measurements(spectra))
+        for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
+    ]
+
+
+def _same_places(spectra: xr.Dataset) -> list[Caution]:
+    """Return a caution for each scan of a place that an earlier scan shows."""
+    return [
+        Caution(
+            "same_place",
+            grave=True,
+            texts={
+                "scan": measurement_name(measurement),
+                "first": str(measurement["same_place"].item()),
+            },
+        )
+        for measurement in split_measurements(measurements(spectra))
+        if measurement["same_place"].item()
+    ]
+
+
 def _few_places(force: xr.Dataset) -> Caution | None:
     """Return a caution if the contacts on a scan touch too few places for an interval."""
     if force["interval_source"].item() != "few_places":
@@ -145,7 +176,15 @@ def _few_tests(numbers: Mapping[str, Number]) -> Caution | None:
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
     if not above > MAX_LOPSIDEDNESS * below:
         return None
-    return Caution("few_tests", numbers={"tests": numbers["measured_force_tests"]})
+    return Caution("few_tests", numbers={"tests": numbers["measured_force_places"]})
+
+
+def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return a caution if tests look as if several were made at one place."""
+    repeated = numbers.get("measured_force_looks_repeated")
+    if repeated is None or not repeated.value:
+        return None
+    return Caution("repeated_tests", True, {"tests": numbers["measured_force_tests"]})
 
 
 def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
@@ -279,11 +318,16 @@ def _hindcasts(data: Datasets) -> list[Caution]:
     for side in SIDES:
         force = data.force.sel(side=side)
         ratio = number_of(force, "hindcast_ratio", name="ratio")
-        if np.isfinite(ratio.value):
+        fails = fails_hindcast(data, side)
+        if fails or np.isfinite(ratio.value):
             numbers = {"ratio": ratio, "start": number_of(force, "transition", "nm", name="start")}
-            code = f"hindcast_{side}"
-            side_cautions.append(Caution(code, fails_hindcast(data, side), numbers, {"side": side}))
+            side_cautions.append(Caution(f"hindcast_{side}", fails, numbers, {"side": side}))
     return side_cautions
+
+
+def _ripples(edges: xr.Dataset) -> Caution | None:
+    """Return a caution if the short edge would show the ripples of the filter."""
+    return Caution("ripples") if (edges["edge_status"] == RIPPLES).any() else None
 
 
 def _tail(data: Datasets) -> Caution:

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.artificial import (
     artificial_bands,
@@ -46,7 +47,8 @@ class Verdict(NamedTuple):
         wavelengths at which a scan is reliable. "no" if none of them does, if contacts touch too
         few places, or if there is no band. Otherwise "partly".
     band: "few_places", "none" if no resolved wavelength changes the force, "unknown" if a hindcast
-        fails, "overlapping" if the short edge is the longer one, otherwise "found".
+        fails or the short edge shows ripples of the filter, "overlapping" if the short edge is the
+        longer one, otherwise "found".
     extrapolated: sides with a known force with extrapolated roughness.
     """
 
@@ -99,9 +101,11 @@ def edge_numbers(data: Datasets) -> list[Number]:
 def _known_ends(data: Datasets, side: str) -> Number:
     """Return an edge without the ends of its interval at artificial wavelengths.
 
-    It has no value if the hindcast fails: the force that it compares with has artificial roughness.
+    It has no value if the filter ripples, or if the hindcast fails: the force that it compares with
+    has artificial roughness.
     """
-    if fails_hindcast(data, side):
+    status = data.edges["edge_status"].sel(side=side).item()
+    if status != RIPPLES and fails_hindcast(data, side):
         return Number(EDGES[side], np.nan, "nm", status="no_hindcast", source="artificial")
     source = EDGE_SOURCES[classify_edge(data, side)]
     edge = edge_number(data.edges.sel(side=side), EDGES[side], source)
@@ -169,7 +173,7 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
         band = "few_places"
     elif short.status == "no_band":
         band = "none"
-    elif "no_hindcast" in (short.status, long.status):
+    elif {"no_hindcast", RIPPLES} & {short.status, long.status}:
         band = "unknown"
     else:
         band = "overlapping" if short.value >= long.value else "found"

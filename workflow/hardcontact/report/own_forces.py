@@ -154,6 +154,8 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
     numbers = [
         number_of(fit, "measured_force", source="measured"),
         Number("measured_force_tests", int(fit["test_count"].item())),
+        Number("measured_force_places", int(fit["place_count"].item())),
+        Number("measured_force_looks_repeated", int(fit["look_repeated"].item())),
         number_of(at_range, "work_by_range", name="measured_work", source="from_measured"),
     ]
     for side in differing_sides(fit):

@@ -20,7 +20,8 @@ QuantityMapping = dict[str, Any]
 #: Words in place of an unknown value, by its status.
 NO_VALUE = {
     "no_band": "no band",
-    "no_hindcast": "not answered: the roughness is not that of a random surface",
+    "no_hindcast": "not answered: nothing shows that random roughness extends these scans",
+    "ripples": "none: the filter's ripples beside steps change the force",
     "no_exponent": "not answered: the scans do not tell how their roughness goes on",
     "no_agreement": "none agrees",
 }

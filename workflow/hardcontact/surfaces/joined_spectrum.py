@@ -112,7 +112,6 @@ def joined_spectrum(
     hurst = _fit_hurst_without_lines(bins, lines)
     spectrum, tail, rolloff = _extrapolate_curve(curve, hurst, spectra.long_waves)
     used_bands = [band for band, mask in zip(spectra.bands, reliable, strict=True) if mask.any()]
-    has_edges = any("edges" in measurement.defects for measurement in measurements)
     return add_measurements(
         spectrum_dataset(spectrum),
         joined_density,
@@ -125,7 +124,7 @@ def joined_spectrum(
         shortest_measured=min(band.shortest for band in used_bands),
         longest_measured=max(band.longest for band in used_bands),
         rolloff=rolloff,
-        tail_known=int(has_exponent(tail) and not has_edges),
+        tail_known=int(has_exponent(tail)),
         **tail._asdict(),
     )
 

@@ -1,0 +1,21 @@
+"""Ten of the forty surfaces of tests/benchmarks/validate_random_surfaces.py."""
+
+import pytest
+from random_surfaces import (
+    FAMILIES,
+    forces_with_intervals,
+    predicted_numbers,
+    random_case,
+    true_force,
+)
+
+
+@pytest.mark.parametrize(
+    ("family", "seed"),
+    [*((family, 0) for family in FAMILIES), *((family, 6) for family in FAMILIES[:4])],
+)
+def test_no_interval_excludes_the_force_on_pixels_four_times_finer(family, seed):
+    case = random_case(family, seed, 128)
+    force = true_force(case)
+    for predicted in forces_with_intervals(predicted_numbers(case)).values():
+        assert predicted.low <= force <= predicted.high, predicted

@@ -1,0 +1,112 @@
+"""Random surfaces of six families, with scans of them on pixels four times as wide, and contacts.
+
+Random are rms height, roll-off, Hurst exponent, number, width and heights of features, pixels,
+radius, preload, and whether a pixel of the scan has a mean or a single height.
+"""
+
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+import hardcontact as hc
+from hardcontact.base.number import Number
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.pull_off import mean_pull_off_of_pair
+from hardcontact.inference.hindcast import WIDE_PIXEL
+from hardcontact.own.scan_force import CONTACTS, stitched_map, window_of_scan
+from hardcontact.surfaces.height_map import HeightMap, level
+from hardcontact.surfaces.spectrum import smooth_rolloff
+from hardcontact.surfaces.synthesis import random_surface
+
+FAMILIES = ("gaussian", "plateau", "pits", "peaks", "pillars", "steps")
+#: Forces that `hardcontact predict` may print of a map.
+FORCES = ("force_on_scan", "closed_form_on_scan", "pull_off_force", "extrapolated_force")
+
+
+class Case(NamedTuple):
+    """A surface on fine pixels, the levelled scan of it, and a contact."""
+
+    fine: HeightMap
+    scan: HeightMap
+    contact: Contact
+
+
+def random_case(family, seed, pixels):
+    """Return a case; the scan has a number of pixels along a side."""
+    rng = generator(seed, family)
+    fine_pixel = _between(rng, 8, 40) / WIDE_PIXEL
+    rolloff = pixels * _between(rng, 1 / 20, 1 / 2)
+    heights = _heights(family, rng, WIDE_PIXEL * pixels, WIDE_PIXEL * rolloff)
+    heights *= _between(rng, 1, 50) / heights.std()
+    fine = level(HeightMap(heights, fine_pixel))
+    blocks = fine.heights.reshape(pixels, WIDE_PIXEL, pixels, WIDE_PIXEL)
+    coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
+    contact = Contact(
+        radius=_between(rng, 10e3, 150e3),
+        range=5.6,
+        work=0.0463,
+        preload=_between(rng, 1e-6, 30e-6),
+        hardness=25e9,
+    )
+    return Case(fine, level(HeightMap(coarse, WIDE_PIXEL * fine_pixel)), contact)
+
+
+def _between(rng, low, high):
+    """Return a random number, uniform in its logarithm."""
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def _heights(family, rng, pixels, rolloff):
+    """Return heights (y, x) of a family; the roll-off is in pixels."""
+    waves = partial(_waves, rng, pixels, rng.uniform(0.5, 0.95))
+    if family == "gaussian":
+        return waves(rolloff)
+    base = _between(rng, 0.02, 0.3) * waves(rolloff / 4)
+    if family == "plateau":
+        return base + np.minimum(waves(rolloff), rng.uniform(-0.5, 0.5))
+    if family == "steps":
+        return base + np.round(rng.uniform(0.5, 2) * waves(pixels))
+    features = _features(rng, pixels, _between(rng, 0.1, 0.5) * rolloff, family == "pillars")
+    return base - features if family == "pits" else base + features
+
+
+def _waves(rng, pixels, hurst, rolloff):
+    """Return Gaussian heights of unit rms, cut out of a surface of twice the size."""
+    density = partial(smooth_rolloff, plateau=1.0, rolloff=rolloff, hurst=hurst)
+    heights = random_surface(rng, 2 * pixels, 1.0, density).heights[:pixels, :pixels]
+    return (heights - heights.mean()) / heights.std()
+
+
+def _features(rng, pixels, width, are_flat):
+    """Return the sum (y, x) of squares or Gaussian shapes of random heights at random places."""
+    count = round(_between(rng, 10, 200))
+    distance = (np.arange(pixels) - rng.uniform(0, pixels, (2, count, 1))) / width
+    shape_y, shape_x = np.abs(distance) < 1 if are_flat else np.exp(-(distance**2) / 2)
+    return (rng.uniform(0.3, 1, count) * shape_y.T) @ shape_x
+
+
+def true_force(case):
+    """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
+    contact = replace(case.contact, window=window_of_scan(case.scan, case.contact), count=CONTACTS)
+    pair = bodies(stitched_map(case.fine), None, contact)
+    forces = mean_pull_off_of_pair(pair, contact, [contact.range])["pull_off_force"]
+    return contact.work * forces.sel(contact_model="plastic").item()
+
+
+def predicted_numbers(case):
+    """Return the numbers that `hardcontact predict` has of the scan."""
+    contact = case.contact
+    return hc.predict(
+        case.scan, radius=contact.radius, preload=contact.preload, hardness=contact.hardness,
+        rho=contact.range, work=contact.work,
+    )  # fmt: skip
+
+
+def forces_with_intervals(numbers):
+    """Return the forces of a prediction that have an interval, by name."""
+    forces = [numbers.get(name, Number(name, np.nan)) for name in FORCES]
+    return {force.name: force for force in forces if np.isfinite(force.low + force.high)}
