@@ -36,6 +36,7 @@ else:
 
     report: "workflow/report/own_surfaces.rst"
 
+    include: "workflow/rules/both_bodies.smk"
     include: "workflow/rules/own_surfaces.smk"
     include: "workflow/rules/answer_surfaces.smk"
 

@@ -133,6 +133,7 @@ def _spectra_of(bins, scans):
             "path": ("measurement", [f"scans/{name}" for name in scans]),
             "dataset": ("measurement", [""] * len(scans)),
             "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(scans) - 1)),
+            "same_place": ("measurement", [""] * len(scans)),
             "shortest_measured": min(columns["shortest_reliable"]),
             "longest_measured": max(columns["longest_reliable"]),
             "rolloff": 1.5 * max(columns["longest_reliable"]),
@@ -312,6 +313,8 @@ def fit(count=1):
             region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
             region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
             test_count=("surface", [40] * count),
+            place_count=("surface", [40] * count),
+            look_repeated=("surface", [0] * count),
             label=("surface", LABELS[:count]),
             interval_source=("surface", ["scans"] * count),
         )

@@ -14,9 +14,16 @@ from hardcontact.config.model import numeric_configuration
 from hardcontact.config.patterns import STORE_KEYS, Patterns, store_digests
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby", dict.fromkeys(STORE_KEYS, "digest"))
+#: Stands for the digest of the files of a surface.
+SOURCES = "0123abcd"
 #: The paths of the tiny study.
 TINY_NUMBERS = numeric_configuration(merged(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
 TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
+TINY_SOURCES = surface_table.source_digests(
+    pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False).assign(
+        path=lambda table: [str(ROOT / path) for path in table.path]
+    )
+)
 
 
 def replace_value(config, path, value):
@@ -71,4 +78,5 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
     rows.loc[is_measured, "path"] = [
         f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
     ]
-    return Files(numbers(*values), surface_table.Selection(rows, "ruby"), PATTERNS)
+    sources = dict.fromkeys(rows.surface, SOURCES)
+    return Files(numbers(*values), surface_table.Selection(rows, "ruby", sources), PATTERNS)

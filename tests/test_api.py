@@ -20,6 +20,7 @@ from measurements import map_of
 from periodic_maps import height_map
 from refusals import assert_says, refusal
 from repository import ROOT
+from SurfaceTopography import Topography
 
 import hardcontact as hc
 from hardcontact import api
@@ -216,7 +217,7 @@ WRONG = [
     ({"hardness": 25}, ["hardness: expected 1000 to 1e+13 Pa, found 25 Pa: is the unit right?"]),
     (
         {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
-        ["scan: expected pixels of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
+        ["scan: expected a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
     ),
     ({"count": 999}, ["count: expected at most the 256 pixels", "found 999"]),
     (
@@ -252,7 +253,7 @@ def test_plots_show_the_heights_and_densities(files):
 
 
 def test_a_topography_is_prepared_like_its_file(files):
-    from SurfaceTopography import Topography, UniformLineScan, open_topography
+    from SurfaceTopography import UniformLineScan, open_topography
 
     topography = open_topography("scan.nc").topography()
     file_scan, object_scan = hc.read_scan("scan.nc"), hc.from_topography(topography)
@@ -328,6 +329,10 @@ def test_faulty_arguments_are_refused_in_one_line(files):
         (hc.force_ratios, valid | {"cutoffs": [20.0]}, ["small, large or both, found [20.0]"]),
         (hc.force_ratios, valid | {"cutoffs": {"small": 20.0}}, ["several numbers, found 20.0"]),
     ]
+    values = np.random.default_rng(1).normal(size=(32, 32))
+    np.savetxt("bare.txt", values)
+    np.savetxt("line.txt", np.column_stack([np.arange(32), values[0]]))
+    holed = Topography(np.ma.masked_greater(values, 3), (320, 320), unit="nm")
     wavevector, _, density = hc.measured_psds(scan)
     table_spectrum, gaps = hc.read_spectrum("my-psd.csv"), hc.Spectrum(wavevector, density)
     valid = {"spectrum": table_spectrum, "rho": 5.6, "work": 0.05} | SPHERE | LOAD
@@ -345,8 +350,12 @@ def test_faulty_arguments_are_refused_in_one_line(files):
             ["map_size: expected a positive number"],
         ),
         (hc.read_scan, {"path": "scan.nc", "levelling": "sphere"}, ["expected plane, lines"]),
+        (hc.read_scan, {"path": "bare.txt"}, ["none: map_size=5000, in nm,", 'unit="nm"']),
+        (hc.read_scan, {"path": "bare.txt", "unit": "nm"}, ["none: map_size=5000, in nm,"]),
+        (hc.read_scan, {"path": "line.txt"}, ['by unit="nm", or unit="mm,nm"']),
+        (hc.from_topography, {"topography": holed}, ['; undefined_pixels="harmonic" fills them']),
     ]
     for function, arguments, message_parts in cases:
         message = refusal(lambda: function(**arguments))  # noqa: B023
         assert_says(message, *message_parts)
-        assert len(message.splitlines()) == 1
+        assert len(message.splitlines()) == 1 and "--" not in message and " key " not in message

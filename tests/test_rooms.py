@@ -16,16 +16,16 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 648,
-    "surfaces": 2987,
-    "contact": 1374,
-    "inference": 1534,
+    "base": 745,
+    "surfaces": 3411,
+    "contact": 1383,
+    "inference": 1583,
     "theory": 647,
-    "paper": 1457,
-    "config": 1912,
-    "own": 1789,
-    "report": 2874,
-    "api": 204,
+    "paper": 1463,
+    "config": 2259,
+    "own": 2001,
+    "report": 3005,
+    "api": 215,
 }
 NO_CODE = {
     tokenize.COMMENT,

@@ -1,7 +1,5 @@
 """The tracer of code against small libraries; test_reruns.py has all that scripts load."""
 
-from pathlib import Path
-
 import pytest
 
 from hardcontact.base import code
@@ -32,7 +30,7 @@ def library(tmp_path, monkeypatch):
 def traced(*modules):
     """Return the modules that a script uses, without itself and the pins."""
     *files, direct, transitive = code.code_inputs("script.py", *modules)
-    assert (direct, transitive) == ("results/environment.txt", "results/constraints.txt")
+    assert (direct, transitive) == ("results/environment.txt", "results/lock.txt")
     assert files == sorted(files)
     files.remove("workflow/scripts/script.py")
     return [file.removeprefix("workflow/hardcontact/").removesuffix(".py") for file in files]
@@ -84,19 +82,3 @@ def test_modules_that_modules_import_are_followed(library):
 def test_imports_from_elsewhere_are_left_out(library, text):
     library(text, {"surfaces/scans": ""})
     assert traced() == []
-
-
-def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "workflow").mkdir()
-    constraints = tmp_path / "workflow/constraints.txt"
-    constraints.write_text("attrs==25.1\n")
-    for text in ("numpy==2.0\n", "# arrays (BSD)\n\nnumpy==2.0  # and more\n"):
-        (tmp_path / "environment.txt").write_text(text)
-        code.write_pins()
-        assert [Path(path).read_text() for path in code.PINS] == ["numpy==2.0\n", "attrs==25.1\n"]
-    written = [Path(path).stat().st_mtime_ns for path in code.PINS]
-    constraints.write_text("attrs==25.2\n")
-    code.write_pins()
-    assert Path(code.PINS[1]).read_text() == "attrs==25.2\n"
-    assert Path(code.PINS[0]).stat().st_mtime_ns == written[0]

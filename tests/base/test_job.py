@@ -72,19 +72,42 @@ def test_every_file_has_a_record(snakemake, tmp_path):
         assert json.loads(record["parameters"]) == PARAMETERS
 
 
-def test_a_changed_input_stops_the_job(snakemake, tmp_path, monkeypatch, capsys):
+@pytest.fixture
+def errors(monkeypatch, capsys):
+    """Return a function that returns the errors of jobs, which end without the process."""
     monkeypatch.setattr(os, "_exit", sys.exit)
     logger = logging.getLogger("hardcontact")
     monkeypatch.setattr(logger, "handlers", [])
+    yield lambda: capsys.readouterr().err
+    for handler in logger.handlers:
+        handler.close()
+
+
+def test_a_changed_input_stops_the_job(snakemake, tmp_path, errors):
     with job(snakemake) as running_job:
         running_job.write_text("made", "text")
     snakemake.input, snakemake.output = Named(text="made/text.txt"), Named(data="made/data.nc")
     (tmp_path / "made/text.txt").write_text("madf")
     with pytest.raises(SystemExit), job(snakemake):
         pytest.fail("computed with a changed input")
-    for handler in logger.handlers:
-        handler.close()
-    assert_says(capsys.readouterr().err, "error: made/text.txt: expected", "run again")
+    assert_says(errors(), "error: made/text.txt: expected", "run again")
+
+
+@pytest.mark.parametrize("path", ["scan.txt", "script.py"])
+def test_an_input_that_changes_while_the_job_runs_fails_it(snakemake, tmp_path, errors, path):
+    with pytest.raises(SystemExit), job(snakemake) as running_job:
+        running_job.write_text("made", "text")
+        (tmp_path / path).write_text("another")
+    assert_says(errors(), f"error: {path}: expected", "its inputs changed")
+    assert read_record("made/text.txt") is None
+
+
+def test_a_job_that_is_killed_leaves_no_record_of_an_earlier_file(snakemake):
+    """The record is gone before the file is replaced."""
+    for text in ("first", "second"):
+        with job(snakemake) as running_job:
+            assert read_record("made/text.txt") is None
+            running_job.write_text(text, "text")
 
 
 @pytest.mark.parametrize(

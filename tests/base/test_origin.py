@@ -6,14 +6,12 @@ from importlib.metadata import version
 
 import pytest
 from refusals import assert_says, refusal
-from repository import ROOT
 
 from hardcontact.base.origin import (
     Origin,
     canonical,
     digests,
     keep_records,
-    pinned_versions,
     record_path,
     refuse_changed,
 )
@@ -66,13 +64,3 @@ def test_a_changed_file_of_a_job_is_refused(made_file, tmp_path):
 def test_a_damaged_record_refuses_its_file(made_file, content):
     record_path(made_file).write_bytes(content)
     assert_says(refusal(refuse_changed, digests([made_file])), "made.nc: expected a whole record")
-
-
-def test_pins_are_read_and_other_requirements_are_not(tmp_path):
-    path = tmp_path / "environment.txt"
-    path.write_text(
-        "# numpy==0 is a comment\n-c workflow/constraints.txt\n-e .\n"
-        "numpy==2.0\nxarray>=1\n--no-index\npytest[extra]==1\n"
-    )
-    assert pinned_versions(path) == {"numpy": version("numpy"), "pytest": version("pytest")}
-    assert {"numpy", "snakemake"} <= pinned_versions(ROOT / "environment.txt").keys()

@@ -2,15 +2,18 @@
 
 import json
 import re
+import sys
 from pathlib import Path
 
 import pytest
 from refusals import assert_says, refusal
 from repository import run_snakemake
-from studies import TINY_PATTERNS
+from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import Origin, check, digest, digests, keep_records, traced_records
+from hardcontact.base.origin import Origin, digest, digests, keep_records, record_path
+from hardcontact.base.verification import check, traced_records
+from hardcontact.own import new
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
 
@@ -47,7 +50,7 @@ def test_a_folder_without_records_is_refused(study):
 
 def test_an_unchanged_study_has_no_faults(study):
     counts = "results: 3 files checked, 0 faults, 0 inputs not at hand"
-    assert check("results") == ([], counts)
+    assert check("results") == ([], [counts])
 
 
 @pytest.mark.parametrize(
@@ -69,9 +72,46 @@ def test_a_changed_file_is_a_fault_of_its_outputs(study, path, altered_outputs, 
 def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     (study / "store/a.nc").unlink()
     (study / "results/table.csv").unlink()
-    faults, counts = check("results")
+    faults, (counts,) = check("results")
     assert counts == "results: 3 files checked, 1 faults, 1 inputs not at hand"
     assert faults == ["results/table.csv: expected a file of the study, found none"]
+
+
+@pytest.mark.parametrize("path", ["results/notes.txt", "results/table.csv", "store/a.nc"])
+def test_a_file_without_a_record_is_a_fault(study, path):
+    (study / path).touch()
+    record_path(study / path).unlink(missing_ok=True)
+    (study / "results/logs").mkdir()
+    (study / "results/logs/make.log").touch()
+    assert check("results")[0] == [f"{path}: expected a record of its origin, found none"]
+
+
+def test_files_made_with_other_versions_are_no_faults_but_said(study):
+    path = record_path("results/table.csv")
+    path.write_text(path.read_text().replace('\\"scipy\\":\\"', '\\"scipy\\":\\"0.'))
+    faults, (versions, _) = check("results")
+    assert faults == []
+    assert versions.startswith("1 files, such as results/table.csv, were made with scipy 0.")
+
+
+def files_of(folder):
+    return {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
+
+
+@pytest.mark.parametrize("faulty", [False, True])
+def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
+    study, monkeypatch, capsys, faulty
+):
+    make("results/first/final.nc", ["source.txt"])
+    make("results/first/table.csv", ["results/first/final.nc"])
+    if faulty:
+        (study / "results/first/final.nc").write_text("other")
+    files = files_of(study)
+    monkeypatch.chdir("/")
+    monkeypatch.setattr(sys, "argv", ["hardcontact", "verify", str(study / "results/first")])
+    assert new.main() == int(faulty)
+    assert "results/first: 2 files checked" in capsys.readouterr().out
+    assert files_of(study) == files
 
 
 # The tiny study
@@ -89,7 +129,9 @@ def test_a_finished_study_has_no_faults(finished):
 
 
 FINAL = "results/tiny"
-STITCHED = TINY_PATTERNS.stitched.format(surface="ncd", scan=2, shape="flat")
+STITCHED = TINY_PATTERNS.stitched.format(
+    surface="ncd", sources=TINY_SOURCES["ncd"], scan=2, shape="flat"
+)
 #: Changed files, and some outputs made from each.
 CHANGED = {
     f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],

@@ -18,6 +18,7 @@ from hardcontact.config.model import Study
     ("key", "value", "message_parts"),
     [
         ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
+        ("hardness", "3 GPa", ["found hardness (did you mean contact: {hardness: ...}?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
         ("scan.pixel", 5, ["scan:", "found pixel (did you mean pixels?)"]),
         ("sphere", "ruby", ["sphere:", "a mapping", "found 'ruby'"]),

@@ -23,8 +23,8 @@ def test_each_scan_is_paired_with_one_scan_of_the_sphere():
 def test_measured_surfaces_have_measurements_and_their_spectrum():
     study = files(measured_surfaces=["mcd"])
     assert len(study.measurements("mcd")) == 2 and study.measurements("uncd") == []
-    assert study.spectrum("mcd").endswith("mcd/measured-flat.nc")
-    assert study.spectrum("uncd").endswith("uncd/calibrated.nc")
+    assert study.spectrum("mcd").endswith("mcd/0123abcd/measured-flat.nc")
+    assert study.spectrum("uncd").endswith("uncd/0123abcd/calibrated.nc")
 
 
 def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
@@ -59,7 +59,9 @@ def test_scans_are_made_in_groups_that_share_their_conditioning():
     assert study.scan_groups == {(1, 3): substitutes, (4, 5): substitutes, (6, 7): substitutes}
     for group in study.scan_groups:
         for scan in group:
-            assert study.conditioning("uncd", scan).endswith(f"uncd/scan-{group[0]}-flat.nc")
+            assert study.conditioning("uncd", scan).endswith(
+                f"uncd/0123abcd/scan-{group[0]}-flat.nc"
+            )
 
 
 # Masters and pools
@@ -70,7 +72,7 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     rows = study.masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
     assert study.master_sources(rows[1])["small_masters"] == [
-        "results/store/masters/digest/polished_uncd/realization-2/small.nc"
+        "results/store/masters/digest/polished_uncd/0123abcd/realization-2/small.nc"
     ]
 
 

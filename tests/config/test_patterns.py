@@ -27,7 +27,7 @@ VALUES = {
     "shape": ["flat", "sphere-R250um"],
     "realization": ["1"],
     "side": ["small", "large"],
-    "probe": ["smooth", "rough"],
+    "probe": ["smooth", "rough", "combined"],
     "radius": ["R250um", "R0.5um"],
     "load": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],
     "range": ["rho5.6nm"],
@@ -36,6 +36,8 @@ VALUES = {
     "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
     "purpose": ["scales", "sampled", "sets", "scaling"],
     "settings": ["0123abcd", "01234567"],
+    "sources": ["0123abcd", "01234567"],
+    "sphere_sources": ["0123abcd", "smooth"],
 }
 
 

@@ -10,12 +10,13 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+import yaml
 from refusals import assert_says
 from repository import PAPER, ROOT, TINY, copy_repository, environment, snakemake
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
-from studies import TINY_PATTERNS
+from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.config import start
 
@@ -69,6 +70,19 @@ def test_keys_of_the_quick_study_are_checked_in_a_full_run():
     assert_says(line, "effort quick", "contact.count", "found 0")
 
 
+def test_the_results_of_the_paper_are_replaced_only_with_overwrite(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made_with = tmp_path / "results/paper/configuration.yaml"
+    made_with.parent.mkdir(parents=True)
+    made_with.write_text(yaml.safe_dump(PAPER))
+    start.checked_configuration(*configured("contact={hardness: 25GPa}"))  # the same
+    harder = "contact={hardness: 30 GPa}"
+    line = refusal_line(start.checked_configuration, *configured(harder))
+    assert_says(line, "results/paper", "contact.hardness: '30 GPa' for '25 GPa'", "overwrite=true")
+    for words in ((harder, "overwrite=true"), (harder, "study=harder")):
+        start.checked_configuration(*configured(*words))
+
+
 def test_a_quick_study_has_its_own_folders():
     own_configuration = PAPER | {"study": "own", "store": "results/own-store", "effort": "quick"}
     harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
@@ -82,7 +96,7 @@ def test_a_quick_study_has_its_own_folders():
 
 def test_values_of_the_command_line_are_read_as_in_a_file():
     words = ["scales={sphere_roughness: true, small: {cutoffs: [30 nm, 40 nm]}}", "scans=[1, 2]"]
-    numbers = start.checked_configuration(*configured(*words, "seed=7"))
+    numbers = start.checked_configuration(*configured(*words, "seed=7", "study=own"))
     assert numbers["scales"]["sphere_roughness"] is True
     assert numbers["scales"]["small"]["cutoffs"] == [30, 40]
     assert (numbers["scans"], numbers["seed"]) == ([1, 2], 7)
@@ -104,7 +118,9 @@ def listen_to_ctrl_c():
 def test_a_stopped_run_reports_that_the_same_command_continues_it(tmp_path):
     study = copy_repository(tmp_path / "study")
     # Three jobs, one after the other: the first ends before the others begin.
-    master = TINY_PATTERNS.small_master.format(surface="uncd", realization=1)
+    master = TINY_PATTERNS.small_master.format(
+        surface="uncd", sources=TINY_SOURCES["uncd"], realization=1
+    )
     with subprocess.Popen(
         [sys.executable, "-m", "snakemake", master, "--configfile", TINY],
         cwd=study, env=environment(study), text=True, start_new_session=True,

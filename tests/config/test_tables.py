@@ -4,10 +4,12 @@ import pytest
 from refusals import assert_says, refusal
 from repository import BANDS, ROOT
 
-from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
+from hardcontact.config.force_table import measured_forces
+from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.surfaces.spectrum import AFM_ROWS, TAIL_ROWS
 
 SURFACES = ["coating", "bare"]
+RADIUS = 250e3
 SPECTRA = ROOT / "resources/spectra"
 TABLE_1 = {*AFM_ROWS, *TAIL_ROWS}
 
@@ -28,7 +30,7 @@ def test_single_tests_are_read_in_their_units(table):
     path = table(
         "\ufeffsurface,value,unit", "coating,0.5,uN", '"coating", 400 ,nN', "", "bare,2e-6,N"
     )
-    forces = measured_forces(path, SURFACES)
+    forces = measured_forces(path, SURFACES, RADIUS)
     assert forces.index.tolist() == [2, 3, 5]
     assert forces.surface.tolist() == ["coating", "coating", "bare"]
     assert forces["mean"].tolist() == forces["median"].tolist() == [5e-7, 4e-7, 2e-6]
@@ -37,32 +39,67 @@ def test_single_tests_are_read_in_their_units(table):
 
 def test_a_table_may_have_decimal_commas_between_semicolons(table):
     commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
-    assert measured_forces(commas, SURFACES).iloc[0].tolist() == ["bare", 1.1749e-5, 1.0591e-5, 40]
-    points = table("surface;value;unit", "bare;11.5;uN")
-    assert measured_forces(points, SURFACES)["mean"].tolist() == [1.15e-5]
-
-
-def test_each_fault_of_a_table_of_forces_has_its_line(table):
-    faults = [
-        ("coating,0.5,", ["a force with a unit, such as 10 uN, found '0.5 '"]),
-        ("coating,0.5,um", ["found '0.5 um'"]),
-        ("other,1,uN", ["coating or bare, found other"]),
-        ("bare,-1,uN", ["1e-15 to 1000 N, found '-1 uN'"]),
-        ("bare,0,uN", ["value: expected a force above zero, found 0", "below the noise write"]),
-        ("bare,<5,nN", ["value: expected a force above zero, found <5", "an upper bound"]),
-        ("bare,nan,uN", ["found 'nan uN'"]),
-        ("bare,0.5", ["expected 3 cells, found 2"]),
-        ("bare,11,749,uN", ["expected 3 cells, found 4", "semicolons"]),
-        ("bare,1e-3,uN*9**9", ["uN*9**9"]),
-        ("bare,1e-320,uN", ["1e-15 to 1000 N", "1e-320 uN"]),
-        ("bare,1e308,kN", ["a force with a unit", "1e308 kN"]),
+    assert measured_forces(commas, SURFACES, RADIUS).iloc[0].tolist() == [
+        "bare",
+        1.1749e-5,
+        1.0591e-5,
+        40,
+        "",
     ]
-    path = table("surface,value,unit", *(row for row, _ in faults))
-    message = refusal(measured_forces, path, SURFACES)
-    for number, (line, (_, message_parts)) in enumerate(
-        zip(message.splitlines(), faults, strict=True), start=2
-    ):
-        assert_says(line, f"{path}: line {number}", *message_parts)
+    points = table("surface;value;unit", "bare;11.5;uN")
+    assert measured_forces(points, SURFACES, RADIUS)["mean"].tolist() == [1.15e-5]
+
+
+@pytest.mark.parametrize(
+    ("header", "row"),
+    [
+        ("surface,value,unit", "bare,0.00101971621,gf"),
+        ("surface,value,unit", "bare,1.01971621,mgf"),
+        ("surface,value,unit", "bare,40,mN/m"),  # a force over the radius of 250 µm
+        ("surface,pull-off [nN]", "bare,10000"),
+        ("surface,place,value (µN)", "bare,,10"),
+        ("Surface\tValue [nN]", "bare\t1,0e4"),
+    ],
+)
+def test_forces_are_read_in_the_units_that_people_have(tmp_path, header, row):
+    path = tmp_path / "my.csv"
+    path.write_text(f"{header}\n{row}\n", "latin-1")
+    forces = measured_forces(path, SURFACES, RADIUS)
+    assert forces.iloc[0].tolist()[1:] == pytest.approx([1e-5, 1e-5, 1, ""], rel=1e-8)
+
+
+def test_a_table_of_one_surface_needs_no_name(table):
+    path = table("Adhesion (nN)", "400")
+    assert measured_forces(path, ["bare"], RADIUS).iloc[0].tolist() == ["bare", 4e-7, 4e-7, 1, ""]
+    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "surface, value, unit")
+
+
+def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
+    faults = [
+        (
+            2,
+            ["coating,0.5,", "coating,0.5,um", "bare,nan,uN", "bare,1e-3,uN*9**9", "bare,1e308,kN"],
+            ["and 4 more: expected a force with a unit, such as 10 uN, found '0.5 '"],
+        ),
+        (7, ["other,1,uN"], [": surface: expected coating or bare, found other"]),
+        (8, ["bare,-1,uN", "bare,-2,uN"], ["and 1 more", "found -1: ", "take off the sign"]),
+        (
+            10,
+            ["bare,0,uN", "bare,<5,nN"],
+            ["value: expected a force above zero, found 0", "below the noise write"],
+        ),
+        (12, ["bare,0.5"], ["expected 3 cells, found 2"]),
+        (13, ["bare,1e-320,uN"], ["1e-15 to 1000 N", "1e-320 uN"]),
+    ]
+    path = table("surface,value,unit", *(row for _, rows, _ in faults for row in rows))
+    message = refusal(measured_forces, path, SURFACES, RADIUS)
+    for line, (number, _, parts) in zip(message.splitlines(), faults, strict=True):
+        assert_says(line, f"{path}: line {number}", *parts)
+
+
+def test_a_cell_too_many_is_explained(table):
+    path = table("surface,value,unit", "bare,11,749,uN")
+    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "found 4", "semicolons")
 
 
 @pytest.mark.parametrize(
@@ -75,7 +112,7 @@ def test_each_fault_of_a_table_of_forces_has_its_line(table):
 )
 def test_a_summary_needs_one_row_per_surface_and_a_median_below_the_mean(table, row, message_parts):
     path = table("surface,mean,median,count,unit", "coating,0.4,0.3,40,uN", row)
-    assert_says(refusal(measured_forces, path, SURFACES), "line 3", *message_parts)
+    assert_says(refusal(measured_forces, path, SURFACES, RADIUS), "line 3", *message_parts)
 
 
 @pytest.mark.parametrize(
@@ -92,7 +129,7 @@ def test_a_file_that_is_no_table_of_forces_is_refused_in_one_line(tmp_path, cont
     path = tmp_path / "my.csv"
     if content is not None:
         path.write_bytes(content)
-    message = refusal(measured_forces, path, SURFACES)
+    message = refusal(measured_forces, path, SURFACES, RADIUS)
     assert_says(message, "my.csv", message_part)
     assert len(message.splitlines()) == 1
 

@@ -10,6 +10,7 @@ from measurements import PIXEL, UNCD
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.inference import hindcast
+from hardcontact.inference.hindcast import RandomBody
 from hardcontact.inference.octaves import forces_with
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.synthesis import random_surface
@@ -26,8 +27,7 @@ def ratios(heights, side):
     forces = hindcast.hindcast_forces(
         stitched,
         {side: OCTAVE},
-        UNCD,
-        lambda side, number: generator(1, side, number),
+        [RandomBody(UNCD, PIXELS, lambda side, number: generator(1, side, number))],
         forces_with(CONTACT),
     )
     return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
@@ -85,7 +85,7 @@ def test_the_interval_has_its_confidence():
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
     stitched = mirror_stitch(SCAN)
-    forces = hindcast.hindcast_forces(stitched, {"small": None}, UNCD, None, forces_with(CONTACT))
+    forces = hindcast.hindcast_forces(stitched, {"small": None}, [], forces_with(CONTACT))
     result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="small")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 

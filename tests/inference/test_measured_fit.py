@@ -11,6 +11,7 @@ from hardcontact.inference.measured_fit import (
     MeasuredTests,
     add_extrapolated_work,
     fit_measured,
+    look_repeated,
     measured_tests,
     sampled_means,
 )
@@ -18,7 +19,7 @@ from hardcontact.inference.measured_fit import (
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])
 RHO, WORK = 5.0, 0.05
 SLOPES = {"a": 1.6, "b": 0.4}
-COLUMNS = ["surface", "mean", "median", "count"]
+COLUMNS = ["surface", "mean", "median", "count", "place"]
 
 
 def mean_force(surface, rho):
@@ -47,7 +48,7 @@ def sampled_tests(rng, number=40, shape=0.6, surfaces="ab"):
     """Single tests, log-normal about the forces of RHO and WORK."""
     scatter = [np.exp(shape * rng.standard_normal(number) - shape**2 / 2) for _ in surfaces]
     rows = [
-        (surface, force, force, 1)
+        (surface, force, force, 1, "")
         for surface, factors in zip(surfaces, scatter, strict=True)
         for force in WORK * mean_force(surface, RHO) * factors
     ]
@@ -139,11 +140,41 @@ def test_an_unknown_region_has_no_work(ranges, number, factor, status):
 
 def test_a_summary_is_equivalent_to_its_single_tests():
     forces = np.exp(0.7 * np.random.default_rng(1).standard_normal(4000)) * 1e-7
-    rows = [("a", force, force, 1) for force in forces]
+    rows = [("a", force, force, 1, "") for force in forces]
     single = measured_tests(pd.DataFrame(rows, columns=COLUMNS))
     assert single.mean == pytest.approx(forces.mean())
-    summary = pd.DataFrame([("a", forces.mean(), np.median(forces), 4000)], columns=COLUMNS)
+    summary = pd.DataFrame([("a", forces.mean(), np.median(forces), 4000, "")], columns=COLUMNS)
     assert measured_tests(summary).log_std == pytest.approx(single.log_std, rel=0.05)
+
+
+def repeated_forces(seed, places=5, tests=40):
+    """Forces (place, test) that scatter between places, but hardly at one of them."""
+    rng = np.random.default_rng(seed)
+    between = np.exp(0.6 * rng.standard_normal((places, 1)))
+    return between * np.exp(0.01 * rng.standard_normal((places, tests)))
+
+
+def test_tests_at_one_place_count_once():
+    forces = repeated_forces(0)
+    rows = [("a", f, f, 1, f"p{place}") for place, row in enumerate(forces) for f in row]
+    placed = pd.DataFrame(rows, columns=COLUMNS)
+    means = forces.mean(axis=1)
+    expected = (means.mean(), np.log(means).std(ddof=1), 5, 200)
+    assert measured_tests(placed) == pytest.approx(expected)
+    assert not look_repeated(placed)
+
+
+def test_repeated_tests_are_recognised_and_independent_ones_are_not():
+    def looks(forces):
+        rows = [("a", f, f, 1, "") for f in forces]
+        return look_repeated(pd.DataFrame(rows, columns=COLUMNS))
+
+    forces = repeated_forces(1)
+    assert looks(forces.ravel()) and looks(forces.T.ravel())  # blocks, and rounds
+    assert looks(np.repeat([3.0, 1.0, 2.0], 2))
+    rng = np.random.default_rng(2)
+    independent = [np.exp(0.6 * rng.standard_normal(n)) for n in (3, 5, 10, 40, 200) * 100]
+    assert sum(map(looks, independent)) <= 3  # a chance of 0.001 each
 
 
 @pytest.mark.parametrize("shape, number", [(0.7, 40), (1.5, 40), (0.7, 4)])
@@ -151,7 +182,7 @@ def test_sampled_means_cover_the_mean_with_their_confidence(shape, number):
     rng, contained = np.random.default_rng(3), []
     for _ in range(300):
         forces = np.exp(shape * rng.standard_normal(number))
-        tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), number)
+        tests = MeasuredTests(forces.mean(), np.log(forces).std(ddof=1), number, number)
         low, high = np.percentile(sampled_means(rng, tests, 400), [5, 95])
         contained.append(low < np.exp(shape**2 / 2) < high)
     assert np.mean(contained) > 0.85

@@ -14,9 +14,10 @@ from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
 from hardcontact.config.configuration import refuse_unreadable
+from hardcontact.config.force_table import measured_forces
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
-from hardcontact.config.tables import measured_forces, refuse_description
+from hardcontact.config.tables import refuse_description
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.surfaces.scans import list_scans, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
@@ -119,7 +120,7 @@ KINDS = {
     "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: own_spectrum([path])),
     "forces": (
         lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
-        lambda path: measured_forces(path, ["a", "b"]),
+        lambda path: measured_forces(path, ["a", "b"], 250e3),
     ),
     "description": (lambda _: {"a.csv": DESCRIPTION.encode()}, read_bands),
     "surfaces": (

@@ -9,7 +9,7 @@ from scan_files import container, scan
 
 from hardcontact.own import inventory as module
 from hardcontact.own.inventory import inventory, table_rows
-from hardcontact.own.request import Source
+from hardcontact.own.request import Source, list_sources, parse_arguments
 
 
 def source(path, **others):
@@ -58,6 +58,21 @@ def test_an_unreadable_member_of_a_container_is_skipped(tmp_path):
     assert not entries and not unreadable and len(problems) == 1
 
 
+def test_a_folder_stands_for_its_files_of_which_unreadable_ones_are_left_out(tmp_path):
+    scan(tmp_path / "b.nc", wave(), (640.0, 640.0))
+    (tmp_path / "a.txt").write_text("notes")
+    (tmp_path / ".hidden").write_text("no scan")
+    arguments = parse_arguments(["new", "name", str(tmp_path)])
+    sources, faults = list_sources(arguments, 1e5)
+    ((entry,), (line,), problems) = inventory(sources, None)
+    assert entry.name == "b.nc" and not faults and not problems
+    assert_says(line, "a.txt: expected")
+    (tmp_path / "b.nc").unlink()
+    sources, _ = list_sources(arguments, 1e5)
+    _, _, problems = inventory(sources, None)
+    assert_says(problems[0], "a.txt: expected")
+
+
 def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
     (tmp_path / "text.txt").write_text("no scan")
     paths = [
@@ -75,6 +90,17 @@ def test_all_faulty_scans_and_duplicates_are_reported_at_once(tmp_path):
     assert_says(flat, "flat.nc", "expected a rough surface", "constant height")
     assert_says(text, "text.txt", "expected")
     assert_says(twin, "again.nc", "expected each scan once", "first.nc")
+
+
+def test_a_place_counts_once(tmp_path):
+    rng = np.random.default_rng(1)
+    trace = rng.standard_normal((64, 64))
+    retrace = np.roll(trace, 2, axis=0) + 0.1 * rng.standard_normal((64, 64))
+    scans = {"trace": trace, "other": rng.standard_normal((64, 64)), "retrace": retrace}
+    paths = [scan(tmp_path / f"{name}.nc", values) for name, values in scans.items()]
+    entries, left_out, problems = inventory([source(path) for path in paths], None)
+    assert [entry.name for entry in entries] == ["trace.nc", "other.nc"] and not problems
+    assert left_out == ["retrace.nc: it shows the same place as trace.nc, and a place counts once"]
 
 
 @pytest.mark.parametrize(

@@ -199,7 +199,7 @@ def test_a_study_is_replaced_only_with_overwrite(folder, run):
 
 def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
     own_scan(folder / "good.nc")
-    own_scan(folder / "odd{1}.nc")
+    own_scan(folder / "odd{1}.nc", seed=2)
     (folder / "my.csv").write_text("surface,value,unit\na_test_of_new,1,\nb,2,uN\n")
     files_before = sorted(folder.rglob("*"))
     quantities = ["--radius", "5 N", "--preload", "10", "--tip", "3 s", "--work", "1e9 J/m2"]

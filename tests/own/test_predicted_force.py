@@ -8,6 +8,7 @@ from known_forces import FORCE_DIMS
 from known_masters import LARGE, SMALL, scales
 from known_spectra import contact_of_area, rough
 from refusals import assert_says, refusal
+from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_interval
@@ -59,8 +60,9 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
 
 
 def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
-    computed_forces = adhesion([3, 1], spread=0.02)
+    computed_forces = adhesion([3, 1], spread=0.02).isel(sphere_scan=[0])
     prediction = predicted_force(computed_forces, **PREDICTION)
+    assert "place_factor" not in prediction
     selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
     means = computed_forces.pull_off_force.sel(selection).mean(
         ["sphere_scan", "contact_y", "contact_x"]
@@ -76,6 +78,23 @@ def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one()
     assert (low < prediction.force).all() and (prediction.force < high).all()
     width = np.log(high / low).sel(surface="b", contact_model="rigid")
     assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
+
+
+def test_the_interval_includes_the_place_on_a_rough_sphere():
+    smooth = adhesion([3, 3], spread=1e-6).isel(sphere_scan=[0])
+    logarithms = xr.DataArray(np.random.default_rng(2).normal(size=16), dims="sphere_scan")
+    forces = smooth.pull_off_force.squeeze("sphere_scan") * np.exp(logarithms)
+    rough_sphere = smooth.drop_vars(["pull_off_force", "touched_places"]).assign(
+        pull_off_force=forces.transpose(*FORCE_DIMS),
+        touched_places=smooth.touched_places.isel(sphere_scan=[0] * 16),
+    )
+    prediction = predicted_force(rough_sphere, **PREDICTION)
+    # One more of 16 normal numbers lies within this distance of their mean.
+    half = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
+    np.testing.assert_allclose(prediction.place_factor, np.exp(half), rtol=1e-4)
+    ends = prediction.force_interval / prediction.force
+    np.testing.assert_allclose(ends.isel(bound=0), np.exp(-half), rtol=1e-3)
+    np.testing.assert_allclose(ends.isel(bound=1), np.exp(half), rtol=1e-3)
 
 
 def test_a_contact_as_wide_as_the_scan_gives_no_interval():

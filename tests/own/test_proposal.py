@@ -20,6 +20,7 @@ from hardcontact.own.inventory import Entry
 from hardcontact.own.new import values_by_key
 from hardcontact.own.proposal import propose
 from hardcontact.own.request import Source
+from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
@@ -42,6 +43,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
         "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
         "density": density(size, size / pixels, rms), "undefined": 0, "notes": (), "defects": {},
+        "coarse": HeightMap(np.zeros((2, 2)), size / 2),
     }  # fmt: skip
     return Entry(
         source=Source(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,

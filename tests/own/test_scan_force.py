@@ -9,7 +9,7 @@ import scan_files
 from direct_sum import direct_total
 from known_spectra import contact_of_area, rough
 from measurements import map_of
-from refusals import assert_says
+from refusals import assert_says, refusal
 
 import hardcontact as hc
 from hardcontact.base.random import generator
@@ -108,6 +108,29 @@ def test_the_closed_form_of_a_gaussian_map_has_its_error(tmp_path):
     assert form["interval"][0] < force["interval"][1] and force["interval"][0] < form["interval"][1]
     assert_says(words, "closed form, for the spectrum of this scan: ", "pixels 4 times finer")
     assert_says(predicted(tmp_path, heights_of("gaussian"), "--verbose")[0], "regime: many")
+
+
+def test_a_smooth_wafer_has_the_force_and_the_octaves_of_a_rough_sphere(tmp_path):
+    waves = heights_of("gaussian")
+    _, alone = predicted(tmp_path, waves)
+    position = (np.arange(PIXELS) - (PIXELS - 1) / 2) * PIXEL_SIZE
+    sphere = waves - (position[:, None] ** 2 + position**2) / (2 * RADIUS)
+    path = tmp_path / "sphere.nc"
+    scan_files.scan(path, sphere.T, (PIXELS * PIXEL_SIZE,) * 2)
+    words, numbers = predicted(tmp_path, waves.T / 200, "--sphere", str(path))
+    assert "whose waves: the sphere's" in words
+    assert numbers["octave_1_sphere_share"]["value"] > 0.99
+    low, high = numbers["force_on_scan"]["interval"]
+    assert low < alone["force_on_scan"]["value"] < high
+    # The interval is that of one place of the sphere.
+    assert high > numbers["place_factor"]["value"] * numbers["force_on_scan"]["value"] * 0.99
+    assert numbers["rms_height"]["value"] == pytest.approx(alone["rms_height"]["value"], rel=0.01)
+    table = tmp_path / "my.csv"
+    table.write_text("wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "\n".join(
+        f"{100 * number},nm,{number},nm4" for number in range(1, 6)
+    ))  # fmt: skip
+    arguments = predict_arguments([str(table), "--sphere", str(path)])
+    assert_says(refusal(lambda: predict(arguments)), "--sphere: expected scans of both bodies")
 
 
 def test_a_program_gets_the_numbers_of_the_command(tmp_path):

@@ -181,6 +181,31 @@ def test_a_lopsided_interval_of_few_tests_is_named(high, count):
     assert len(find_cautions("few_tests", fit=data)) == count
 
 
+def test_cautions_of_the_reader_are_named():
+    assert not find_cautions("reading")
+    data = spectra()
+    data["notes"] = data["notes"].astype(object)
+    data["notes"][{"surface": 0, "measurement": 0}] = "cropped; take care: its mask marks 9 pixels"
+    (caution,) = find_cautions("reading", spectra=data)
+    assert caution.texts["sentence"].endswith(": its mask marks 9 pixels")
+
+
+def test_scans_of_the_same_place_are_named():
+    assert not find_cautions("same_place")
+    data = spectra()
+    data["same_place"] = data["same_place"].astype(object)
+    data["same_place"][{"surface": 0, "measurement": 1}] = "scans/trace.spm"
+    (caution,) = find_cautions("same_place", spectra=data)
+    assert caution.texts["first"] == "scans/trace.spm"
+
+
+def test_repeated_tests_are_asked_about():
+    data = fit()
+    assert not find_cautions("repeated_tests", fit=data)
+    data["look_repeated"] = data["look_repeated"] + 1
+    assert find_cautions("repeated_tests", fit=data)
+
+
 @pytest.mark.parametrize(("work", "count"), [(10.0, 0), (50.8, 1)])
 def test_a_work_beyond_that_of_solids_is_named(work, count):
     data = fit()

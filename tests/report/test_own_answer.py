@@ -59,6 +59,15 @@ def test_the_answer_follows_its_schema(case):
     Draft202012Validator(SCHEMA).validate(content(case))
 
 
+def test_the_headline_has_a_range_that_the_scans_forced():
+    assert content("one")["chosen"] == [] and len(content("one")["headline"]) == 1
+    shortest = force().sel(rho=[RANGE, 10.0], method="nearest")
+    inputs = setting()._replace(contact={"range of adhesion": "5.6 nm"})
+    raised = own_answer(datasets(force=shortest), inputs)
+    assert raised["chosen"] == ["range of adhesion"]
+    assert "5.6 nm, the least that" in raised["headline"][-1]
+
+
 def test_the_answer_has_the_numbers_of_the_datasets():
     study_rows, surface_rows = quantities("one", ""), quantities("one")
     assert (study_rows["range_of_adhesion"]["value"], study_rows["work_of_adhesion"]["value"]) == (

@@ -135,6 +135,12 @@ HOSTILE = {
     "folder": (os.mkdir, "found a folder"),
     "pipe": (os.mkfifo, "no regular file"),
     "huge": (huge, "1 to 1073741824 bytes"),
+    "picture": (lambda path: path.write_bytes(b"P5\n2 2\n9\n" + bytes(4)), "a picture, whose grey"),
+    "model": (lambda path: path.write_text("#VRML 2.0\n1 2 3 0 0 0\n"), "a model of triangles"),
+    "values in volts": (
+        lambda path: path.write_text("# Value units: V\n" + text(heights(32, 32))),
+        "values in V, which is no unit of length: multiply them",
+    ),
     "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
     "pickled array": (pickled_array, "found"),
     "zip bomb": (lambda path: container(path, bytes(2**27)), "MemoryError"),
@@ -241,7 +247,7 @@ def chatter(_):
 @pytest.mark.parametrize(
     ("reader", "message_part"),
     [
-        (crash, "whose reader crashes"),
+        (crash, "whose reader stops"),
         (loop, "takes more than 1 s"),
         (hoard, "MemoryError"),
         (write_a_file, "Too many open files"),

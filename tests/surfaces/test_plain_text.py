@@ -121,6 +121,26 @@ def test_points_may_have_two_units(tmp_path, gaps):
     assert_says(refusal(read_scan, path, "", "harmonic", "um"), "--unit mm,nm gives")
     line = coordinates(tmp_path / "b.txt", np.column_stack([1e-3 * X[:24], MAP[0]]))
     np.testing.assert_allclose(read_scan(line, unit="um,nm").heights, MAP[0], atol=1e-5)
+    angstroms = coordinates(tmp_path / "c.xyz", scaled * [1, 1, 10])
+    for unit in ("um,angstrom", "um,Å"):
+        np.testing.assert_allclose(
+            read_scan(angstroms, "", "harmonic", unit).heights, measurement.heights, atol=1e-5
+        )
+
+
+@pytest.mark.parametrize("gaps", [[], GAPS])
+def test_points_beside_a_grid_are_interpolated_on_it(tmp_path, gaps):
+    rng = np.random.default_rng(3)
+    points = POINTS + np.pad(rng.normal(0, 0.8, (len(POINTS), 2)), ((0, 0), (0, 1)))
+    points[:, 2] = 5 * np.sin(points[:, 0] / 40) * np.cos(points[:, 1] / 50)
+    path = coordinates(tmp_path / "a.xyz", rng.permutation(np.delete(points, gaps, axis=0)))
+    measurement = read_scan(path, "", "harmonic", "nm")
+    assert measurement.heights.shape == MAP.shape and measurement.undefined == len(gaps)
+    assert measurement.pixel_size == pytest.approx(10.0, rel=0.01)
+    truth = (5 * np.sin(X / 40) * np.cos(Y / 50)).reshape(MAP.shape)
+    inner = np.s_[2:-2, 2:-2]
+    np.testing.assert_allclose(measurement.heights[inner], truth[inner], atol=0.2)
+    assert_says(measurement.notes[0], "beside a grid", "interpolated")
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,14 @@ def add_spikes(seed, share):
     return heights
 
 
+def add_streaks(seed, sign):
+    """Streaks on lines 10, 11 and 90 of a rough map, two of them on neighbouring lines."""
+    heights = rough(seed, 3.0)
+    for line, start, length in ((9, 20, 30), (10, 35, 12), (89, 60, 25)):
+        heights[line, start : start + length] += sign * 25
+    return heights
+
+
 def stop_scan(seed, lines, filling, axis=0):
     heights = rough(seed, 5.0) + 40
     filling_heights = heights[lines - 1] if filling == "repeated" else 0.0
@@ -64,11 +72,21 @@ def pillars(rng):
 
 
 ROUGH = rough(3, 6.0)
+#: Long waves alike in all directions, and a short one along y whose crests are straight.
+LONG_WAVES = gaussian_filter(rough(45, 1.0), 6, mode="wrap")
+LONG_WAVES *= 6 / LONG_WAVES.std()
+SHORT_WAVE = 2.5 * np.cos(2 * np.pi * Y / (5 * PIXEL))
+SHORT_SLOPE = np.hypot(
+    2 * np.pi * 2.5 / (5 * PIXEL) / np.sqrt(2) * np.sinc(1 / 5),
+    np.diff(LONG_WAVES, axis=0).std() / PIXEL,
+)
 #: Heights, and the defects that they have with the numbers that they were made with.
 CASES = {
     "few spikes": (add_spikes(11, 10 / PIXELS**2), {"spikes": (10 / PIXELS**2, 12.0)}),
     "spikes": (add_spikes(12, 2e-3), {"spikes": (2e-3, 12.0)}),
     "many spikes": (add_spikes(13, 0.03), {"spikes": (0.03, 12.0)}),
+    "streaks": (add_streaks(14, 1), {"streaks": (3, 10, 90, 3.0)}),
+    "streaks below": (add_streaks(14, -1), {"streaks": (3, 10, 90, 3.0)}),
     "stopped, zero": (stop_scan(21, 96, "zero"), {"equal_lines": [0.25]}),
     "stopped, repeated": (stop_scan(22, 64, "repeated"), {"equal_lines": [0.5]}),
     "stopped, along y": (stop_scan(23, 100, "repeated", 1), {"equal_lines": [28 / PIXELS]}),
@@ -86,6 +104,14 @@ CASES = {
     "grating": (grating(300, 0), {"lay": [None]}),
     "oblique grating": (grating(700, 45), {"lay": [None]}),
     "step": (np.where(X > SIZE / 8, 18.0, 0.0) + rough(41, 0.6), {"lay": [None], "edges": [None]}),
+    "offset lines": (
+        rough(43, 0.2) + generator(44).normal(0, 0.3, (PIXELS, 1)), {"offset_lines": [0.3]},
+    ),
+    "noise": (
+        rough(46, 0.2, 1.0, SIZE / 4) + generator(47).normal(0, 0.1, X.shape),
+        {"noise": [0.1, 0.2]},
+    ),
+    "lay of short waves": (LONG_WAVES + SHORT_WAVE, {"slopes": [None, SHORT_SLOPE]}),
     "lay": (gaussian_filter(generator(42).standard_normal(X.shape), (12, 2)), {"lay": [None]}),
     "pillars": (pillars(generator(62)), {"edges": [None]}),
 }  # fmt: skip
@@ -119,6 +145,14 @@ def test_curvature_has_the_share_of_the_rms_height_without_it():
     bow = (X**2 + Y**2).std() / 60e3
     share = 1 / np.hypot(1, bow)
     assert defects["curvature"]["uncurved_share"] == pytest.approx(share, rel=0.05)
+
+
+def test_levelling_of_lines_fills_streaks():
+    flat = examine(measurement(add_streaks(14, 1), PIXEL), levelling="lines")
+    sound = examine(measurement(rough(14, 3.0), PIXEL), levelling="lines")
+    is_equal = np.isclose(flat.heights, sound.heights, atol=0.2)
+    assert is_equal.mean() > 0.99 and np.abs(flat.heights - sound.heights).max() < 25 / 5
+    assert not flat.defects and "3 lines" in flat.notes[-1] and not sound.notes
 
 
 def test_quadratic_levelling_leaves_the_roughness_of_a_curved_scan():

@@ -1,5 +1,6 @@
 """Reading of scans of every kind, in formats that can be written here: heights, spacing, notes."""
 
+import gzip
 from dataclasses import fields, replace
 
 import numpy as np
@@ -64,6 +65,21 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     assert "21 undefined pixels of 1024 filled" in measurement.notes
 
 
+def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
+    path = tmp_path / "marked.gwy"
+    values = heights(32, 32)
+    is_marked = values > np.sort(values, None)[-20]
+    map_of(np.ma.masked_array(values, is_marked)).to_gwy(str(path))
+    # The writer fills masked pixels with zeros.
+    metres = (values * 1e-9).T.astype("<f8")
+    holed = np.where(is_marked.T, 0, metres)
+    path.write_bytes(path.read_bytes().replace(holed.tobytes(), metres.tobytes()))
+    kept = read_scan(path)
+    np.testing.assert_allclose(kept.heights, values.T, atol=1e-12)
+    assert_says(kept.notes[0], "take care", "marks 19 of 1024 pixels", "--mask exclude")
+    assert read_scan(path, "", "harmonic", mask="exclude").undefined == 19
+
+
 def test_only_gaps_in_the_square_are_filled_and_at_most_half_of_it(tmp_path):
     values = np.ma.masked_array(heights(48, 32), False)
     values[:8] = values[40:] = np.ma.masked
@@ -92,13 +108,20 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
         "if its pixels are square, 300 nm x 200 nm were scanned",
         "stretched 1.5 times along y",
     )
-    # A text that was cut short looks alike, so that texts must have square pixels.
+    # A text is read alike, also one that was cut short, which looks alike.
     map_of(heights(64, 64)).to_matrix(str(tmp_path / "a.asc"))
     lines = (tmp_path / "a.asc").read_text().splitlines()
     (tmp_path / "a.asc").write_text("\n".join(lines[: len(lines) // 2]))
-    assert_says(refusal(read_scan, tmp_path / "a.asc"), "square pixels", "lines are missing")
+    cut = read_scan(tmp_path / "a.asc")
+    assert_says("; ".join(cut.notes), "resampled", "take care", "lines are missing")
     flat = scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
     assert_says(refusal(read_scan, flat), "16 to 8192 pixels", "found 3 x 32")
+
+
+def test_a_file_of_gzip_is_read_like_the_file_in_it(tmp_path):
+    path = scan(tmp_path / "a.nc")
+    (tmp_path / "a.nc.gz").write_bytes(gzip.compress(path.read_bytes()))
+    np.testing.assert_array_equal(read_scan(tmp_path / "a.nc.gz").heights, read_scan(path).heights)
 
 
 def test_an_offset_is_subtracted_before_heights_are_judged(tmp_path):
@@ -232,7 +255,7 @@ def test_a_scan_of_a_container_is_found_by_its_file_or_a_unique_name(tmp_path):
     for name, message_parts in (
         ("one", ["column dataset", "found 2 of 'one' among one (1.txt), one (2.txt)"]),
         ("three", ["column dataset", "found 0 of 'three'"]),
-        ("two", ["found one damaged", "no item named '3.txt'"]),
+        ("two", ["found one that its reader cannot follow", "no item named '3.txt'"]),
     ):
         assert_says(refusal(read_scan, path, name), "a.zip", *message_parts)
     assert read_scan(path, "2.txt").pixel_size == pytest.approx(10.0)

@@ -87,7 +87,8 @@ def test_files_of_all_kinds_are_reported_and_used(own_study, several):
     assert overlay["scan"]["undefined_pixels"] == "harmonic"
     spectra = xr.load_dataset(several / "spectra.nc")
     film, twin = spectra["kind"].values[:2].tolist()
-    assert film == ["map", "line scan"] and twin[0] == "map"
+    # The scans of the sphere are the last.
+    assert film == ["map", "line scan", "map", "map"] and twin[:3] == ["map"] * 3
     assert "4 undefined pixels" in spectra["notes"].values[1, 0]
     assert spectra["label"].values[0] == "My film"
 
@@ -109,7 +110,10 @@ def test_the_interval_from_own_forces_contains_the_true_work(several):
     assert fit.test_count.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
     works = fit.work_by_range_interval
     low, high = works.sel(surface="twin").sel(rho_fine=RANGE, method="nearest").values
-    assert low < WORK < high < 5 * low
+    force = xr.load_dataset(several / "force.nc").sel(surface="twin", contact_model="plastic")
+    weak, strong = force.force_interval.sel(rho=RANGE, method="nearest").values
+    # The mean of the tests adds little to what scans and places on the sphere leave open.
+    assert low < WORK < high < 1.3 * low * strong / weak
     # The scan of the film is too small for an interval, so that no pair is known.
     assert works.sel(surface="my_film").isnull().all() and fit.region.isnull().all()
 
@@ -143,7 +147,8 @@ def gaussian_relative(adhesion, rms_height):
 def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
     assert numbers(several)["contact"]["sphere"] == "sphere"
     adhesion = xr.load_dataset(several / "adhesion.nc").sel(surface="twin")
-    assert adhesion.sizes["sphere_scan"] == 2
+    assert adhesion.sizes["sphere_scan"] == 2 * 3**2  # places on its scans
+    assert (several / "answer.html").read_text("utf-8").count("The waves that matter most") == 2
     # The sphere's shape is subtracted before its roughness is measured.
     rms_height = xr.load_dataset(several / "topography.nc").rms_height
     flat, ball = (rms_height.sel(surface=name, drop=True) for name in ("twin", "sphere"))
@@ -162,10 +167,9 @@ def test_a_rough_sphere_sticks_less_as_in_the_closed_form(own_study, several):
         smooth_adhesion.pull_off_force
     )
     # The squares of the rms heights of independent bodies add up.
-    flat = flat.sel(scan=1, drop=True)
-    combined_rms = np.hypot(flat, ball.rename(scan="sphere_scan"))
+    combined_rms = np.hypot(flat.sel(scan=1, drop=True), ball.mean())
     gaussian_ratio = gaussian_relative(adhesion, combined_rms) / gaussian_relative(
-        smooth_adhesion, flat
+        smooth_adhesion, flat.sel(scan=1, drop=True)
     )
     # The closed form is for many points; single peaks decide only at the shortest range.
     touches_many = adhesion.rho > (combined_rms**2 / adhesion.apex_height).max()

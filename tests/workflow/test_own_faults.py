@@ -104,7 +104,7 @@ def kill_after(study, count, target):
 
 
 def test_a_killed_study_continues(empty, own_study):
-    (forces,) = (own_study / STORE / "pull_off").glob("*/sphere/*/*/*/twin/scan-1.nc")
+    (forces,) = (own_study / STORE / "pull_off").glob("*/sphere/*/*/*/*/twin/*/scan-1.nc")
     target = str(forces.relative_to(own_study))
     kill_after(empty, 2, target)
     done = run(empty, target)
@@ -176,7 +176,7 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
 
 
 def test_a_study_continues_after_a_full_disk(empty, own_study):
-    (scan,) = (own_study / STORE / "stitched").glob("*/twin/scan-1-flat.nc")
+    (scan,) = (own_study / STORE / "stitched").glob("*/twin/*/scan-1-flat.nc")
     target = str(scan.relative_to(own_study))
     with disk(empty / "results", "20M") as folder:
         filler = fill(folder, 50_000)
@@ -226,8 +226,8 @@ def flip_a_bit(path):
 
 
 def test_altered_files_are_refused_and_made_again(copy, own_study):
-    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/twin/scan-1.nc")
-    (filtered,) = (copy / STORE / "filtered/scales").glob("*/*/*/*/twin/*.nc")
+    (forces,) = (copy / STORE / "pull_off").glob("*/sphere/*/*/*/*/twin/*/scan-1.nc")
+    (filtered,) = (copy / STORE / "filtered/scales").glob("*/*/*/*/twin/*/*.nc")
     spectra = copy / RESULTS / "spectra.nc"
     altered_files = (forces, filtered, spectra)
     flip_a_bit(forces)

@@ -1,12 +1,15 @@
 """A changed key or column repeats exactly its dependents in a study of own surfaces."""
 
+import os
 import re
 
 import pandas as pd
 import pytest
 import yaml
-from own_studies import change_file
+from own_studies import change_file, rough, spm
 from repository import plan
+
+from hardcontact.base.random import generator
 
 pytestmark = pytest.mark.study
 
@@ -54,6 +57,11 @@ def test_a_changed_key_repeats_exactly_its_dependents(own_study, key, value, rul
     assert planned(own_study, "other.yaml") == rules | PAGE
 
 
+def test_a_dry_run_gives_the_reason(own_study):
+    (own_study / "other.yaml").write_text("adhesion: {work: 60 mJ/m2}")
+    assert re.search(r"before: work=0\.\d+ now: work=0\.06\b", run_dry(own_study, "other.yaml"))
+
+
 @pytest.mark.parametrize(
     ("key", "value"), [("levelling", "lines"), ("undefined_pixels", "harmonic")]
 )
@@ -65,6 +73,19 @@ def test_another_study_replaces_no_file_of_the_first(own_study, key, value):
         for path in line.split(", ")
     ]  # fmt: skip
     assert outputs and not any((own_study / path).exists() for path in outputs)
+
+
+def test_another_scan_replaces_no_intermediate(own_study):
+    path = own_study / "scans/rectangle.001"
+    scan = path.read_bytes()
+    try:
+        spm(path, rough(generator(9), 128, rms=3.0)[:96], 2000.0)
+        os.utime(path, (0, 0))
+        outputs = re.findall("^    output: (.*)$", run_dry(own_study), re.M)
+    finally:
+        path.write_bytes(scan)
+    stored = [path for line in outputs for path in line.split(", ") if "/store-" in path]
+    assert stored and not any((own_study / path).exists() for path in stored)
 
 
 def test_more_forces_repeat_only_the_fit(own_study):

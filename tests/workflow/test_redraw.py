@@ -16,13 +16,14 @@ REPORT = ("--report", "results/tiny/report.html", "--report-after-run")
 def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_path):
     study = copy_repository(tmp_path / "downloaded")
     results = study / "results/tiny"
-    (results / "figures").mkdir(parents=True)
+    (results / "figures/.origin").mkdir(parents=True)
     finished_results = finished / "results/tiny"
-    packages = ("environment.txt", "constraints.txt")
+    packages = ("environment.txt", "lock.txt")
     copied = [
         *(finished / "results" / name for name in packages),
         *(path for path in finished_results.glob("*.*") if path.suffix in (".nc", ".csv", ".yaml")),
         *(path for path in finished_results.glob("figures/[!.]*") if path.stem not in DRAWN_AGAIN),
+        *finished_results.glob("figures/.origin/*"),
     ]
     for path in copied:
         shutil.copyfile(path, study / path.relative_to(finished))

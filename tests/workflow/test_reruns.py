@@ -16,8 +16,9 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import yaml
-from forked_runs import forked, use_library_of
-from repository import PARTS, ROOT, TINY, linked_copy, plan, run_snakemake
+from forked_runs import forked, run_program, use_library_of
+from refusals import assert_says
+from repository import PARTS, ROOT, TINY, environment, linked_copy, plan, run_snakemake
 
 import hardcontact
 
@@ -159,12 +160,46 @@ def said_otherwise(folder):
         content = yaml.safe_load((folder / name).read_text())
         reordered = yaml.safe_dump(dict(reversed(content.items())), sort_keys=False)
         (folder / name).write_text(f"# the same\n{reordered}")
-    for path in ("environment.txt", "workflow/constraints.txt"):
+    for path in ("environment.txt", "workflow/lock.txt"):
         append_line(path)(folder)
 
 
 def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
     assert dry(change=said_otherwise) == []
+
+
+def lose_metadata(folder):
+    """Remove what Snakemake remembers of a run, as a copy of the results alone does."""
+    (folder / ".snakemake").unlink()
+
+
+def empty_metadata(folder):
+    """Leave Snakemake's memory of a run empty, as a power loss or a full disk does."""
+    metadata = (folder / ".snakemake/metadata").resolve()
+    lose_metadata(folder)
+    for path in metadata.iterdir():
+        copy = folder / ".snakemake/metadata" / path.name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.touch()
+
+
+def test_a_pin_that_is_not_installed_is_refused_in_one_line(finished, tmp_path):
+    folder = linked_copy(finished, tmp_path / "study")
+    for path in (folder / "environment.txt", folder / "workflow/lock.txt"):
+        path.write_text(re.sub("scipy==.*?(?=[ \n])", "scipy==0.1", path.read_text()))
+    words = ["-n", "--configfile", TINY]
+    run = run_program(folder, "snakemake.cli", words, environment(folder))
+    (line,) = re.findall("^error: .*", run.stdout, re.M)
+    assert run.returncode == 1 and "Traceback" not in run.stdout
+    assert_says(line, "scipy 0.1, found", "pip install --require-hashes -r workflow/lock.txt")
+
+
+@pytest.mark.parametrize("lose", [lose_metadata, empty_metadata])
+def test_records_decide_without_the_metadata_of_snakemake(dry, graph, lose):
+    assert dry(change=lambda folder: (lose(folder), said_otherwise(folder))) == []
+    jobs = dry(overlay("scales.tolerance", 0.2), lose)
+    concerned = {"find_edges", "judge_sets", "compare_short_edges"} | KEPT
+    assert rules_of(jobs) == graph.following(graph.files_of_rules(concerned))
 
 
 # A key: the rules that it concerns, and all that is made from theirs
@@ -259,6 +294,23 @@ def append_line(path):
             file.write("\n" if path.endswith((".csv", ".tsv")) else "\n# another line\n")
 
     return change
+
+
+def older(path):
+    """Return a change that moves another version of a file into place, with a time long past."""
+
+    def change(folder):
+        append_line(path)(folder)
+        os.utime(folder / path, (0, 0))
+
+    return change
+
+
+@pytest.mark.parametrize(
+    "path", ["resources/paper/pull_off.csv", "workflow/hardcontact/contact/indents.py"]
+)
+def test_an_older_file_repeats_exactly_its_dependents(dry, graph, path):
+    assert rules_of(dry(change=older(path))) == graph.following(graph.readers(path))
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from own_studies import rough
 from paper_numbers import SUBSTRATES
 from repository import copy_repository, run_snakemake
 from scan_files import scan
-from studies import TINY_PATTERNS
+from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
@@ -60,7 +60,9 @@ def test_the_same_seed_gives_the_same_values(finished, tmp_path):
     folder = copy_repository(tmp_path / "again")
     rows = {"uncd": (1, "flat"), "ruby": (2, "sphere-R250um")}
     scans = [
-        TINY_PATTERNS.stitched.format(surface=surface, scan=scan, shape=shape)
+        TINY_PATTERNS.stitched.format(
+            surface=surface, sources=TINY_SOURCES[surface], scan=scan, shape=shape
+        )
         for surface, (scan, shape) in rows.items()
     ]
     run = run_snakemake(folder, *scans)

@@ -32,7 +32,8 @@ IN_PATHS = {
 #: Other values of keys that are no numbers.
 OTHER_WORDS = {
     "scans": [1], "scan.undefined_pixels": "harmonic", "scan.unit": "nm", "scan.map_size": "5 um",
-    "scan.levelling": "lines", "reference_surface": "mcd", "indent.surface": "mcd",
+    "scan.mask": "exclude", "scan.levelling": "lines",
+    "reference_surface": "mcd", "indent.surface": "mcd",
     "scan.featured_surface": "mcd", "scales.sphere_roughness": True,
 }  # fmt: skip
 #: The keys of filtered masters by their purpose; a section inherits from those around it.

@@ -16,6 +16,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.config.arguments import (
+    arguments_in_messages,
     check_contact,
     check_cutoffs,
     check_heights,
@@ -59,6 +60,7 @@ def read_scan(
     undefined_pixels: str = "refuse",
     unit: str = NONE,
     map_size: float | str = NONE,
+    mask: str = "keep",
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> HeightMap:
@@ -72,7 +74,10 @@ def read_scan(
         The member of a container, or the channel of any other file; empty for the file's choice.
     undefined_pixels, levelling : str
         ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, ``"lines"``, which aligns
-        the scan lines first, or ``"quadratic"``, which also subtracts the bow of a scanner.
+        the scan lines and fills streaks first, or ``"quadratic"``, which also subtracts the bow of
+        a scanner.
+    mask : str
+        Of pixels under a mask in a file of Gwyddion: ``"keep"`` the heights, or ``"exclude"`` them.
     unit, map_size : str, float or str
         For files that do not state them: a unit such as ``"nm"`` or ``"mm,nm"``; the longer side in
         nm.
@@ -89,11 +94,14 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
-    check_read_arguments([path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    check_read_arguments(
+        [path], dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+    )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None, sphere_radius=sphere_radius
     )
-    scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size))
+    with arguments_in_messages():
+        scan = require_map(read_any_scan(path, dataset, undefined_pixels, unit, map_size, mask))
     return _prepare(scan, sphere_radius, levelling)
 
 
@@ -132,10 +140,11 @@ def from_topography(
             f"{type(topography).__name__}"
         )
     check_optional_lengths(sphere_radius=sphere_radius)
-    try:
-        values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
-    except RefusedFile as error:
-        raise ValueError(f"topography: {error}") from None
+    with arguments_in_messages():
+        try:
+            values = map_values(topography, unit_in_nm(topography.unit), undefined_pixels)
+        except RefusedFile as error:
+            raise ValueError(f"topography: {error}") from None
     scan = HeightMap(values["heights"], values["pixel_size"])
     return _prepare(scan, sphere_radius, levelling)
 
@@ -153,6 +162,7 @@ def read_spectrum(
     undefined_pixels: str = "harmonic",
     unit: str = NONE,
     map_size: float | str = NONE,
+    mask: str = "keep",
     levelling: str = "plane",
     sphere_radius: float | None = None,
     extrapolated: bool = False,
@@ -167,7 +177,7 @@ def read_spectrum(
         The only member of a container to read; empty: all members.
     tip_radius : float or None
         Radius of the tip in nm for scans whose files do not state it.
-    undefined_pixels, unit, levelling : str
+    undefined_pixels, unit, mask, levelling : str
         As for `read_scan`.
     map_size, sphere_radius : float or str, float or None
         As for `read_scan`.
@@ -185,22 +195,26 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
-    check_read_arguments(files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels)
+    check_read_arguments(
+        files, dataset=dataset, unit=unit, undefined_pixels=undefined_pixels, mask=mask
+    )
     check_optional_lengths(
         map_size=map_size if map_size != NONE else None,
         tip_radius=tip_radius,
         sphere_radius=sphere_radius,
     )
-    spectrum = own_spectrum(
-        files,
-        dataset=dataset,
-        tip_radius=tip_radius,
-        undefined_pixels=undefined_pixels,
-        unit=unit,
-        map_size=map_size,
-        levelling=levelling,
-        sphere_radius=sphere_radius,
-    ).spectrum
+    with arguments_in_messages():
+        spectrum = own_spectrum(
+            files,
+            dataset=dataset,
+            tip_radius=tip_radius,
+            undefined_pixels=undefined_pixels,
+            unit=unit,
+            map_size=map_size,
+            mask=mask,
+            levelling=levelling,
+            sphere_radius=sphere_radius,
+        ).spectrum
     return (
         spectrum.extrapolated() if extrapolated and isinstance(spectrum, ScanSpectrum) else spectrum
     )

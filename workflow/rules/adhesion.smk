@@ -2,7 +2,7 @@
 
 
 rule compute_pull_off:
-    """Compute rigid and plastic pull-off of one scan on all scans of the sphere."""
+    """Compute rigid and plastic pull-off of one scan on all scans of the sphere, or places on it."""
     input:
         substrate=PATTERNS.stitched_substrate,
         spheres=[FILES.stitched(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
@@ -11,8 +11,9 @@ rule compute_pull_off:
         PATTERNS.pull_off,
     params:
         canonical=parameters(
-            sphere_scans=SELECTION.sphere_scans,
-            contact=STUDY["contact"],
+            sphere_places=FILES.sphere_places,
+            places_per_side=FILES.places_per_side,
+            contact=STUDY["contact"] | {"count": FILES.contacts_a_place},
             ranges=RANGES,
             reference_range=STUDY["scales"]["range"],
             radius=STUDY["sphere"]["radius"],

@@ -1,7 +1,8 @@
 # The configuration and the paths of all rules, and the code that a script really uses.
 
-from hardcontact.base.code import PINS, code_inputs, page_templates
+from hardcontact.base.code import code_inputs, page_templates
 from hardcontact.base.origin import canonical
+from hardcontact.base.packages import PINS
 from hardcontact.config import start
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns

@@ -27,9 +27,10 @@ rule compute_whole:
 rule amplify_octaves:
     """Compute the forces on a measured scan with each octave amplified, or the last replaced."""
     input:
-        stitched=PATTERNS.stitched_substrate,
-        spectrum=lambda w: FILES.spectrum(w.surface),
-        sphere=FILES.first_sphere if SELECTION.scans(SPHERE) else [],
+        stitched=lambda w: FILES.roughness(w.surface, int(w.scan)),
+        spectrum=lambda w: FILES.roughness_spectrum(w.surface),
+        body_spectra=lambda w: [FILES.spectrum(body) for body in FILES.rough_bodies(w.surface)],
+        sphere=FILES.first_sphere if SELECTION.scans(SPHERE) and not FILES.combined_surfaces else [],
         code=code_inputs("amplify_octaves.py"),
     output:
         PATTERNS.octaves,
@@ -37,7 +38,11 @@ rule amplify_octaves:
         canonical=lambda w: parameters(
             surface=w.surface,
             scan=int(w.scan),
-            measurement=SELECTION.all_scans(w.surface).index(int(w.scan)),
+            measurements=FILES.measurements_of_map(w.surface, int(w.scan)),
+            sphere_scan=[
+                (body, FILES.sphere_scan(w.surface, int(w.scan)))
+                for body in FILES.rough_bodies(w.surface)[1:]
+            ],
             seed=STUDY["seed"],
             contact=CONTACT,
             transitions={side: STUDY["scales"][side]["transition"] for side in SIDES},

@@ -4,7 +4,7 @@
 rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""
     input:
-        spectra=[FILES.spectrum(surface) for surface in SELECTION.surfaces],
+        spectra=[FILES.roughness_spectrum(surface) for surface in SELECTION.surfaces],
         code=code_inputs("aggregate_spectra.py"),
     output:
         PATTERNS.dataset("spectra"),

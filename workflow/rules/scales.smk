@@ -10,7 +10,7 @@ rule synthesize_masters:
     """Continue the roughness of a scan below its pixels and beyond its size."""
     input:
         scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization)),
-        spectrum=lambda w: FILES.spectrum(w.surface),
+        spectrum=lambda w: FILES.roughness_spectrum(w.surface),
         code=code_inputs("synthesize_masters.py"),
     output:
         small=PATTERNS.small_master,

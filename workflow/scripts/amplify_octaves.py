@@ -8,10 +8,15 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.hindcast import hindcast_forces, last_octave, pixel_forces
+from hardcontact.inference.hindcast import (
+    RandomBody,
+    hindcast_forces,
+    last_octave,
+    pixel_forces,
+)
 from hardcontact.inference.octaves import forces_with, octave_limits, octaves_of_surface
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.spectrum import spectrum_of_dataset
+from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as job:
     params = job.parameters
@@ -23,16 +28,29 @@ with job(snakemake) as job:
     limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
     octaves = octaves_of_surface(stitched, limits, forces)
     spectrum = read(job.input.spectrum)
-    measurement = spectrum.isel(measurement=params["measurement"])
-    band = [measurement[f"{end}_reliable"].item() for end in ("shortest", "longest")]
+    measurements = spectrum.isel(measurement=params["measurements"])
+    sizes = [stitched.size / 2, *measurements["size"].values[1:]]
+    names = [(params["surface"], params["scan"]), *params["sphere_scan"]]
+    bodies = [
+        RandomBody(
+            read_spectrum(path),
+            round(size / stitched.pixel_size),
+            partial(generator, params["seed"], *name, "hindcast"),
+        )
+        for path, size, name in zip(job.input.body_spectra, sizes, names, strict=True)
+    ]
+    measurements = measurements.where(measurements["reliable"].any("bin_wavevector"))
+    band = (
+        measurements["shortest_reliable"].min().item(),
+        measurements["longest_reliable"].max().item(),
+    )
     hindcast = hindcast_forces(
         stitched,
         {
             side: last_octave(side, transition, *band)
             for side, transition in params["transitions"].items()
         },
-        spectrum_of_dataset(spectrum),
-        partial(generator, params["seed"], params["surface"], params["scan"], "hindcast"),
+        bodies,
         forces,
     )
     job.write(

@@ -7,7 +7,7 @@ import yaml
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
-from hardcontact.base.origin import pinned_versions
+from hardcontact.base.packages import read_pins
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_answer import paper_answer
@@ -33,6 +33,6 @@ with job(snakemake) as job:
     captions = {name: caption(name, job.parameters) for name in figures}
     job.write_text(paper_page(answer, claims, table1, figures, captions, citation), "page")
     chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}
-    versions = pinned_versions(job.input.environment)
+    versions = read_pins(job.input.environment)
     for name, page in pages(claims, chapters, job.parameters, versions).items():
         job.write_text(page, name)

@@ -5,20 +5,27 @@ from dataclasses import replace
 from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import over_sphere_scans
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import read_bodies
+from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
     finer_pixel_ratio,
     mean_pull_off_of_pair,
     pull_off_of_pair,
     wider_window_change,
 )
+from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as job:
     params = job.parameters
     contact = Contact(radius=params["radius"], range=params["reference_range"], **params["contact"])
+    substrate = read_height_map(job.input.substrate)
+    spheres = [
+        place
+        for path in job.input.spheres
+        for place in places_on_sphere(read_height_map(path), params["places_per_side"])
+    ]
     pairs = {
-        number: read_bodies(job.input.substrate, sphere, contact)
-        for number, sphere in zip(params["sphere_scans"], job.input.spheres or [None], strict=True)
+        number: bodies(substrate, sphere, contact)
+        for number, sphere in zip(params["sphere_places"], spheres or [None], strict=True)
     }
     forces = over_sphere_scans(
         {

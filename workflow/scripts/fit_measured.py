@@ -3,14 +3,16 @@
 from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
-from hardcontact.config.tables import measured_forces
+from hardcontact.config.force_table import measured_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
 
 with job(snakemake) as job:
+    adhesion = dataset.read(job.input.adhesion)
+    surfaces = adhesion["surface"].values.tolist()
     sizes = dataset.read(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
-        dataset.read(job.input.adhesion),
-        measured_forces(job.input.forces, list(sizes)),
+        adhesion,
+        measured_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
         sizes,
         Sampling.from_parameters(job.parameters),
     )

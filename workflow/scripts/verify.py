@@ -2,10 +2,10 @@
 
 import sys
 
-from hardcontact.base import origin
 from hardcontact.base.job import job
+from hardcontact.base.verification import check
 
 with job(snakemake) as job:
-    faults, counts = origin.check(job.parameters["results"])
-    print(*faults, counts, sep="\n")
+    faults, summary = check(job.parameters["results"])
+    print(*faults, *summary, sep="\n")
     sys.exit(1 if faults else 0)

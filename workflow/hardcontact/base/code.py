@@ -7,30 +7,16 @@ from functools import cache
 from pathlib import Path
 
 import hardcontact
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.packages import PINS
 
 #: The folder of the library that is imported, and that of the scripts beside it.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
 SCRIPTS = LIBRARY.parent / "scripts"
-#: The versions of the packages that the library is used with.
-REQUIREMENTS = ("environment.txt", "workflow/constraints.txt")
-#: The same without comments, on which jobs depend: so that a comment makes no file stale.
-PINS = tuple(f"results/{Path(path).name}" for path in REQUIREMENTS)
 
 
 def page_templates() -> list[str]:
     """Return the templates of pages, with their style and script; an installed library has none."""
     return sorted(map(os.path.relpath, (LIBRARY.parent / "report/templates").iterdir()))
-
-
-def write_pins() -> None:
-    """Write the requirements without comments, unless they are there already."""
-    for source, path in zip(REQUIREMENTS, PINS, strict=True):
-        lines = (line.partition("#")[0].strip() for line in Path(source).read_text().splitlines())
-        text = "".join(f"{line}\n" for line in lines if line)
-        if not Path(path).is_file() or Path(path).read_text() != text:
-            with whole_file(path) as temporary:
-                Path(temporary).write_text(text)
 
 
 @cache

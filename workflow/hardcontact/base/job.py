@@ -14,7 +14,14 @@ from typing import Any, NamedTuple, TypeVar
 import xarray as xr
 
 from hardcontact.base import dataset as labelled
-from hardcontact.base.origin import Origin, digests, keep_records, record_path, refuse_changed
+from hardcontact.base.origin import (
+    Origin,
+    digests,
+    keep_records,
+    record_path,
+    refuse_changed,
+    refuse_changed_inputs,
+)
 from hardcontact.base.whole_file import remove_parts, whole_file
 
 _logger = logging.getLogger("hardcontact")
@@ -63,7 +70,8 @@ class Job(NamedTuple):
 def job(snakemake: Any) -> Iterator[Job]:
     """Keep the log of a script and yield its `Job`.
 
-    Raises ValueError before anything is computed, if an input is not as the study wrote it.
+    Raises ValueError before anything is computed, if an input is not as the study wrote it, and
+    after that if inputs changed meanwhile.
     """
     with job_log(snakemake.log[0]):
         inputs = snakemake.input
@@ -73,10 +81,12 @@ def job(snakemake: Any) -> Iterator[Job]:
         for path in snakemake.output:  # Snakemake's lock keeps other runs from these files.
             remove_parts(path)
             remove_parts(record_path(path))
+            record_path(path).unlink(missing_ok=True)  # It must not describe another file.
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, input_digests, list(code))
         parameters = json.loads(canonical_parameters)
         yield Job(inputs, snakemake.output, parameters, origin)
+        refuse_changed_inputs(input_digests)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
 
 

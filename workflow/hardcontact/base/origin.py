@@ -2,13 +2,13 @@
 
 Datasets have their origin in their attributes. For every file that a job makes, a hidden folder
 beside it has a record of the origin and of the SHA-256 of the file. Records lead from the results
-of a study back to its scans.
+of a study back to its scans, and decide what a run makes again.
 """
 
 import hashlib
 import json
-import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -21,7 +21,7 @@ PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakema
 #: The folder of the records of files, beside them.
 RECORDS = ".origin"
 
-#: `Origin.attributes`, the digests of inputs decoded, and the `sha256` of the file.
+#: `Origin.attributes`, the digests of inputs decoded, the lineage and the `sha256` of the file.
 Record = dict[str, Any]
 
 
@@ -34,6 +34,20 @@ def digest(path: str | Path) -> str:
     """Return the SHA-256 of the content of a file."""
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+@cache
+def versions() -> dict[str, str]:
+    """Return the installed versions of PACKAGES."""
+    return {name: version(name) for name in PACKAGES}
+
+
+def lineage(parameters: str, inputs: Mapping[str, str]) -> str:
+    """Return a digest of all that a file is made from, by the lineage of each input.
+
+    The lineage of a file that no job made is its SHA-256. It finds changes behind missing inputs.
+    """
+    return hashlib.sha256(canonical([parameters, versions(), inputs]).encode()).hexdigest()
 
 
 def digests(paths: Iterable[str | Path]) -> dict[str, str]:
@@ -56,7 +70,7 @@ class Origin(NamedTuple):
         code = canonical({path: self.inputs[path] for path in self.code})
         return {
             "parameters": self.parameters,
-            "versions": canonical({name: version(name) for name in PACKAGES}),
+            "versions": canonical(versions()),
             "code_digest": hashlib.sha256(code.encode()).hexdigest(),
             "input_digests": canonical(self.inputs),
         }
@@ -69,9 +83,18 @@ def record_path(path: str | Path) -> Path:
 
 
 def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
-    """Keep the origin and the SHA-256 of files that a job has made."""
+    """Keep the origin, the lineage and the SHA-256 of files that a job has made."""
+    records = {path: read_record(path) for path in origin.inputs}
+    lineages = {
+        path: record.get("lineage", "") if record else origin.inputs[path]
+        for path, record in records.items()
+    }
+    described = origin.attributes() | {
+        "input_digests": origin.inputs,
+        "lineage": lineage(origin.parameters, lineages),
+    }
     for path, value in digests(paths).items():
-        record = origin.attributes() | {"input_digests": origin.inputs, "sha256": value}
+        record = described | {"sha256": value}
         with whole_file(record_path(path)) as temporary:
             Path(temporary).write_text(canonical(record), "utf-8")
 
@@ -124,74 +147,15 @@ def refuse_changed(digests_now: Mapping[str, str]) -> None:
         raise ValueError("; ".join(lines) + "; delete it and run again")
 
 
-def traced_records(folder: str | Path) -> dict[str, Record]:
-    """Return the records, by path, of the files in ``results/<study>`` and all that led to them.
-
-    Raises ValueError, with one line, if a record is damaged.
-    """
-    records: dict[str, Record] = {}
-    pending = [
-        (path.parents[1] / path.stem).as_posix()
-        for path in sorted(Path(folder).rglob(f"{RECORDS}/*.json"))
+def refuse_changed_inputs(digests_before: Mapping[str, str]) -> None:
+    """Raise ValueError, in one line, if files are not as they were when a job began."""
+    changed = [
+        path
+        for path, value in sorted(digests_before.items())
+        if not Path(path).is_file() or digest(path) != value
     ]
-    while pending:
-        path = pending.pop()
-        record = None if path in records else read_record(path)
-        if record is not None:
-            records[path] = record
-            pending.extend(record["input_digests"])
-    return records
-
-
-def check(folder: str | Path) -> tuple[list[str], str]:
-    """Compare every file that led to ``results/<study>`` with its record.
-
-    Returns a line for each file that is missing or does not match, and one line of counts. Raises
-    ValueError, with one line, if there is nothing to compare or a record is damaged.
-    """
-    records = traced_records(folder)
-    if not records:
-        raise ValueError(f"{folder}: expected files of a study, found none")
-    inputs = {path for record in records.values() for path in record["input_digests"]}
-    current = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
-    absent = inputs - current.keys()
-    faults = [
-        *_output_faults(folder, records, current),
-        *_input_faults(records, current),
-    ]
-    return faults, (
-        f"{folder}: {len(records)} files checked, {len(faults)} faults, "
-        f"{len(absent)} inputs not at hand"
-    )
-
-
-def _output_faults(
-    folder: str | Path, records: Mapping[str, Record], current: Mapping[str, str]
-) -> Iterator[str]:
-    """Yield a line for each file that differs from its record, or is missing in the folder."""
-    for path, record in sorted(records.items()):
-        if path in current and current[path] != record["sha256"]:
-            yield f"{path}: is not the file that the study wrote"
-        elif path not in current and Path(path).is_relative_to(folder):
-            yield f"{path}: expected a file of the study, found none"
-
-
-def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> Iterator[str]:
-    """Yield a line for each file whose inputs are no longer those that it was made from."""
-    for path, record in sorted(records.items()):
-        changed = [
-            name
-            for name, made_from in sorted(record["input_digests"].items())
-            if current.get(name, made_from) != made_from
-        ]
-        if changed and path in current:
-            yield f"{path}: does not match its input {', '.join(changed)}"
-
-
-def pinned_versions(environment: str | Path) -> dict[str, str]:
-    """Return the installed versions of the packages that requirements of pip pin.
-
-    Only lines ``package==version`` of the file count; packages keep its order.
-    """
-    names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
-    return {name: version(name) for name in names}
+    if changed:
+        raise ValueError(
+            f"{', '.join(changed)}: expected inputs that stay as they are while a job runs, found "
+            "that its inputs changed; run again"
+        )

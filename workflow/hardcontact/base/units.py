@@ -26,6 +26,12 @@ POWERS_OF_TEN = {
     }
     | {"erg/cm2": -3, "dyn/cm": -3},
 }
+#: By unit of the study: the factor of each accepted unit; a gram of force is no power of ten.
+FACTORS = {
+    unit: {name: 10.0**power for name, power in powers.items()}
+    for unit, powers in POWERS_OF_TEN.items()
+}
+FACTORS["N"] |= {f"{prefix}gf": 9.80665e-3 * 10.0**power for prefix, power in PREFIXES.items()}
 #: Attributes of variables of datasets, by their unit.
 NM = {"units": "nm"}
 NEWTON = {"units": "N"}
@@ -46,9 +52,9 @@ def parse_quantity(text: object, unit: str) -> float:
     """
     match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     unit_symbol = f"{match[2]}{'2' if match[3] else ''}" if match else ""
-    if match is not None and unit_symbol in POWERS_OF_TEN[unit]:
+    if match is not None and unit_symbol in FACTORS[unit]:
         # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
-        value = float(f"{float(match[1]) * 10.0 ** POWERS_OF_TEN[unit][unit_symbol]:.12g}")
+        value = float(f"{float(match[1]) * FACTORS[unit][unit_symbol]:.12g}")
         if math.isfinite(value):
             return value
     raise ValueError(f"expected {EXPECTED_QUANTITY[unit]}, found {reprlib.repr(text)}")

@@ -1,8 +1,10 @@
 """Checks of the arguments of functions and commands, in the words of the study."""
 
 import math
+import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,6 +19,7 @@ from hardcontact.config.model import CONTACT_QUANTITIES, quantity_type
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.scans import MASKS
 from hardcontact.surfaces.synthesis import SIDES
 
 #: The usual values of CONTACT_QUANTITIES, beyond which the unit may be wrong. Sources: spheres and
@@ -31,6 +34,28 @@ USUAL_BOUNDS = {
     "range": ("0.2 nm", "40 nm", "ranges from atomic bonds to long dispersion forces"),
     "work": ("0.1 mJ/m2", f"{STRONGEST_WORK:g} J/m2", "solids, up to diamond on itself"),
 }
+
+#: Remedies as messages of commands name them, and in the names of arguments. Lengths are in nm.
+ARGUMENTS = (
+    (r"--levelling (\w+) \(scan\.levelling: \w+\)", r'levelling="\1"'),
+    (r"--unit or the key scan\.unit, for example nm, or mm,nm", 'unit="nm", or unit="mm,nm"'),
+    (r"--unit (\w+(?:,\w+)?)", r'unit="\1"'),
+    (r"--size 5um, or the key scan\.map_size,", "map_size=5000, in nm,"),
+    (r"the key scan\.undefined_pixels: (\w+)", r'undefined_pixels="\1"'),
+    (r"--dataset, or the column dataset,", "dataset"),
+)
+
+
+@contextmanager
+def arguments_in_messages() -> Iterator[None]:
+    """Raise the same ValueError with names of arguments in place of options and keys."""
+    try:
+        yield
+    except ValueError as error:
+        message = str(error)
+        for remedy, argument in ARGUMENTS:
+            message = re.sub(remedy, argument, message)
+        raise ValueError(message) from None
 
 
 def unit_question(quantity: str, number: float) -> str:
@@ -52,6 +77,8 @@ def check_read_arguments(files: Sequence[object], **texts: object) -> None:
     for name, text in texts.items():
         if not isinstance(text, str):
             faults.append(f"{name}: expected a text, found {shorten(text)}")
+    if texts.get("mask", MASKS[0]) not in MASKS:
+        faults.append(f"mask: expected {' or '.join(MASKS)}, found {shorten(texts['mask'])}")
     refuse_lines(faults)
 
 
@@ -104,8 +131,8 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
     low, high = PIXEL_SIZES
     if not low <= surface.pixel_size <= high:
         raise ValueError(
-            f"scan: expected pixels of {low:g} to {high:g} nm, found {surface.pixel_size:g} nm: is "
-            "the unit right?"
+            f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
+            f"{surface.pixel_size:g} nm: is the unit right?"
         )
     shortest = replace(contact, range=min(ranges, default=math.nan))
     check_positive(window=contact.window, count=contact.count, ranges=shortest.range)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection
 from functools import partial
+from glob import escape, glob
 from typing import Any
 
 import numpy as np
@@ -11,12 +12,13 @@ from hardcontact.base import published
 from hardcontact.base.origin import canonical, is_current
 from hardcontact.config.configuration import get_key, reading_keys
 from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
+from hardcontact.config.force_table import measured_forces
 from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
 from hardcontact.config.selection import CONTACT
-from hardcontact.config.tables import measured_forces, refuse_description, refuse_paper_surface
+from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import needs_calibration, read_segments
@@ -109,7 +111,9 @@ def _own_surface_checks(
     checks += [partial(stored_scan, config, row) for row in spectrum_scans.itertuples()]
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
-        checks.append(partial(measured_forces, config["forces"], list(substrates.unique())))
+        radius = config["sphere"]["radius"]
+        names = list(substrates.unique())
+        checks.append(partial(measured_forces, config["forces"], names, radius))
     return checks
 
 
@@ -118,10 +122,11 @@ def stored_scan(config: dict[str, Any], row: Any) -> HeightMap:
 
     The rule read_scan stores scans: a file is read here only if it, its keys or the code changed.
     """
-    stored = study_patterns(config).measurement.format(surface=row.surface, scan=row.scan)
+    pattern = escape(study_patterns(config).measurement)
     arguments = reading_keys(config, row.dataset)
-    if is_current(stored, canonical(arguments), row.path):
-        return read_height_map(stored)
+    for stored in glob(pattern.format(surface=row.surface, scan=row.scan, sources="*")):
+        if is_current(stored, canonical(arguments), row.path):
+            return read_height_map(stored)
     return read_scan(row.path, **arguments)
 
 

@@ -11,7 +11,13 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import CONTACT_QUANTITIES, Study, quantity_type
+from hardcontact.config.model import (
+    CONTACT_QUANTITIES,
+    NONE,
+    SMOOTH_SPHERE,
+    Study,
+    quantity_type,
+)
 from hardcontact.contact.contact import Contact
 
 
@@ -57,6 +63,12 @@ def get_key(tree: Mapping[str, Any], key: str) -> Any:
     return reduce(getitem, key.split("."), tree)
 
 
+def combines_bodies(configuration: Mapping[str, Any]) -> bool:
+    """Return whether a study, of own surfaces, adds the roughness of a sphere to theirs."""
+    sphere = configuration["sphere"]["surface"]
+    return bool(configuration["published"] == NONE and sphere != SMOOTH_SPHERE)
+
+
 def set_keys(config: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """Return a copy of a tree of keys with new values, by keys with dots between their parts."""
     updated = dict(config)
@@ -79,7 +91,7 @@ def study_contact(config: Mapping[str, Any]) -> Contact:
 
 def reading_keys(config: Mapping[str, Any], dataset: str) -> dict[str, Any]:
     """Return the arguments of `read_scan` for a scan of the study, given its column `dataset`."""
-    names = ("undefined_pixels", "unit", "map_size")
+    names = ("undefined_pixels", "unit", "map_size", "mask")
     return {"dataset": dataset} | {name: config["scan"][name] for name in names}
 
 

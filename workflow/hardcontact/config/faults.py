@@ -4,7 +4,7 @@ import datetime
 import difflib
 import re
 import reprlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -104,7 +104,7 @@ def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[
         else:
             faults.setdefault(_key(keys), _sentence(fault))
     for keys, names in unknown.items():
-        faults[_key(keys)] = _unknown(list(section_model(model, keys).model_fields), names)
+        faults[_key(keys)] = _unknown(section_model(model, keys), names)
     return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)]
 
 
@@ -129,11 +129,34 @@ def _sentence(fault: Mapping[str, Any]) -> str:
     return f"expected {accepted}, found {shorten(fault['input'])}"
 
 
-def _unknown(known_keys: list[str], names: list[str]) -> str:
-    """Return the expected keys, with a question for those that unknown keys resemble."""
-    matches = (difflib.get_close_matches(name, known_keys, 1, SIMILARITY) for name in names)
-    suggestions = ", ".join(dict.fromkeys(key for keys in matches for key in keys))
+def _unknown(model: type[BaseModel], names: list[str]) -> str:
+    """Return the expected keys, or those that unknown keys resemble, at any depth of a model."""
+    known_keys = list(model.model_fields)
+    written = {".".join(path): _written(path) for path in _paths(model)}
+    written |= {path.rpartition(".")[2]: text for path, text in written.items()}
+    written |= {key: key for key in known_keys}
+    matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
+    suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
+    expected = "a key that exists" if all(matches) else f"one of {', '.join(known_keys)}"
     question = f" (did you mean {suggestions}?)" if suggestions else ""
+    return f"expected {expected}; found {', '.join(sorted(names))[:200]}{question}"
+
+
+def _paths(model: type[BaseModel]) -> Iterator[tuple[str, ...]]:
+    """Yield the path of each key of a model that is no section."""
+    for name, field in model.model_fields.items():
+        section = field.annotation
+        if isinstance(section, type) and issubclass(section, BaseModel):
+            yield from ((name, *path) for path in _paths(section))
+        else:
+            yield (name,)
+
+
+def _written(path: Sequence[str]) -> str:
+    """Return a key as YAML has it on one line, such as ``contact: {hardness: ...}``."""
+    *sections, name = path
     return (
-        f"expected one of {', '.join(known_keys)}; found {', '.join(sorted(names))[:200]}{question}"
+        "".join(f"{section}: {{" for section in sections)
+        + (f"{name}: ..." if sections else name)
+        + "}" * len(sections)
     )

@@ -4,12 +4,17 @@ from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import cycle
-from math import ceil
+from math import ceil, sqrt
 from typing import Any
 
 from hardcontact.base.units import path_token
-from hardcontact.config.configuration import get_key, master_keys, study_contact
-from hardcontact.config.patterns import SCAN_KEYS, Patterns, key_values, short_digest
+from hardcontact.config.configuration import (
+    combines_bodies,
+    get_key,
+    master_keys,
+    study_contact,
+)
+from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, key_values, short_digest
 from hardcontact.config.selection import Selection
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
@@ -20,6 +25,11 @@ from hardcontact.surfaces.synthesis import SIDES
 CHUNK = 15
 MASTERS_CHUNK = 5
 DRAWS_CHUNK = 10
+#: Places on a rough sphere at which own surfaces touch it, the fewest. A trade: an interval from 16
+#: places is 1.1 times as wide as from many, and each place costs the force sums of its contacts.
+SPHERE_PLACES = 16
+#: Contacts along a side at each of several places.
+CONTACTS_A_PLACE = 6
 #: A range of adhesion (nm) that is much shorter than the published range.
 SHORT_RANGE = 1.0
 #: The shortest range of adhesion (nm) on whole surfaces. They may rise several hundred shorter
@@ -62,15 +72,24 @@ class Files:
             "load": self.contact.load,
             "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
         }
+        self._sphere_sources = selection.sources.get(selection.sphere, SMOOTH)
         keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
         self._filter_values = key_values(configuration, keys)
-        self._probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
+        self._combines_bodies = combines_bodies(configuration)
+        is_rough = configuration["scales"]["sphere_roughness"]
+        self._probe = "rough" if is_rough else "smooth"
+        if is_rough or self._combines_bodies:
+            self._filter_values["sphere"] = self._sphere_sources
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""
         sphere = surface == self._selection.sphere
         shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        defaults = {"shape": shape, **self._swept}
+        sources = {
+            "sources": self._selection.sources[surface],
+            "sphere_sources": self._sphere_sources,
+        }
+        defaults = {"shape": shape, **sources, **self._swept}
         return pattern.format(surface=surface, **defaults | wildcards)
 
     def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
@@ -147,13 +166,75 @@ class Files:
         scan = scans[(realization - 1) % len(scans)]
         if own_scans and self._selection.basis[surface] == "substitute":
             scan = self._selection.own_scan(surface, realization)
-        return self.stitched(surface, scan)
+        return self.roughness(surface, scan)
 
     @property
     def first_sphere(self) -> str:
         """The scan of the sphere that roughens the sphere of all masters."""
         sphere = self._selection.sphere
         return self.stitched(sphere, self._selection.scans(sphere)[0])
+
+    # Both bodies
+
+    @property
+    def combined_surfaces(self) -> list[str]:
+        """The measured substrates to whose roughness that of a measured sphere is added."""
+        basis = self._selection.basis
+        if not self._combines_bodies or basis[self._selection.sphere] != "measured":
+            return []
+        return [name for name in self._selection.substrates if basis[name] == "measured"]
+
+    def rough_bodies(self, surface: str) -> list[str]:
+        """Return the surfaces whose roughness is in a map of a substrate."""
+        is_combined = surface in self.combined_surfaces
+        return [surface, self._selection.sphere] if is_combined else [surface]
+
+    def roughness(self, surface: str, scan: int) -> str:
+        """Return the stitched scan of a substrate, with the sphere's roughness if that is added."""
+        if surface not in self.combined_surfaces:
+            return self.stitched(surface, scan)
+        return self.path(self._patterns.both_stitched, surface, scan=scan)
+
+    def roughness_spectrum(self, surface: str) -> str:
+        """Return the spectrum of a surface, with the sphere's if its roughness is added."""
+        if surface not in self.combined_surfaces:
+            return self.spectrum(surface)
+        return self.path(self._patterns.both_spectrum, surface)
+
+    def sphere_scan(self, surface: str, scan: int) -> int:
+        """Return the scan of the sphere that meets a scan of a substrate, in turn."""
+        pairs = {pair[:2]: pair.sphere_scan for pair in self.pairs_in_turn}
+        return int(pairs[surface, scan])
+
+    def measurements_of_map(self, surface: str, scan: int) -> list[int]:
+        """Return the measurements of the spectrum of a surface that show a map of its roughness."""
+        scans = self._selection.all_scans(surface)
+        numbers = [scans.index(scan)]
+        if surface in self.combined_surfaces:
+            sphere_scans = self._selection.all_scans(self._selection.sphere)
+            numbers.append(len(scans) + sphere_scans.index(self.sphere_scan(surface, scan)))
+        return numbers
+
+    @property
+    def places_per_side(self) -> int:
+        """Places along a side of each scan of the sphere at which it touches, of own surfaces."""
+        if not self._combines_bodies:
+            return 1
+        return ceil(sqrt(SPHERE_PLACES / len(self._selection.sphere_scans)))
+
+    @property
+    def sphere_places(self) -> list[int]:
+        """The numbers of the places on the sphere: those of its scans if each has one."""
+        if self.places_per_side == 1:
+            return self._selection.sphere_scans
+        count = len(self._selection.sphere_scans) * self.places_per_side**2
+        return list(range(1, count + 1))
+
+    @property
+    def contacts_a_place(self) -> int:
+        """Contacts along a side of their array at each place on the sphere."""
+        count = int(self._configuration["contact"]["count"])
+        return count if self.places_per_side == 1 else min(count, CONTACTS_A_PLACE)
 
     # Scans
 
@@ -282,6 +363,8 @@ class Files:
         """Return the files of the first realizations of the masters of a surface."""
         step = 1 if purpose in ("scales", "sampled") else MASTERS_CHUNK
         probe = "smooth" if purpose == "scaling" else self._probe
+        if surface in self.combined_surfaces:
+            probe = "combined"
         names = self._grid_names(purpose)
         settings = short_digest([self.filters(purpose), self._filter_values])
         return [
@@ -317,6 +400,8 @@ class Files:
         spectra = [self.spectrum(surface) for _ in realizations]
         if row.purpose == "sampled":
             pattern = self._patterns.sampled_spectrum
+            if surface in self.combined_surfaces:
+                pattern = self._patterns.both_sampled_spectrum
             spectra = [self.path(pattern, surface, realization=number) for number in realizations]
         return {
             "scans": [

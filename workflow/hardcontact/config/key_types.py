@@ -106,8 +106,8 @@ Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
 SurfaceId = Annotated[str, Matching("[a-z][a-z0-9_]*", "the id of a surface")]
 UNIT = Matching(
-    "none|(?:m|mm|[uµ]m|nm|pm)(?:,(?:m|mm|[uµ]m|nm|pm))?",
-    "none, m, mm, um, nm or pm, or two of these, such as mm,nm",
+    "none|(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm)(?:,(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm))?",
+    "none, m, mm, um, nm, angstrom or pm, or two of these, such as mm,nm",
 )
 STUDY_NAME = Matching(
     "[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",

@@ -82,9 +82,12 @@ class ScanKeys(Keys):
     """Unit, or units of positions and heights, of files that state none; `none`: refuse them."""
     map_size: Annotated[Length, or_word("none")] = key("none")
     """Longer side of scans whose files state no size; `none`: refuse them."""
+    mask: Literal["keep", "exclude"] = "keep"
+    """Pixels under a mask in a file of Gwyddion: `keep` their heights, or `exclude` them as
+    undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """What is subtracted from measured scans: a `plane`, offsets of `lines` and a plane, or a
-    `quadratic` polynomial."""
+    """What is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
+    `plane`, or a `quadratic` polynomial."""
 
 
 class ContactKeys(Keys):

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from hardcontact.base.origin import canonical
-from hardcontact.config.configuration import get_key
+from hardcontact.config.configuration import combines_bodies, get_key
 from hardcontact.surfaces.features import KINDS
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
@@ -21,7 +21,10 @@ PUBLISHED_TABLES = {
 #: the edges of the band, and how plasticity and range enhance each other.
 PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 
-_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size")
+#: Stands for the digest of the files of a sphere without scans.
+SMOOTH = "smooth"
+
+_READING = ("scan.undefined_pixels", "scan.unit", "scan.map_size", "scan.mask")
 _MEASURED = (*_READING, "scan.levelling", "scans")
 _GAUSSIAN = ("seed", "scans", "scan.pixels", "scan.size")
 _SUBSTITUTES = (*_GAUSSIAN, "scan.featured_surface")
@@ -32,8 +35,8 @@ _DRAWS = (*_GAUSSIAN, "sets.count", "contact.window", "adhesion.ranges")
 _TRANSITIONS = ("scales.small.transition", "scales.large.transition")
 
 #: The keys on which each kind of intermediate and its inputs depend, but for those whose values are
-#: in the path: it has a digest of theirs. A source of a surface, or another row in the table of
-#: surfaces, is no key: it replaces the intermediates of that surface.
+#: in the path: it has a digest of theirs. The files of a surface are no key: paths have a digest of
+#: their content. Other columns of the table of surfaces replace the intermediates of a surface.
 STORE_KEYS = {
     "measurements": _READING,
     "measured_spectra": _MEASURED,
@@ -48,11 +51,17 @@ STORE_KEYS = {
     "octaves": _CONTACTS,
     "pool": (*_DRAWS, "sets.rms_heights"),
     "draws": _DRAWS,
+    "both_bodies": SCAN_KEYS,
     "masters": (*SCAN_KEYS, *_TRANSITIONS, "scales.small.pixels", "scales.large.tiles"),
 }
 
-_SCAN = "{surface}/scan-{scan}-{shape}.nc"
-_REALIZATION = "{surface}/realization-{realization}"
+#: Further keys on which intermediates depend that have the roughness of both bodies.
+BOTH_BODIES_KEYS = ("published", "sphere.surface", "sphere.radius", "seed")
+BOTH_BODIES = frozenset({"both_bodies", "octaves", "masters", "pull_off"})
+
+_SURFACE = "{surface}/{sources}"
+_SCAN = f"{_SURFACE}/scan-{{scan}}-{{shape}}.nc"
+_REALIZATION = f"{_SURFACE}/realization-{{realization}}"
 _NUMBER = "[0-9.e+-]+"
 
 
@@ -68,8 +77,12 @@ def key_values(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[
 
 def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
     """Return the digest of the keys of each kind of intermediate."""
+    further = BOTH_BODIES_KEYS if combines_bodies(configuration) else ()
     return {
-        kind: short_digest(key_values(configuration, keys)) for kind, keys in STORE_KEYS.items()
+        kind: short_digest(
+            key_values(configuration, (*keys, *further) if kind in BOTH_BODIES else keys)
+        )
+        for kind, keys in STORE_KEYS.items()
     }
 
 
@@ -85,37 +98,44 @@ class Patterns:
         self.store = store
         folder = {kind: f"{store}/{kind}/{digest}" for kind, digest in digests.items()}
 
-        self.calibrated_spectrum = f"{store}/spectra/{{surface}}/calibrated.nc"
-        self.measured_spectrum = f"{folder['measured_spectra']}/{{surface}}/measured-{{shape}}.nc"
+        rough_sphere = f"{sphere}/{{sphere_sources}}"
+
+        self.calibrated_spectrum = f"{store}/spectra/{_SURFACE}/calibrated.nc"
+        self.measured_spectrum = f"{folder['measured_spectra']}/{_SURFACE}/measured-{{shape}}.nc"
         self.conditioning = f"{folder['conditioning']}/{_SCAN}"  # scan: the first of its group
-        self.measurement = f"{folder['measurements']}/{{surface}}/scan-{{scan}}.nc"
+        self.measurement = f"{folder['measurements']}/{_SURFACE}/scan-{{scan}}.nc"
         self.levelled = f"{folder['scans']}/{_SCAN}"
         self.stitched = f"{folder['stitched']}/{_SCAN}"
         self.stitched_substrate = self.stitched.replace("{shape}", "flat")
         self.stitched_sphere = (
-            f"{folder['stitched']}/{sphere}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
+            f"{folder['stitched']}/{rough_sphere}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
         )
 
-        pair = f"{{radius}}/{{load}}/{{surface}}/scan-{{scan}}/{sphere}"
-        self.elastic = f"{folder['elastic']}/{pair}-{{sphere_scan}}.nc"
-        self.asperities = f"{folder['asperities']}/{pair}-{{sphere_scan}}.nc"
+        pair = f"{{radius}}/{{load}}/{_SURFACE}/scan-{{scan}}/{rough_sphere}"
+        self.elastic = f"{folder['elastic']}/{pair}/scan-{{sphere_scan}}.nc"
+        self.asperities = f"{folder['asperities']}/{pair}/scan-{{sphere_scan}}.nc"
 
-        settings = "{radius}/{load}/{range}/{surface}"
+        settings = f"{{radius}}/{{load}}/{{range}}/{_SURFACE}"
         self.pool = f"{folder['pool']}/{settings}/scans-{{first}}-{{last}}.nc"
         self.whole = f"{folder['whole']}/{settings}/surfaces-{{first}}-{{last}}.nc"
-        self.octaves = f"{folder['octaves']}/{sphere}/{settings}/scan-{{scan}}.nc"
+        self.octaves = f"{folder['octaves']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
         # The band found here is the study's own.
         self.band_forces = f"{results}/band/{{surface}}.nc"
         self.draws = f"{folder['draws']}/{settings}/{{features}}/draws-{{first}}-{{last}}.nc"
-        self.pull_off = f"{folder['pull_off']}/{sphere}/{settings}/scan-{{scan}}.nc"
+        self.pull_off = f"{folder['pull_off']}/{rough_sphere}/{settings}/scan-{{scan}}.nc"
         self.master = f"{folder['masters']}/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")
         self.large_master = self.master.replace("{side}", "large")
         # A spectrum sampled within the uncertainty of the measurements.
         self.sampled_spectrum = f"{folder['sampled_spectra']}/{_REALIZATION}.nc"
         # Forces at lists of radii, loads and ranges; settings: a digest of those of the purpose.
-        grid = "{radii}/{loads}/{ranges}/{surface}"
+        grid = f"{{radii}}/{{loads}}/{{ranges}}/{_SURFACE}"
         realizations = "realizations-{first}-{last}-{probe}-sphere"
+        # The roughness of both bodies.
+        both = f"{folder['both_bodies']}/{rough_sphere}"
+        self.both_stitched = f"{both}/{_SURFACE}/scan-{{scan}}.nc"
+        self.both_spectrum = f"{both}/{_SURFACE}/spectrum.nc"
+        self.both_sampled_spectrum = f"{both}/{_REALIZATION}.nc"
         self.filtered = f"{store}/filtered/{{purpose}}/{{settings}}/{grid}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
@@ -174,7 +194,7 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         **dict.fromkeys(("scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",
-        "probe": "smooth|rough",
+        "probe": "smooth|rough|combined",
         "radius": radius,
         "load": load,
         "range": rho,
@@ -183,4 +203,6 @@ def wildcard_constraints(surfaces: Iterable[str]) -> dict[str, str]:
         "ranges": list_pattern(rho),
         "purpose": "|".join(PURPOSES),
         "settings": "[0-9a-f]+",
+        "sources": "[0-9a-f]+",
+        "sphere_sources": f"[0-9a-f]+|{SMOOTH}",
     }

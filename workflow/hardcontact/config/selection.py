@@ -2,15 +2,17 @@
 
 import os
 import reprlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal
 
 import pandas as pd
 
+from hardcontact.base.origin import digest
 from hardcontact.config.faults import validate
 from hardcontact.config.key_types import FilePath, Matching, Quantity, or_word
 from hardcontact.config.keys import Keys
-from hardcontact.config.patterns import PUBLISHED_TABLES
+from hardcontact.config.patterns import PUBLISHED_TABLES, short_digest
 from hardcontact.config.tables import user_table
 from hardcontact.surfaces.spectrum import read_segments
 
@@ -63,11 +65,13 @@ class Selection:
 
     The rows, one a scan, come from `selected_scans`. A sphere that is not in the table is smooth.
     `surfaces` are in the order of the table; `substrates` are all surfaces except the sphere's. By
-    surface, `labels` has the name to print, and `basis` has ``"measured"`` or ``"substitute"``.
+    surface, `labels` has the name to print, `basis` has ``"measured"`` or ``"substitute"``, and
+    `sources` the digest of its files from `source_digests`.
     """
 
-    def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
+    def __init__(self, rows: pd.DataFrame, sphere: str, sources: Mapping[str, str]) -> None:
         self._all_rows = rows
+        self.sources = sources
         self._rows = rows[rows.use == CONTACT]
         self._cells = rows.set_index(["surface", "scan"])
         self.sphere = sphere
@@ -177,6 +181,15 @@ def surface_table(path: str | Path) -> pd.DataFrame:
         if not os.path.isfile(file):
             raise ValueError(f"{path}: line {number}: expected the file {file}, found no such file")
     return table
+
+
+def source_digests(rows: pd.DataFrame) -> dict[str, str]:
+    """Return a digest of the files of each surface, in their order: a part of paths."""
+    sources: dict[str, dict[tuple[str, str, str], None]] = {}
+    for row in rows.itertuples():
+        source = (str(row.source), str(row.dataset), digest(str(row.path)))
+        sources.setdefault(str(row.surface), {})[source] = None
+    return {surface: short_digest([*files]) for surface, files in sources.items()}
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:

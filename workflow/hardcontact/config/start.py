@@ -10,26 +10,35 @@ import signal
 import sys
 import tempfile
 import threading
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from copy import deepcopy
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NoReturn
 
 import psutil
 import yaml
 from snakemake.io import strip_wildcard_constraints
-from snakemake.settings.types import ExecMode
+from snakemake.jobs import Job
+from snakemake.persistence import ParamsChange, PersistenceBase
+from snakemake.settings.types import ExecMode, RerunTrigger
 from snakemake.utils import min_version, update_config
 
 from hardcontact.base import published
-from hardcontact.base.code import LIBRARY, write_pins
+from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
+from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import refuse_unreadable
-from hardcontact.config.faults import refuse_all
+from hardcontact.config.faults import refuse_all, shorten
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
-from hardcontact.config.selection import Selection, selected_scans, surface_table
+from hardcontact.config.reruns import Reruns
+from hardcontact.config.selection import (
+    Selection,
+    selected_scans,
+    source_digests,
+    surface_table,
+)
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
@@ -38,6 +47,8 @@ logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
+#: Names of studies that an overlay without a name of its own has.
+OWN_NAMES = ("paper", "quick")
 #: The last line of a run that failed or was stopped.
 RESUME = "Not all is made: the same command goes on from here."
 
@@ -59,6 +70,47 @@ def prepare(workflow: Any) -> None:
     check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if _plans_the_run(workflow):
         _stop_at_interrupt(workflow)
+        try:
+            refuse_other_versions()
+        except ValueError as error:
+            _refuse(error)
+        _plan_by_records(workflow)
+
+
+def _plan_by_records(workflow: Any) -> None:
+    """Make records decide which files are made again, in place of times and Snakemake's metadata.
+
+    The only trigger is a change of parameters: the method below finds all changes.
+    """
+    type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
+    workflow.log_provenance_info = lambda: None  # It advises to trust times.
+    Job.output_mintime = property(_no_time)
+    PersistenceBase.has_metadata = lambda self, job: True
+    PersistenceBase.has_outdated_metadata = lambda self, job: False
+    PersistenceBase.params_changed = _recorded_change
+
+
+async def _no_time(job: Any) -> None:
+    """Return no time of the files of a job, with which Snakemake would compare inputs."""
+
+
+def _recorded_change(persistence: Any, job: Any, file: str | None = None) -> ParamsChange:
+    """Return changed parameters of a job or of one of its files; add changed inputs to reasons."""
+    paths = [path for path in ([file] if file else job.output) if os.path.isfile(path)]
+    reruns = _reruns(persistence.dag)
+    changes = [reruns.change(job, path) for path in paths]
+    updated_input = persistence.dag.reason(job).updated_input
+    updated_input.update(path for change in changes for path in change.inputs)
+    return ParamsChange(
+        only_old={value for change in changes for value in change.before},
+        only_new={value for change in changes for value in change.now},
+        files=set(paths),
+    )
+
+
+@cache
+def _reruns(dag: Any) -> Reruns:
+    return Reruns(dag.dependencies)
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -167,12 +219,45 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
         update_config(config, yaml_values(nested))
         config.update(apply_effort(config))
+        overwrite = yaml_values(config.pop("overwrite", False))
         numbers = numeric_configuration(config)
+        if _plans_the_run(workflow) and overwrite is not True:
+            _refuse_replacing(config)
         if numbers["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)
+
+
+def _refuse_replacing(config: Mapping[str, Any]) -> None:
+    """Refuse other values for a study whose name is the project's own, and that is there."""
+    results = f"results/{config['study']}"
+    path = Path(results, "configuration.yaml")
+    if config["study"] not in OWN_NAMES or not path.is_file():
+        return
+    trees = yaml.safe_load(path.read_text("utf-8")), config
+    made_with, asked = (dict(_leaves(tree)) for tree in trees)
+    numbers, asked_numbers = (dict(_leaves(numeric_configuration(tree))) for tree in trees)
+    changes = [
+        f"{key}: {shorten(asked[key])} for {shorten(made_with[key])}"
+        for key in sorted(numbers.keys() & asked_numbers.keys())
+        if numbers[key] != asked_numbers[key]
+    ]
+    if changes:
+        raise ValueError(
+            f"{results}: expected the values with which it was made, found {', '.join(changes)}: "
+            "give the study a name (study: my-name), or replace it with --config overwrite=true"
+        )
+
+
+def _leaves(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield the keys of a tree, with dots between their parts, and their values."""
+    for name, item in tree.items():
+        if isinstance(item, Mapping):
+            yield from _leaves(item, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", item
 
 
 def yaml_values(value: Any) -> Any:
@@ -200,7 +285,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
-    return Selection(rows, configuration["sphere"]["surface"])
+    return Selection(rows, configuration["sphere"]["surface"], source_digests(rows))
 
 
 def keep_logs(workflow: Any, patterns: Patterns) -> None:

@@ -1,7 +1,7 @@
 """Read tables that the user wrote, and refuse them with a line for each faulty row.
 
-The tables are own pull-off forces, as single tests or as a mean and a median a surface, and
-descriptions of substitute surfaces (`resources/README.md`), which are checked before use.
+The tables are own pull-off forces (`config.force_table`), and descriptions of substitute surfaces
+(`resources/README.md`), which are checked before use.
 """
 
 import csv
@@ -14,10 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
-import pandas as pd
-
 from hardcontact.config.faults import quote_key, refuse_lines
-from hardcontact.config.key_types import Quantity
 from hardcontact.surfaces.spectrum import (
     CALIBRATION_ROWS,
     DATA_BASES,
@@ -33,11 +30,6 @@ DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 Result = TypeVar("Result")
-#: Columns of a table of single tests, and of one row a surface.
-TESTS = ("surface", "value", "unit")
-SUMMARIES = ("surface", "mean", "median", "count", "unit")
-#: A pull-off force: of an atom at least, and of a hundred kilograms at most.
-FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
 #: Models of a segment; a power law extrapolates the segment above, so that it cannot come first.
 SEGMENT_MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
@@ -75,11 +67,11 @@ class UserTable(NamedTuple):
     def convert(self, function: Callable[[Row], Result]) -> dict[int, Result]:
         """Apply a function to each row, and return its results by line.
 
-        Raises ValueError with a line for each fault from the function, and for each row whose
-        number of cells differs from the header's.
+        Raises ValueError with a line for each fault from the function, or of a number of cells that
+        differs from the header's. Rows of the same fault share a line.
         """
         results = dict[int, Result]()
-        faults = list[str]()
+        faults = dict[str, list[tuple[int, str]]]()
         for line, cells in self.cells.items():
             try:
                 too_many = len(cells) > len(self.header)
@@ -88,18 +80,33 @@ class UserTable(NamedTuple):
                     raise ValueError(f"expected {len(self.header)} cells, found {len(cells)}{hint}")
                 results[line] = function(dict(zip(self.header, cells, strict=True)))
             except ValueError as error:
-                faults += [f"{self.path}: line {line}: {text}" for text in str(error).splitlines()]
-        refuse_lines(faults)
+                for text in str(error).splitlines():
+                    faults.setdefault(text.partition(", found ")[0], []).append((line, text))
+        refuse_lines(
+            f"{self.path}: line {rows[0][0]}{f' and {len(rows) - 1} more' if rows[1:] else ''}: "
+            f"{rows[0][1]}"
+            for rows in faults.values()
+        )
         return results
 
 
-def user_table(
-    path: str | Path, content: str, *, form: str = "a CSV", separator: str = ","
-) -> UserTable:
-    """Read a table that the user wrote, in UTF-8, with a header; between tabs nothing is quoted.
+def decode_utf8(content: bytes) -> str:
+    """Return a text in UTF-8, with or without a mark in front."""
+    return content.decode("utf-8-sig")
 
-    Semicolons may separate cells, as in some spreadsheets; decimals may then have a comma. Raises
-    ValueError with one line that names the required content and form of the table.
+
+def user_table(
+    path: str | Path,
+    content: str,
+    *,
+    form: str = "a CSV",
+    separator: str = ",",
+    decode: Callable[[bytes], str] = decode_utf8,
+) -> UserTable:
+    """Read a table that the user wrote, with a header; between tabs nothing is quoted.
+
+    Semicolons or tabs may separate cells, and decimals then have a comma, as in spreadsheets.
+    Raises ValueError with one line that names the required content and form of the table.
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
@@ -109,18 +116,17 @@ def user_table(
             f"{os.path.getsize(path) / 1e6:.0f} MB"
         )
     try:
-        text = Path(path).read_bytes().decode("utf-8-sig")
+        text = decode(Path(path).read_bytes())
         head = text.partition("\n")[0]
-        if ";" in head and separator not in head:
-            separator = ";"
+        used = next((mark for mark in (separator, ";", "\t") if mark in head), separator)
         reader = csv.reader(
             io.StringIO(text, newline=None),
             strict=True,
-            delimiter=separator,
-            quoting=csv.QUOTE_NONE if separator == "\t" else csv.QUOTE_MINIMAL,
+            delimiter=used,
+            quoting=csv.QUOTE_NONE if used == "\t" else csv.QUOTE_MINIMAL,
         )
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
-        if separator == ";":
+        if used != separator:
             rows = [(line, [DECIMAL.sub(r"\1.\2", cell) for cell in row]) for line, row in rows]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
@@ -134,54 +140,6 @@ def parse_number(cell: str) -> float:
         return float(cell)
     except ValueError:
         return math.nan
-
-
-def measured_forces(
-    path: str | Path, surfaces: Collection[str], given_as: str = "config key forces"
-) -> pd.DataFrame:
-    """Read the user's own pull-off forces on the surfaces of a study.
-
-    The columns are TESTS, or SUMMARIES with one row per surface; messages name `given_as`. Returns
-    by line of the file: surface, mean and median in N (of a single test its force), and count of
-    tests. Raises ValueError with a line for each faulty row.
-    """
-    table = user_table(path, f"a table of forces ({given_as})")
-    columns = SUMMARIES if "mean" in table.header else TESTS
-    content = f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}"
-    table.require(columns, f"{content}, separated by commas")
-    rows = table.convert(partial(_force, surfaces=surfaces))
-    names = ["surface", "mean", "median", "count"]
-    forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
-    if columns == SUMMARIES:
-        refuse_lines(
-            f"{path}: line {line}: expected each surface once, found again {quote_key(surface)}"
-            for line, surface in forces.surface[forces.duplicated("surface")].items()
-        )
-    return forces
-
-
-def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]:
-    """Return surface, mean and median in N, and count of tests; refuse the first fault of a row."""
-    surface = row["surface"]
-    count = row.get("count", "1")
-    names = ("mean", "median") if "mean" in row else ("value", "value")
-    for name in names:
-        if parse_number(row[name]) == 0 or row[name].startswith("<"):
-            raise ValueError(
-                f"{name}: expected a force above zero, found {quote_key(row[name])}: of a test "
-                "below the noise write the noise, which makes the mean an upper bound"
-            )
-    mean, median = [FORCE_QUANTITY.number(f"{row[name]} {row['unit']}") for name in names]
-    if surface not in surfaces:
-        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_key(surface)}")
-    if not re.fullmatch("[1-9][0-9]{0,8}", count):
-        raise ValueError(f"count: expected a number of tests, found {quote_key(count)}")
-    if median > mean:
-        raise ValueError(
-            "median: expected at most the mean, as of log-normal forces (or give single tests), "
-            f"found {row['median']} beside {row['mean']}"
-        )
-    return surface, mean, median, int(count)
 
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:

@@ -5,6 +5,7 @@ A contact at the pixel c sees the substrate at the unfolded indices c + u along 
 """
 
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -111,6 +112,20 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
         contact_positions(substrate.pixels, contact.count),
     )
     return Bodies(substrate, roughness, geometry)
+
+
+def places_on_sphere(sphere: HeightMap, places_per_side: int) -> list[HeightMap]:
+    """Return the mirror-stitched scan of a sphere, moved so that it touches at even places.
+
+    A single place is the middle of the scan, on which `bodies` puts the apex.
+    """
+    scan_pixels = sphere.pixels // 2
+    places = (2 * np.arange(places_per_side) + 1) * scan_pixels // (2 * places_per_side)
+    shifts = (scan_pixels // 2 - places).tolist()
+    return [
+        replace(sphere, heights=np.roll(sphere.heights, shift, axis=(0, 1)))
+        for shift in product(shifts, repeat=2)
+    ]
 
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:

@@ -5,8 +5,9 @@ Gaussian surface the octave of the scan is as random as the artificial octaves. 
 how much the pixels of the scan change the force on it.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -47,6 +48,14 @@ FAILS = DIMENSIONLESS | {
 }
 
 
+class RandomBody(NamedTuple):
+    """Random roughness in place of that on the scan of a body."""
+
+    density: SpectrumFunction  #: C_iso in nm⁴.
+    pixels: int  #: Along a side of the scan, on the pixels of the map.
+    generator: Callable[[str, int], np.random.Generator]  #: Takes side and realization.
+
+
 def last_octave(side: str, transition: float, shortest: float, longest: float) -> Octave | None:
     """Return the last octave that a scan shows before its roughness is extrapolated on a side.
 
@@ -65,15 +74,14 @@ def last_octave(side: str, transition: float, shortest: float, longest: float) -
 def hindcast_forces(
     stitched: HeightMap,
     octaves: Mapping[str, Octave | None],
-    density: SpectrumFunction,
-    generator: Callable[[str, int], np.random.Generator],
+    bodies: Sequence[RandomBody],
     forces: ForcesOnSurface,
 ) -> xr.Dataset:
     """Return forces on a stitched scan that ends with an octave, in N, for each side.
 
     ``scan_octave_force`` (side, contact_y, contact_x) has the octave of the scan,
-    ``artificial_octave_force`` (side, realization, ...) random octaves of C_iso `density`. Both are
-    NaN without an octave. The generator takes side and realization.
+    ``artificial_octave_force`` (side, realization, ...) random octaves of all bodies. Both are NaN
+    without an octave.
     """
     side_forces = {}
     for side, octave in octaves.items():
@@ -82,7 +90,10 @@ def hindcast_forces(
         else:
             near_side, scan_octave = _split_at_octave(stitched, side, octave)
             artificial_octaves = [
-                _artificial_octave(generator(side, number), stitched, octave, density)
+                sum(
+                    _artificial_octave(body.generator(side, number), stitched, octave, body)
+                    for body in bodies
+                )
                 for number in range(REALIZATIONS)
             ]
             octave_forces = np.array(
@@ -142,19 +153,21 @@ def _split_at_octave(
 
 
 def _artificial_octave(
-    rng: np.random.Generator, stitched: HeightMap, octave: Octave, density: SpectrumFunction
+    rng: np.random.Generator, stitched: HeightMap, octave: Octave, body: RandomBody
 ) -> NDArray[np.float32]:
-    """Return heights of one octave of waves, random on one scan and mirrored like it."""
+    """Return heights of one octave of waves, random on one scan of a body and mirrored like it."""
     longest_wavevector, shortest_wavevector = (2 * np.pi / end for end in octave)
 
     def octave_density(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return C_iso (nm⁴) within the octave, zero outside."""
         is_inside = (shortest_wavevector < wavevector) & (wavevector <= longest_wavevector)
-        return np.where(is_inside, density(wavevector), 0.0)
+        return np.where(is_inside, body.density(wavevector), 0.0)
 
-    surface = random_surface(rng, stitched.pixels, stitched.pixel_size, octave_density)
-    scan_pixels = stitched.pixels // 2
-    corner = replace(surface, heights=surface.heights[:scan_pixels, :scan_pixels])
+    surface = random_surface(rng, 2 * body.pixels, stitched.pixel_size, octave_density)
+    # A smaller scan of the sphere is continued by its mirror images, as that of the map is.
+    place = np.arange(stitched.pixels // 2) % (2 * body.pixels)
+    place = np.minimum(place, 2 * body.pixels - 1 - place)
+    corner = replace(surface, heights=surface.heights[np.ix_(place, place)])
     return np.asarray(mirror_stitch(corner).heights)
 
 

@@ -31,6 +31,8 @@ class SurfaceForces(NamedTuple):
     mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the single forces.
     delete_one_log_means: np.ndarray  #: (part, rho) Logarithms of the mean of all parts but one.
     scan_parts: list[ScanParts]  #: (rho,) Parts correlate more at longer ranges.
+    #: (rho,) At one more place of a rough sphere, which touches at several.
+    place_variances: list[Variance]
 
 
 def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
@@ -64,19 +66,38 @@ def forces_of_surface(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
-    return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts)
+    variances = _variances_of_places(forces)
+    return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts, variances)
+
+
+def _variances_of_places(forces: xr.DataArray) -> list[Variance]:
+    """Return the variance (rho,) of ln F at one more place of the sphere; none for a single one."""
+    count = forces.sizes["sphere_scan"]
+    if count < 2:
+        return []
+    place_means = forces.mean(["scan", *CONTACT_AXES]).transpose("rho", "sphere_scan").values
+    variances = (1 + 1 / count) * np.log(place_means).var(axis=1, ddof=1)
+    return [Variance(variance, count - 1) for variance in variances]
 
 
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
-    """Return the intervals (rho, 2) of the mean forces of one surface, in N."""
+    """Return the intervals (rho, 2) of the mean forces of one surface, in N.
+
+    A rough sphere touches at one place, which is not known: half widths of parts and of places add
+    in squares.
+    """
     left_out_parts = zip(
         surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
     )
-    half = [
-        half_width([jackknife_variance(log_means, scan_parts)], confidence)
-        for log_means, scan_parts in left_out_parts
-    ]
-    return logarithmic_interval(surface_forces.mean, np.array(half))
+    half = np.array(
+        [
+            half_width([jackknife_variance(log_means, scan_parts)], confidence)
+            for log_means, scan_parts in left_out_parts
+        ]
+    )
+    for index, variance in enumerate(surface_forces.place_variances):
+        half[index] = np.hypot(half[index], half_width([variance], confidence))
+    return logarithmic_interval(surface_forces.mean, half)
 
 
 class Masters(NamedTuple):

@@ -6,6 +6,7 @@ pairs of range and work within the intervals of all surfaces at once.
 """
 
 from collections.abc import Mapping, Sequence
+from statistics import NormalDist
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,46 +29,73 @@ from hardcontact.inference.fit import FIT_UNITS, best_fit, fine_ranges
 from hardcontact.inference.mean_forces import SurfaceForces, fewest_places, forces_of_surface
 from hardcontact.inference.scan_parts import sampled_deviations
 
+#: Chance that independent tests are taken for repeated ones.
+REPEATED_BY_CHANCE = 1e-3
 #: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
 MAX_LOG_DEVIATION = 50.0
 
 
 class MeasuredTests(NamedTuple):
-    """Tests that measure the pull-off force on one surface; tests scatter log-normally."""
+    """Tests that measure the pull-off force on one surface, log-normal between places."""
 
-    mean: float  #: Mean force in N.
-    log_std: float  #: Standard deviation of the logarithm of a force; NaN for a single test.
+    mean: float  #: Mean over places in N.
+    log_std: float  #: Standard deviation between places of the logarithm; NaN for a single place.
+    place_count: int  #: Number of places, each an independent sample.
     test_count: int  #: Number of tests.
 
 
 def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface from its rows of the table of measured forces."""
+    """Return the tests on one surface from its rows of the table of measured forces.
+
+    Tests at one place are one sample, their mean; a test without a place has its own.
+    """
     count = int(forces["count"].sum())
-    mean = float(np.average(forces["mean"], weights=forces["count"]))
-    if count < 2:
-        return MeasuredTests(mean, np.nan, count)
     if len(forces) == 1:
-        return MeasuredTests(mean, float(lognormal_shape(mean, forces["median"].iloc[0])), count)
-    return MeasuredTests(mean, float(np.log(forces["mean"]).std(ddof=1)), count)
+        mean, median = float(forces["mean"].iloc[0]), forces["median"].iloc[0]
+        log_std = float(lognormal_shape(mean, median)) if count > 1 else np.nan
+        return MeasuredTests(mean, log_std, count, count)
+    is_placed = forces["place"] != ""
+    places = forces["place"].where(is_placed, forces.index)
+    means = forces["mean"].groupby(places, sort=False).mean()
+    log_std = float(np.log(means).std(ddof=1))
+    return MeasuredTests(float(means.mean()), log_std, len(means), count)
+
+
+def look_repeated(forces: pd.DataFrame) -> bool:
+    """Return whether tests on one surface without places look as if several share a place.
+
+    Either at most half of the values differ, or tests some rows apart resemble each other: half
+    their mean square difference, in logarithms, over the variance is one for independent values.
+    """
+    logs = np.log(forces["mean"].to_numpy(float))
+    if (forces["place"] != "").any() or len(logs) < 3:
+        return False
+    if 2 * len(np.unique(logs)) <= len(logs):
+        return True
+    lags = np.arange(1, len(logs) // 2 + 1)
+    ratios = [np.mean((logs[lag:] - logs[:-lag]) ** 2) / (2 * logs.var(ddof=1)) for lag in lags]
+    # Standard deviations of von Neumann's ratio, and a chance that all lags share.
+    quantile = NormalDist().inv_cdf(REPEATED_BY_CHANCE / len(lags))
+    return bool((ratios < 1 + quantile / np.sqrt(len(logs) - lags)).any())
 
 
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Sample mean forces (samples,) in N of a log-normal distribution from a few tests.
+    """Sample mean forces (samples,) in N of a log-normal distribution from a few places.
 
     The generalized pivot of the logarithm of the mean, mu + sigma²/2, is y - z s*/sqrt(n) + s*²/2
     with s*² = (n - 1) s²/chi²(n - 1). Here z is normal, and y and s are mean and standard deviation
-    of the logarithms of n tests, mu and sigma their true values. The deviation of the pivot from
-    y + s²/2 is added to the logarithm of the measured mean. NaN for a single test, whose scatter is
+    of the logarithms at n places, mu and sigma their true values. The deviation of the pivot from
+    y + s²/2 is added to the logarithm of the measured mean. NaN for one place, whose scatter is
     unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
     """
-    if tests.test_count < 2:
+    if tests.place_count < 2:
         return np.full(samples, np.nan)
-    freedom = tests.test_count - 1
+    freedom = tests.place_count - 1
     variance = tests.log_std**2
     sampled_variance = variance * freedom / rng.chisquare(freedom, samples)
     normal = rng.standard_normal(samples)
     deviation = (sampled_variance - variance) / 2 - normal * np.sqrt(
-        sampled_variance / tests.test_count
+        sampled_variance / tests.place_count
     )
     return np.asarray(
         tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
@@ -87,7 +115,8 @@ def fit_measured(
     """
     measured = set(forces.surface)
     surfaces = [name for name in adhesion.surface.values.tolist() if name in measured]
-    tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
+    surface_forces = [forces[forces.surface == name] for name in surfaces]
+    tests = [measured_tests(rows) for rows in surface_forces]
     samples = [
         sampled_means(sampling.generator("tests", name), test, sampling.samples)
         for name, test in zip(surfaces, tests, strict=True)
@@ -100,13 +129,19 @@ def fit_measured(
         fits[(model,)] = _fit_model(computed, test_means, force_samples, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
-        computed[name].scan_parts[0].source if test.test_count > 1 else "one_test"
+        computed[name].scan_parts[0].source if test.place_count > 1 else "one_test"
         for name, test in zip(surfaces, tests, strict=True)
     ]
     variables = sampling.with_interval(
         "measured_force", "surface", test_means, force_samples, NEWTON
     ) | {
         "test_count": ("surface", [test.test_count for test in tests], DIMENSIONLESS),
+        "place_count": ("surface", [test.place_count for test in tests], DIMENSIONLESS),
+        "look_repeated": (
+            "surface",
+            [int(look_repeated(rows)) for rows in surface_forces],
+            DIMENSIONLESS,
+        ),
         "interval_source": ("surface", sources),
         "label": adhesion.label.sel(surface=surfaces),
     }
@@ -136,7 +171,10 @@ def _computed_forces(
 
 
 def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampling) -> np.ndarray:
-    """Sample mean forces (sample, rho) of a surface: the same random numbers at every range."""
+    """Sample mean forces (sample, rho) of a surface: the same random numbers at every range.
+
+    The place at which a rough sphere touches is the same on all surfaces.
+    """
     deviations = [
         sampled_deviations(
             sampling.generator("scans", surface), delete_one_log_means, scan_parts, sampling.samples
@@ -145,6 +183,11 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
             surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
         )
     ]
+    for index, variance in enumerate(surface_forces.place_variances):
+        place = sampling.generator("place on the sphere").standard_t(
+            variance.freedom, sampling.samples
+        )
+        deviations[index] = deviations[index] + place * np.sqrt(variance.value)
     return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
 
 

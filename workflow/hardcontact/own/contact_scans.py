@@ -42,16 +42,19 @@ Group = list[Entry]
 
 
 def search_sizes(entries: Sequence[Entry], sphere: str | None, probe: Contact) -> dict[str, float]:
-    """Return the search size (nm) of each surface but the sphere's.
+    """Return the search size (nm) of each surface but the sphere's, with the sphere's roughness.
 
     A contact finds its summits within the search size. The largest of a surface's scans counts.
     """
     sizes: dict[str, float] = {}
+    sphere_densities = [entry.density for entry in entries if entry.source.surface == sphere]
+    sphere_density = np.fmax.reduce([np.zeros_like(BIN_CENTRES), *sphere_densities])
     for entry in entries:
         surface = entry.source.surface
         is_measured = np.isfinite(entry.density)
         if surface != sphere:
-            spectrum = Spectrum(BIN_CENTRES[is_measured], entry.density[is_measured])
+            density = entry.density + sphere_density
+            spectrum = Spectrum(BIN_CENTRES[is_measured], density[is_measured])
             size = search_size(spectrum, probe.radius, probe.area)
             sizes[surface] = max(size, sizes.get(surface, 0.0))
     return sizes

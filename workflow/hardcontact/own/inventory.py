@@ -15,6 +15,11 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, ReliableBand, reliable_band
+from hardcontact.surfaces.same_place import (
+    coarse_map,
+    earlier_scans_of_places,
+    same_place_line,
+)
 from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
@@ -52,6 +57,7 @@ class Entry:
     undefined: int  #: pixels, which were filled
     notes: tuple[str, ...]  #: what was done in reading
     defects: Mapping[str, Mapping[str, float]]  #: of `scan_defects`
+    coarse: HeightMap  #: levelled, to find scans of the same place
 
     @property
     def undefined_share(self) -> float:
@@ -87,9 +93,12 @@ def inventory(
     unit: str = "none",
     map_size: float | str = "none",
     levelling: str = "plane",
+    *,
+    mask: str = "keep",
 ) -> tuple[list[Entry], list[str], list[str]]:
-    """Return all topographies of files, lines on unusable members of containers, and problems.
+    """Return the topographies of files, lines on those that are left out, and problems.
 
+    Left out are unusable members of containers, and scans of a place that an earlier scan shows.
     Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
     none. `channel` is that of files that are not containers, empty for the file's own choice.
     """
@@ -102,7 +111,7 @@ def inventory(
         try:
             for dataset in list_scans(source.file):
                 try:
-                    scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size)
+                    scan = read_scan(source.file, dataset or channel, FILLING, unit, map_size, mask)
                     file_entries.append(_entry(source, scan, tip_radius, levelling))
                 except ValueError as error:
                     file = f"{source.file}: "
@@ -114,7 +123,9 @@ def inventory(
             faults += str(error).splitlines()
         entries += file_entries
         # A member that cannot be used stops nothing: the user cannot take it out.
-        (unreadable if file_entries else problems).extend(faults)
+        (unreadable if file_entries or source.is_in_folder else problems).extend(faults)
+    if not entries and not problems:
+        problems += unreadable
     # The same scan twice makes intervals too narrow. Formats round differently: twins have equal
     # pixels, and sizes and roughness that agree within 1e-4.
     for entry, twin in combinations(entries, 2):
@@ -128,7 +139,23 @@ def inventory(
             problems.append(
                 f"{twin.name}: expected each scan once, found that of {entry.name} again"
             )
-    return entries, unreadable, problems
+    kept_entries, repeated = _leave_out_same_places(entries)
+    return kept_entries, unreadable + repeated, problems
+
+
+def _leave_out_same_places(entries: Sequence[Entry]) -> tuple[list[Entry], list[str]]:
+    """Return the entries that show another place than those before, and a line on each other."""
+    kept_entries: list[Entry] = []
+    lines: list[str] = []
+    for scans in entries_by_surface(entries).values():
+        for entry, earlier in zip(
+            scans, earlier_scans_of_places([scan.coarse for scan in scans]), strict=True
+        ):
+            if earlier is None:
+                kept_entries.append(entry)
+            else:
+                lines.append(same_place_line(entry.name, scans[earlier].name))
+    return kept_entries, lines
 
 
 def entries_by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
@@ -177,8 +204,9 @@ def _entry(source: Source, scan: HeightMap, tip_radius: float | None, levelling:
         band=reliable_band(flat, radius, density),
         density=density,
         undefined=scan.undefined,
-        notes=scan.notes,
+        notes=flat.notes,
         defects=flat.defects,
+        coarse=coarse_map(flat),
     )
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import refuse_all, refuse_lines, validate
+from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import (
@@ -24,7 +25,6 @@ from hardcontact.config.model import (
     numeric_configuration,
 )
 from hardcontact.config.selection import CONTACT, SurfaceRow
-from hardcontact.config.tables import measured_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.own.inventory import (
     SPECTRUM,
@@ -49,7 +49,7 @@ from hardcontact.own.request import (
 
 
 def main() -> int:
-    """Carry out the command line, `new` or `predict`; return the exit code."""
+    """Carry out the command line: `new`, `predict` or `verify`; return the exit code."""
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
         refuse_lines(
@@ -61,6 +61,12 @@ def main() -> int:
             from hardcontact.own.predict import predict, predict_arguments
 
             print(predict(predict_arguments(sys.argv[2:])))
+        elif sys.argv[1:2] == ["verify"]:
+            from hardcontact.own.verify import verify, verify_arguments
+
+            words, code = verify(verify_arguments(sys.argv[2:]))
+            print(words, flush=True)
+            return code
         else:
             print(new_study(parse_arguments(sys.argv[1:])))
         sys.stdout.flush()
@@ -92,6 +98,7 @@ def new_study(arguments: Namespace) -> str:
         arguments.unit,
         quantities["size"].number if "size" in quantities else NONE,
         arguments.levelling,
+        mask=arguments.mask,
     )
     faults += [*file_faults, *scan_faults]
     checks: list[Callable[[], Any]] = [
@@ -100,6 +107,7 @@ def new_study(arguments: Namespace) -> str:
             arguments,
             table_rows(entries, contact_entries=[], tip_radius=tip_text),
             [source.surface for source in sources],
+            quantities["radius"].number,
         ),
     ]
     if not faults:  # Faults of the input can cause faults of the proposal.
@@ -131,7 +139,10 @@ def new_study(arguments: Namespace) -> str:
 
 
 def _checks(
-    arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str]
+    arguments: Namespace,
+    rows: Sequence[Mapping[str, str]],
+    surfaces: Sequence[str],
+    radius: float,
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of cells of the table and of measured forces."""
     # Labels are checked once, elsewhere. The id stands in, so that no file repeats a fault of them.
@@ -140,7 +151,7 @@ def _checks(
         yield partial(validate, SurfaceRow, cells, f"{row['path']!r}: ")
     if arguments.forces is not None:
         substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
-        yield partial(measured_forces, arguments.forces, substrates, "--forces")
+        yield partial(measured_forces, arguments.forces, substrates, radius, "--forces")
 
 
 def _propose_study(
@@ -190,6 +201,8 @@ def _choices_without_scans(
         yield Choice(
             "scan.map_size", quantities["size"].text, "as given, for files that state none"
         )
+    if arguments.mask != "keep":
+        yield Choice("scan.mask", arguments.mask, "as given, for all files with a mask")
     if arguments.levelling != "plane":
         yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
     if arguments.forces is not None:

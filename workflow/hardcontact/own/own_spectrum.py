@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Sequence
 from functools import partial
+from itertools import compress
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,6 +23,11 @@ from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictio
 from hardcontact.surfaces.measured_spectrum import ENOUGH_WAVES, isotropic_from_profile
 from hardcontact.surfaces.plain_text import ROW
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.same_place import (
+    coarse_map,
+    earlier_scans_of_places,
+    same_place_line,
+)
 from hardcontact.surfaces.scan_defects import defect_sentence, examine
 from hardcontact.surfaces.scan_heights import LENGTH_BOUNDS, TAKE_CARE, split_notes
 from hardcontact.surfaces.scans import list_scans, read_scan
@@ -47,7 +53,7 @@ COLUMN_UNITS = {
 #: Bytes of the first line of a file that tell a table from heights: more than any header has.
 MAX_LINE = 1000
 #: The first heading of a table of positions and heights.
-POSITION_HEADING = re.compile(r"\W*(x|position|distance)\b", re.IGNORECASE)
+POSITION_HEADING = re.compile(r"\W*(x|position|distance|lateral)\b", re.IGNORECASE)
 #: The fewest wavelengths with roughness that a table must have. In a trial with roll-offs, the rms
 #: height between so many points over four decades was wrong by up to 41 %, with one less by 57 %.
 MIN_WAVELENGTHS = 5
@@ -62,6 +68,8 @@ class OwnSpectrum(NamedTuple):
     spectrum: Spectrum  #: Of scans a `ScanSpectrum`.
     notes: tuple[str, ...]
     scans: tuple[HeightMap, ...] = ()  #: Levelled; none of a table.
+    #: The levelled maps of a substrate and of a rough sphere, whose sum is the only scan.
+    bodies: tuple[HeightMap, ...] = ()
 
 
 def own_spectrum(
@@ -73,6 +81,7 @@ def own_spectrum(
     unit: str = "none",
     map_size: float | str = "none",
     levelling: str = "plane",
+    mask: str = "keep",
     sphere_radius: float | None = None,
 ) -> OwnSpectrum:
     """Return the spectrum of a table, or of scans of one surface at their reliable wavelengths.
@@ -92,7 +101,11 @@ def own_spectrum(
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
     scans = [
-        examine(read_scan(path, member, undefined_pixels, unit, map_size), sphere_radius, levelling)
+        examine(
+            read_scan(path, member, undefined_pixels, unit, map_size, mask),
+            sphere_radius,
+            levelling,
+        )
         for path in files
         for member in ([dataset] if dataset else list_scans(path))
     ]
@@ -100,6 +113,14 @@ def own_spectrum(
         if np.ptp(scan.heights) < LENGTH_BOUNDS[0]:
             raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
     names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
+    earlier = earlier_scans_of_places([coarse_map(scan) for scan in scans])
+    repeated = [
+        f"{TAKE_CARE}{same_place_line(name, names[index])}"
+        for name, index in zip(names, earlier, strict=True)
+        if index is not None
+    ]
+    is_kept = [index is None for index in earlier]
+    scans, names = [*compress(scans, is_kept)], [*compress(names, is_kept)]
     defects = [
         (name, defect_sentence(code, numbers))
         for name, scan in zip(names, scans, strict=True)
@@ -113,7 +134,7 @@ def own_spectrum(
         lines = [f"{name}: expected a sound scan, found: {line}" for name, line in defects]
         raise ValueError("\n".join([str(error), *lines])) from None
     limits = ("shortest_reliable", "longest_reliable", "limited_by")
-    notes = []
+    notes = repeated
     for name, scan, *band in zip(
         names, scans, *(joined[limit].values for limit in limits), strict=True
     ):

@@ -26,7 +26,9 @@ from hardcontact.own.request import (
     implausible_quantities,
     parse_quantities,
 )
+from hardcontact.own.rough_sphere import add_sphere
 from hardcontact.own.scan_force import add_force_on_scan
+from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
@@ -63,6 +65,9 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     )  # fmt: skip
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared_options(parser)
+    parser.add_argument(
+        "--sphere", metavar="FILE", help="scan of the sphere where it touches; without it is smooth"
+    )
     parser.add_argument("--modulus", help="effective modulus of both bodies (default: the paper's)")
     parser.add_argument(
         "--dataset", "--channel", default="", metavar="NAME",
@@ -96,14 +101,18 @@ def predict(arguments: Namespace) -> str:
     faults += _output_faults(arguments)
     reader = partial(
         own_spectrum,
-        [arguments.file],
-        dataset=arguments.dataset,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
         unit=arguments.unit,
         map_size=quantities["size"].number if "size" in quantities else NONE,
         levelling=arguments.levelling,
+        mask=arguments.mask,
     )
-    _, user_spectrum = refuse_all([partial(refuse_lines, faults), reader])
+    readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
+    if arguments.sphere is not None:
+        readers.append(partial(reader, [arguments.sphere], sphere_radius=contact.radius))
+    _, user_spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
+    for sphere_spectrum in sphere_spectra:
+        user_spectrum = add_sphere(user_spectrum, sphere_spectrum)
     numbers = {
         name: Number(
             name, option.number, option.unit, status="given" if option.is_given else "paper"
@@ -114,8 +123,14 @@ def predict(arguments: Namespace) -> str:
     study = Study()
     form = prediction(user_spectrum.spectrum, contact, study.scales.tolerance, arguments.file)
     confidence = study.inference.confidence
-    numbers |= add_force_on_scan(form, user_spectrum.scans, contact, confidence)
+    numbers |= add_force_on_scan(
+        form, user_spectrum.scans, contact, confidence, user_spectrum.bodies
+    )
     numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
+    if sphere_spectra and "octave_1" in numbers:
+        middle = math.sqrt(2) * numbers["octave_1"].value
+        share = sphere_share(user_spectrum.spectrum.joined, middle)
+        numbers["octave_1_sphere_share"] = Number("octave_1_sphere_share", share)
     modulus = assumed_modulus(contact.hardness)
     status = "paper"
     if "modulus" in quantities:

@@ -3,7 +3,8 @@
 There are forces on the scans, and forces with roughness extrapolated beyond their wavelengths.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -19,13 +20,14 @@ from hardcontact.inference.hindcast import widen
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
+    SurfaceForces,
     fewest_places,
     forces_of_surface,
     half_width_over_masters,
     mean_intervals,
     summarize_masters,
 )
-from hardcontact.inference.scan_parts import logarithmic_interval
+from hardcontact.inference.scan_parts import half_width, logarithmic_interval
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_of_dataset
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.summits import search_size
@@ -33,6 +35,10 @@ from hardcontact.theory.validity import tabor
 
 #: Quantiles of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+PLACE_FACTOR = DIMENSIONLESS | {
+    "long_name": "factor to either side by which the place at which a rough sphere touches changes "
+    "the mean force"
+}
 
 
 def own_force(
@@ -62,6 +68,10 @@ def own_force(
     )
     extrapolated_forces = extrapolated_force(scales, masters, contact.work, confidence)
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
+    if "place_factor" in force:
+        at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)
+        factor = at_range.sel(rho=contact.range, method="nearest", drop=True)
+        force = widen(force, "extrapolated_force", factor)
     if "hindcast_ratio" in sensitivity:
         hindcast = sensitivity[
             ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
@@ -168,10 +178,22 @@ def _surface_force(
             ),
             "touched_places": ((), places, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
-        },
+        }
+        | _place_factor(forces_by_model, confidence),
         {name: adhesion[name] for name in dimensions}
         | {"quantile": ("quantile", QUANTILES, DIMENSIONLESS)},
     )
+
+
+def _place_factor(forces_by_model: Sequence[SurfaceForces], confidence: float) -> dict[str, Any]:
+    """Return ``place_factor`` (contact_model, rho), of `PLACE_FACTOR`, if a sphere is rough."""
+    if not forces_by_model[0].place_variances:
+        return {}
+    factors = [
+        [np.exp(half_width([variance], confidence)) for variance in forces.place_variances]
+        for forces in forces_by_model
+    ]
+    return {"place_factor": (("contact_model", "rho"), factors, PLACE_FACTOR)}
 
 
 def extrapolated_force(

@@ -26,7 +26,7 @@ from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
-from hardcontact.surfaces.spectrum import MIN_BINS
+from hardcontact.surfaces.spectrum import BIN_CENTRES, MIN_BINS
 
 #: The shortest wave that is kept of a scan, in pixels, and the longest, relative to its size. As in
 #: the paper: 20 nm and 1000 nm on scans of 2500 nm with 512 pixels.
@@ -86,6 +86,14 @@ class Choice(NamedTuple):
     reason: str
 
 
+class Transitions(NamedTuple):
+    """The wavelengths (nm) beyond which roughness is artificial."""
+
+    shortest: float
+    longest: float
+    reason: str  #: For the shorter wavelength, in words.
+
+
 class Proposal(NamedTuple):
     """The choices for scans."""
 
@@ -118,11 +126,13 @@ def propose(
             "make a study of each"
         )
     window = choose_window(scans, substrates, probe, range_given, FULL_EFFORT.pixels)
-    full = _choices(substrates, window, FULL_EFFORT)
+    sphere_scans = [scan for scan in scans if scan.source.surface == sphere]
+    transitions = _transitions(substrates, sphere_scans)
+    full = _choices(substrates, window, transitions, FULL_EFFORT)
     usual = {choice.key: choice.value for choice in full}
     quick = [
         choice._replace(reason="")
-        for choice in _choices(substrates, window, QUICK_EFFORT)
+        for choice in _choices(substrates, window, transitions, QUICK_EFFORT)
         if choice.value != usual[choice.key]
     ]
     if gaps := sum(entry.undefined > 0 for entry in entries):
@@ -220,7 +230,9 @@ def _contact_cautions(
             )
 
 
-def _choices(substrates: Sequence[Entry], window: WindowChoice, effort: Effort) -> list[Choice]:
+def _choices(
+    substrates: Sequence[Entry], window: WindowChoice, transitions: Transitions, effort: Effort
+) -> list[Choice]:
     """Return the choices of one effort, within the limits of the checks."""
     contact = window.contact
     small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
@@ -236,7 +248,7 @@ def _choices(substrates: Sequence[Entry], window: WindowChoice, effort: Effort) 
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
         Choice("scales.range", _nm(contact.range), window.range_reason),
         Choice("scales.realizations", realizations, "masters on each side"),
-        *_master_choices(substrates, contact, effort, small_pixels),
+        *_master_choices(substrates, contact, transitions, effort, small_pixels),
     ]
 
 
@@ -252,7 +264,11 @@ def _realizations(substrates: Sequence[Entry], effort: Effort, is_slow: bool) ->
 
 
 def _master_choices(
-    substrates: Sequence[Entry], contact: Contact, effort: Effort, small_pixels: int
+    substrates: Sequence[Entry],
+    contact: Contact,
+    transitions: Transitions,
+    effort: Effort,
+    small_pixels: int,
 ) -> Iterator[Choice]:
     """Yield the settings of masters and their filters."""
     tiles = count_tiles(substrates, contact.window, effort.pixels)
@@ -263,7 +279,7 @@ def _master_choices(
     shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.range) / 16)
     small = _cutoffs(4 * finest, size, effort.cutoffs)
     large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
-    small_transition, large_transition, reason = _transitions(substrates)
+    small_transition, large_transition, reason = transitions
     large_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
     edge = f"mirrored scans along a side, {format_length(2 * size * tiles)}"
     yield Choice("scales.small.pixels", small_pixels, f"{format_length(finest)} a pixel")
@@ -326,17 +342,29 @@ def _cutoffs(shortest: float, longest: float, max_cutoffs: int) -> list[str]:
     return [_nm(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
 
-def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
-    """Return both wavelengths (nm) beyond which roughness is artificial, and a reason in words.
+def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> Transitions:
+    """Return the wavelengths (nm) beyond which roughness is artificial, with a reason.
 
-    The reason is for the shorter wavelength.
+    Where the other body is rougher, the ends of a scan do not count.
     """
-    longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in substrates):.3g}")
+    bodies = [(scan, sphere_scans) for scan in substrates]
+    bodies += [(scan, substrates) for scan in sphere_scans]
+    sizes = [scan.size for scan, others in bodies if _is_rougher(scan, others, scan.band.longest)]
+    short_scans = [scan for scan, others in bodies if _is_rougher(scan, others, scan.band.shortest)]
     ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
-    ends += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in substrates]
+    ends += [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in short_scans]
+    ends += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in short_scans]
+    longest = float(f"{TRANSITION_SHARE * min(sizes):.3g}")
     wavelength, reason = max(ends)
     shortest = min(float(f"{wavelength:.3g}"), longest)
-    return shortest, longest, f"{reason}; below, roughness is artificial"
+    return Transitions(shortest, longest, f"{reason}; below, roughness is artificial")
+
+
+def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
+    """Return whether some scan of the other body has no more power at a wavelength (nm)."""
+    index = np.abs(np.log(BIN_CENTRES * wavelength / (2 * np.pi))).argmin()
+    exceeds = [other.density[index] > scan.density[index] for other in others]
+    return not (exceeds and all(exceeds))
 
 
 def _ranges(rho: float, shortest_range: float, count: int) -> list[float]:

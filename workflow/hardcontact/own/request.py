@@ -14,6 +14,7 @@ from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.surfaces.height_map import LEVELLING
+from hardcontact.surfaces.scans import MASKS
 
 #: The top folder, whose paths studies are named relative to.
 ROOT = LIBRARY.parents[1]
@@ -57,6 +58,7 @@ class Source(NamedTuple):
     file: str
     path: str
     sphere_radius: float | None = None  #: in nm, of scans of the sphere
+    is_in_folder: bool = False  #: whether the user named its folder, which may hold other files
 
 
 def parse_arguments(arguments: Sequence[str]) -> Namespace:
@@ -67,15 +69,18 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
     )  # fmt: skip
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
-        "command", choices=["new", "predict"], metavar="{new,predict}",
+        "command", choices=["new", "predict", "verify"], metavar="{new,predict,verify}",
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "
-        "hardcontact predict --help",
+        "hardcontact predict --help; verify: check the files of a finished study",
     )  # fmt: skip
     parser.add_argument(
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"
     )
     parser.add_argument(
-        "files", metavar="FILE", nargs="*", help="scans, line scans or containers of one surface"
+        "files",
+        metavar="FILE",
+        nargs="*",
+        help="scans, line scans or containers of one surface, or folders of them",
     )
     parser.add_argument(
         "--surface", nargs="+", action="append", default=[], metavar=("LABEL", "FILE"),
@@ -114,9 +119,13 @@ def add_shared_options(parser: ArgumentParser) -> None:
         "--size", help="longer side of the scan, for the files that do not state it"
     )
     parser.add_argument(
+        "--mask", choices=MASKS, default="keep",
+        help="what pixels under a mask in a file are: heights, or gaps",
+    )  # fmt: skip
+    parser.add_argument(
         "--levelling", choices=LEVELLING, default="plane",
-        help="what is subtracted from height maps: a plane, offsets of lines, or a quadratic "
-        "polynomial",
+        help="what is removed from height maps: a plane, errors of lines (streaks, offsets), or a "
+        "quadratic polynomial",
     )  # fmt: skip
 
 
@@ -230,9 +239,16 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
             )
         labels.setdefault(surface, label)
         sphere_radius = radius if files is arguments.sphere else None
-        sources += [
-            Source(surface, label, file, path_from_root(file), sphere_radius) for file in files
-        ]
+        for file in files:
+            members = _files_in(file)
+            if not members:
+                faults.append(f"{file}: expected a folder with files of scans, found none")
+            sources += [
+                Source(
+                    surface, label, member, path_from_root(member), sphere_radius, member != file
+                )
+                for member in members
+            ]
     paths = [source.path for source in sources]
     faults += [
         f"{path}: expected each file once, found it {paths.count(path)} times"
@@ -240,6 +256,17 @@ def list_sources(arguments: Namespace, radius: float) -> tuple[list[Source], lis
         if paths.count(path) > 1
     ]
     return sources, faults
+
+
+def _files_in(file: str) -> list[str]:
+    """Return the files in a folder, without hidden ones; any other path alone."""
+    if not Path(file).is_dir():
+        return [file]
+    return sorted(
+        str(path)
+        for path in Path(file).iterdir()
+        if path.is_file() and not path.name.startswith(".")
+    )
 
 
 def surface_id(label: str) -> str:

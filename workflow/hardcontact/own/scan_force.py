@@ -5,16 +5,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.base.number import Number
+from hardcontact.config.files import CONTACTS_A_PLACE, SPHERE_PLACES
 from hardcontact.config.grids import Grid, minimum_range, periods_in_window
+from hardcontact.contact.all_surfaces import over_sphere_scans
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.inference.octaves import forces_with
+from hardcontact.inference.scan_parts import half_width
 from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -54,9 +58,11 @@ def add_force_on_scan(
     scans: Sequence[HeightMap],
     contact: Contact,
     confidence: float,
+    both: Sequence[HeightMap] = (),
 ) -> dict[str, Number]:
     """Return the numbers of a prediction, after the force on its levelled scans, if there are any.
 
+    `both` are the maps of substrate and rough sphere, whose sum is the scan.
     If the closed form disagrees with this force, its predictions lose their errors.
     """
     if not scans:
@@ -67,7 +73,7 @@ def add_force_on_scan(
         if status == SHORT_RANGE:
             scan_numbers.append(Number("shortest_range", shortest_range, "nm"))
     else:
-        scan_numbers = list(_force_numbers(scans[0], contact, confidence))
+        scan_numbers = list(_force_numbers(scans[0], contact, confidence, both))
     result = {number.name: number for number in scan_numbers} | dict(numbers)
     if not status and result["closed_form_on_scan"].status != AGREES:
         for name in result.keys() & set(PREDICTED):
@@ -111,23 +117,41 @@ def stitched_map(scan: HeightMap) -> HeightMap:
     return mirror_stitch(replace(scan, heights=scan.heights.astype(np.float32)))
 
 
+def _forces(surface: HeightMap, both: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
+    """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one at its places."""
+    pairs = [bodies(surface, None, contact)]
+    if both:
+        substrate, sphere = (stitched_map(body) for body in both)
+        contact = replace(contact, count=CONTACTS_A_PLACE)
+        places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
+        pairs = [bodies(substrate, place, contact) for place in places]
+    return over_sphere_scans(
+        {
+            number: pull_off_of_pair(pair, contact, [contact.range])
+            for number, pair in enumerate(pairs)
+        }
+    )
+
+
 def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
     """Return a force whose interval includes that on finer pixels, like those of a study."""
     return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
 
 
-def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iterator[Number]:
+def _force_numbers(
+    scan: HeightMap, contact: Contact, confidence: float, both: Sequence[HeightMap]
+) -> Iterator[Number]:
     """Yield the mean plastic force on a levelled map, its share, and numbers to judge it by.
 
     Like those of `bound_by_smooth_sphere`, mean and interval never exceed a smooth sphere's force.
     """
     surface = stitched_map(scan)
     contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
-    pull_off = pull_off_of_pair(bodies(surface, None, contact), contact, [contact.range])
-    places = float(pull_off["touched_places"])
+    pull_off = _forces(surface, both, contact)
+    places = float(pull_off["touched_places"].max())
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     surface_forces = forces_of_surface(
-        forces.expand_dims(["scan", "sphere_scan"]), scan.size, contact.radius, places
+        forces.expand_dims("scan"), scan.size, contact.radius, places
     )
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
@@ -135,13 +159,17 @@ def _force_numbers(scan: HeightMap, contact: Contact, confidence: float) -> Iter
     bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
     mean, low, high = bounded.tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
-    wide_pixel_force = contact.work * forces_with(contact)(stitched_map(widen_pixels(scan))).mean()
-    wide_pixel_ratio = float(wide_pixel_force / surface_forces.mean.item())
+    wide_pixel_force, scan_force = (
+        forces_with(contact)(stitched_map(heights)).mean() for heights in (widen_pixels(scan), scan)
+    )
+    wide_pixel_ratio = float(wide_pixel_force / scan_force)
     force = include_finer_pixels(force, wide_pixel_ratio)
     yield force
     yield Number("force_on_scan_share", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
     yield Number("touched_places", places)
+    for variance in surface_forces.place_variances:
+        yield Number("place_factor", float(np.exp(half_width([variance], confidence))))
     form, search = _closed_form_numbers(surface, force, scan.size, contact)
     yield search
     yield include_finer_pixels(form, wide_pixel_ratio)

@@ -152,8 +152,19 @@ def change_outside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def change_inside_band(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest change of the force by cutoffs inside the published band (side, group)."""
-    return _largest_change(edges, ~_outside_band(edges, paper))
+    """Return the change of the force by a cutoff an octave inside the published band (side, group).
+
+    It is interpolated between the computed cutoffs of the side.
+    """
+    change = variable_as_number(edges, "filtered_force_change")
+    sides = [
+        change.sel(side=side)
+        .dropna("cutoff_wavelength", how="all")
+        .interp(cutoff_wavelength=factor * paper[f"edge_{side}"].item())
+        .drop_vars("cutoff_wavelength")
+        for side, factor in (("small", 2), ("large", 1 / 2))
+    ]
+    return xr.concat(sides, "side")
 
 
 def small_scale_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -177,11 +188,6 @@ def _largest_change(edges: xr.Dataset, is_selected: xr.DataArray) -> xr.Dataset:
         .where(is_selected)
         .max("cutoff_wavelength")
     )
-
-
-def smoothest_ratio(edges: xr.Dataset) -> xr.Dataset:
-    """Return the force relative to the unfiltered force at the largest short cutoff (surface)."""
-    return _small_side_variable(edges, "filtered_force_ratio").isel(cutoff_wavelength=-1, drop=True)
 
 
 def stylus_change(edges: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -227,5 +233,5 @@ QUANTITIES = (
     strength_over_casimir, least_ratio_error, half_width_of_range, half_width_of_work,
     interaction_radius, interaction_radius_at_fit, interaction_share, sinusoid_share, band_edge,
     first_edge, critical_over_interaction_radius, change_outside_band, change_inside_band,
-    small_scale_change, smoothest_ratio, stylus_change, flat_limit_fraction, mean_band_ratio,
+    small_scale_change, stylus_change, flat_limit_fraction, mean_band_ratio,
 )  # fmt: skip

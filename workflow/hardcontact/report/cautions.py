@@ -23,7 +23,9 @@ from hardcontact.report.artificial import (
 from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
+from hardcontact.surfaces.reliable_band import OTHER_BODY
 from hardcontact.surfaces.scan_defects import DEFECTS, defect_sentence
+from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 
@@ -61,6 +63,8 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
     found = [
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
+        *_reading(data.spectra),
+        *_same_places(data.spectra),
         _few_places(data.force),
         _soft_bodies(data.force),
         _strong_work(numbers),
@@ -68,8 +72,10 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _small_scans(data),
         _few_pixels(data.force),
         _few_tests(numbers),
+        _repeated_tests(numbers),
         _smooth_bound(data.force, numbers),
         _conditional_intervals(data.force),
+        _sphere_places(numbers),
         *_defects(data.spectra, set(DEFECTS) - MISLEADING_DEFECTS, grave=False),
         _contradiction(data.spectra),
         _excess_roughness(data.spectra),
@@ -89,6 +95,7 @@ def _blind_scans(data: Datasets) -> Caution | None:
         scans["pixel_size"].values ** 2, data.force["pixel_area"].item()
     )
     is_reliable = (scans["reliable"].values == 1).any(axis=1)
+    makes_contacts &= scans["limited_by"].values.astype(str) != OTHER_BODY
     is_blind = makes_contacts.any() and not is_reliable[makes_contacts].any()
     return Caution("blind_scans", grave=True) if is_blind else None
 
@@ -109,6 +116,31 @@ def _defects(spectra: xr.Dataset, codes: Collection[str], *, grave: bool) -> lis
             }
             defects.append(Caution(code, grave, numbers, {"sentence": sentence}, index))
     return defects
+
+
+def _reading(spectra: xr.Dataset) -> list[Caution]:
+    """Return the cautions of the reader of each measurement, as sentences."""
+    return [
+        Caution("reading", texts={"sentence": f"{measurement_name(measurement)}: {line}"})
+        for measurement in split_measurements(measurements(spectra))
+        for line in split_notes(str(measurement["notes"].item()).split("; "))[1]
+    ]
+
+
+def _same_places(spectra: xr.Dataset) -> list[Caution]:
+    """Return a caution for each scan of a place that an earlier scan shows."""
+    return [
+        Caution(
+            "same_place",
+            grave=True,
+            texts={
+                "scan": measurement_name(measurement),
+                "first": str(measurement["same_place"].item()),
+            },
+        )
+        for measurement in split_measurements(measurements(spectra))
+        if measurement["same_place"].item()
+    ]
 
 
 def _few_places(force: xr.Dataset) -> Caution | None:
@@ -144,7 +176,15 @@ def _few_tests(numbers: Mapping[str, Number]) -> Caution | None:
     above, below = np.log(force.high / force.value), np.log(force.value / force.low)
     if not above > MAX_LOPSIDEDNESS * below:
         return None
-    return Caution("few_tests", numbers={"tests": numbers["measured_force_tests"]})
+    return Caution("few_tests", numbers={"tests": numbers["measured_force_places"]})
+
+
+def _repeated_tests(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return a caution if tests look as if several were made at one place."""
+    repeated = numbers.get("measured_force_looks_repeated")
+    if repeated is None or not repeated.value:
+        return None
+    return Caution("repeated_tests", True, {"tests": numbers["measured_force_tests"]})
 
 
 def _smooth_bound(force: xr.Dataset, numbers: Mapping[str, Number]) -> Caution | None:
@@ -219,6 +259,13 @@ def _conditional_intervals(force: xr.Dataset) -> Caution | None:
         "correlation": number_of(force, "correlation_of_parts"),
     }
     return Caution("conditional_intervals", numbers=numbers)
+
+
+def _sphere_places(numbers: Mapping[str, Number]) -> Caution | None:
+    """Return by how much the force depends on the place at which a rough sphere touches."""
+    if "place_factor" not in numbers:
+        return None
+    return Caution("sphere_places", numbers={"factor": numbers["place_factor"]})
 
 
 def _contradiction(spectra: xr.Dataset) -> Caution | None:
@@ -309,7 +356,10 @@ def _long_waves(data: Datasets) -> Caution | None:
     numbers = {
         "rolloff": Number("rolloff", rolloff, "nm", source="extrapolated"),
         "above": number_of(data.spectra, "longest_measured", "nm"),
-        "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
-        "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
     }
+    if "sphere_share" not in data.spectra:  # Otherwise the spectrum is that of both bodies.
+        numbers |= {
+            "of_scans": Number("of_scans", float(data.topography["rms_height"].mean()), "nm"),
+            "whole": number_of(data.topography, "all_scales_rms_height", "nm"),
+        }
     return Caution("long_waves", numbers=numbers)

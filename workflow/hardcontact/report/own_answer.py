@@ -19,6 +19,7 @@ from hardcontact.report.cautions import Caution, cautions
 from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.own_comparison import comparison_numbers
 from hardcontact.report.own_edges import (
     EDGES,
     Measurement,
@@ -36,8 +37,11 @@ from hardcontact.report.own_forces import (
 )
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import rendered_lines, rendered_text
+from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE
 
+#: The name of the range of adhesion among the inputs of contacts.
+RANGE = "range of adhesion"
 #: Metrics of a scan, with their units.
 METRIC_UNITS = {
     "rms_height": "nm",
@@ -65,14 +69,21 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers."""
     surfaces = surface_answers(datasets, setting)
     study_numbers = _study_numbers(datasets, setting)
+    chosen = _chosen_inputs(datasets.force, setting)
     return {
         "study": setting.study,
         "version": setting.version,
         "effort": setting.effort,
         "kind": "own surfaces",
-        "headline": rendered_lines("own_headline.txt", surfaces=surfaces),
+        "headline": rendered_lines(
+            "own_headline.txt",
+            surfaces=surfaces,
+            chosen=chosen,
+            contact=setting.contact,
+        ),
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
         "assumed": list(setting.of_paper),
+        "chosen": chosen,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
         "notes": _notes(surfaces, study_numbers),
         "quantities": all_quantities(
@@ -81,23 +92,36 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     }
 
 
+def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
+    """Return the inputs that the scans forced: a range of adhesion of which none is shorter."""
+    ranges = force["rho"].values
+    is_shortest = len(ranges) > 1 and np.isclose(force.attrs["range_of_adhesion"], ranges.min())
+    return [RANGE] if is_shortest and RANGE not in setting.of_paper else []
+
+
 def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
     """Return the answer of each surface that has a band."""
+    labels = datasets.labels()
+    reference = datasets.select_surface(next(iter(labels)))
     return [
-        _surface_answer(name, label, datasets.select_surface(name), setting)
-        for name, label in datasets.labels().items()
+        _surface_answer(name, label, datasets.select_surface(name), reference, setting)
+        for name, label in labels.items()
     ]
 
 
-def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> SurfaceAnswer:
-    """Return the answer of one surface from its datasets."""
+def _surface_answer(
+    name: str, label: str, data: Datasets, reference: Datasets, setting: Setting
+) -> SurfaceAnswer:
+    """Return the answer of one surface from its datasets, compared to those of the first."""
     numbers = [
-        *strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))),
+        *_octave_numbers(data),
         *edge_numbers(data),
         *force_numbers(data),
     ]
+    if data.force["surface"].item() != reference.force["surface"].item():
+        numbers += comparison_numbers(data, reference)
     # A user who gave both range and work of adhesion, or own forces, has a pair.
-    if data.fit is None and {"range of adhesion", "work of adhesion"} & set(setting.of_paper):
+    if data.fit is None and {RANGE, "work of adhesion"} & set(setting.of_paper):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
@@ -107,13 +131,22 @@ def _surface_answer(name: str, label: str, data: Datasets, setting: Setting) -> 
     measurements = next_measurements(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
-        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number in measurements],
+        *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in measurements],
         *_scan_numbers(data),
     ]
     by_name = {number.name: number for number in numbers}
     basis = str(data.topography["basis"].item())
     verdict = surface_verdict(by_name)
     return SurfaceAnswer(name, label, basis, by_name, verdict, surface_cautions, measurements)
+
+
+def _octave_numbers(data: Datasets) -> Iterator[Number]:
+    """Yield the strongest octaves of one surface, and the sphere's share of the power of each."""
+    for number in strongest_octaves(data.sensitivity.isel(octave=shown_octaves(data))):
+        yield number
+        if number.unit == "nm" and "sphere_share" in data.spectra:
+            share = sphere_share(data.spectra, np.sqrt(2) * number.value)
+            yield Number(f"{number.name}_sphere_share", share)
 
 
 def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:

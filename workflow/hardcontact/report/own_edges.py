@@ -18,6 +18,7 @@ from hardcontact.report.artificial import (
 )
 from hardcontact.report.datasets import Datasets
 from hardcontact.report.quantities import BOUND, bare, ends, ends_only
+from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
@@ -36,6 +37,7 @@ class Measurement(NamedTuple):
     edge: str  #: short_edge or long_edge.
     code: str  #: finer or larger.
     limit: Number
+    body: str = ""  #: "sphere" or "surface", the rougher one there; "" under a smooth sphere.
 
 
 class Verdict(NamedTuple):
@@ -155,7 +157,10 @@ def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
     else:
         shortest_above, _ = min(band for band in bands if wavelength < band[1])
         limit = max(wavelength, shortest_above)
-    return Measurement(edge.name, "finer" if is_finer else "larger", Number("limit", limit, "nm"))
+    share = sphere_share(spectra, limit)
+    body = "" if np.isnan(share) else "sphere" if share > 0.5 else "surface"
+    number = Number("limit", limit, "nm")
+    return Measurement(edge.name, "finer" if is_finer else "larger", number, body)
 
 
 def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:

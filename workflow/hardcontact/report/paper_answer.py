@@ -77,6 +77,7 @@ def paper_answer(
             "preload": configuration["contact"]["preload"],
         },
         "assumed": [],
+        "chosen": [],
         "surfaces": [
             {"name": name, "label": labels[name], "basis": _basis(topography, name)}
             for name in (*surfaces, topography.attrs["sphere_surface"])

@@ -63,7 +63,7 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
-        "percent": format_share,
+        "percent": format_share, "share_of_decades": _share_of_decades,
         "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption
@@ -80,6 +80,12 @@ def _policy(script: str) -> str:
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     allowed = f"img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
     return f"default-src 'none'; {allowed}"
+
+
+def _share_of_decades(value: float, low: float, high: float) -> float:
+    """Return where a value lies between two others on a logarithmic axis, from 0 to 1."""
+    share = math.log(value / low) / math.log(high / low)
+    return min(max(share, 0.0), 1.0)
 
 
 def _unbroken(text: Any) -> str:

@@ -9,6 +9,7 @@ import xarray as xr
 
 from hardcontact.base import dataset
 from hardcontact.base.formatting import format_length
+from hardcontact.surfaces.streaks import fill_streaks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,6 +46,11 @@ class HeightMap:
             f"HeightMap({counts} pixels of {format_length(self.pixel_size)}, rms height "
             f"{format_length(float(self.heights.std()))}, {kind})"
         )
+
+    @property
+    def name(self) -> str:
+        """The path of the file and, if the file has several scans, the name of this one in it."""
+        return f"{self.path}: {self.dataset}" if self.dataset else self.path
 
     @property
     def kind(self) -> str:
@@ -156,11 +162,17 @@ def level(scan: HeightMap) -> HeightMap:
 
 
 def level_lines(scan: HeightMap) -> HeightMap:
-    """Return a scan whose lines along x are aligned, minus its least-squares plane.
+    """Return a scan without streaks, its lines along x aligned, minus its least-squares plane.
 
     Each line loses its least-squares line, then its median: drift and jumps of the feedback, but
     also all real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
     """
+    heights, is_filled = fill_streaks(level(scan).heights)
+    scan = replace(scan, heights=heights)
+    streak_lines = int(is_filled.any(axis=1).sum())
+    if streak_lines:
+        note = f"streaks along {streak_lines} lines filled from the lines beside them"
+        scan = replace(scan, notes=(*scan.notes, note))
     aligned = library_topography(scan).scan_line_align(direction="x", mode="median", degree=1)
     return level(replace(scan, heights=aligned.heights().T))
 

@@ -10,8 +10,11 @@ import re
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from hardcontact.surfaces.scan_heights import MAX_UNDEFINED_SHARE, PIXEL_BOUNDS, POSITION_ROUNDING
+
+Floats = NDArray[np.float64]
 
 #: Bytes that no text has, but for UTF-16.
 BINARY = re.compile(rb"[\0-\x08\x0e-\x1f]")
@@ -23,6 +26,13 @@ BETWEEN_CELLS = re.compile(r"\d[ \t;]+[-+\d]")
 CELL = re.compile(r"[^\s,;]+")
 #: Columns of points x, y, height in a text: a matrix has more.
 POINT_COLUMNS = 3
+#: Bins of positions along an axis, and how often their transform is padded: its peaks are then
+#: known to a sixteenth of a line.
+POSITION_BINS = 2**16
+ZERO_PADDING = 8
+#: Corrections of heights on a grid: each leaves at most a quarter of the error of random offsets of
+#: a tenth of a spacing.
+SPLINE_ITERATIONS = 10
 #: Beginnings of texts whose readers know their own separators.
 OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
 
@@ -30,8 +40,8 @@ OWN_SEPARATORS = ("X;Y;valid", "Scan Parameters")
 def readable_text(content: bytes) -> tuple[bytes, list[str]]:
     """Return the bytes of a scan, as UTF-8 with blanks and decimal points if they are plain text.
 
-    Points (x, y, height) on a grid with gaps gain points of undefined height. Any other content
-    stays as it is. The list has a note for the user if decimal commas were read.
+    Points (x, y, height) on a grid with gaps gain points of undefined height; points beside a grid
+    are interpolated. Any other content stays as it is. The list has notes for the user.
     """
     text = _decode(content)
     if text is None:
@@ -49,8 +59,10 @@ def readable_text(content: bytes) -> tuple[bytes, list[str]]:
         notes.append("decimal commas read")
     if not text.startswith(OWN_SEPARATORS):
         rows = _separate_with_blanks([lines[number] for number in numbers])
-        complete = _fill_gaps(rows)
-        if complete is not None:
+        points = _points(rows)
+        complete, grid_notes = ([], []) if points is None else _grid_points(points)
+        notes += grid_notes
+        if complete:
             lines = [*lines[:first_row], *complete]
         else:
             for number, row in zip(numbers, rows, strict=True):
@@ -109,52 +121,95 @@ def _separate_with_blanks(rows: list[str]) -> list[str]:
     return [" ".join(cell.strip() or "nan" for cell in row.split(separator)) for row in rows]
 
 
-def _fill_gaps(rows: list[str]) -> list[str] | None:
-    """Return points on a grid as rows, with the missing points added with the height NaN.
-
-    None if the rows are not points on a grid, or if the grid is complete.
-    """
+def _points(rows: list[str]) -> Floats | None:
+    """Return points (n, 3) from rows of three numbers; None if there are other rows."""
     cells = [row.split() for row in rows]
     if any(len(row) != POINT_COLUMNS for row in cells):
         return None
     try:
-        points = np.array(cells, float)
+        return np.array(cells, float)
     except ValueError:  # a mark of an undefined pixel
         return None
-    axes = []
-    indices = []
-    for positions in points[:, :2].T:
-        axis, axis_indices = _grid_axis(positions)
-        if not len(axis):
-            return None
-        axes.append(axis)
-        indices.append(axis_indices)
-    size = len(axes[0]) * len(axes[1])
-    flat = indices[0] * len(axes[1]) + indices[1]
-    if not MAX_UNDEFINED_SHARE * size <= len(np.unique(flat)) == len(flat) < size:
-        return None
+
+
+def _grid_points(points: Floats) -> tuple[list[str], list[str]]:
+    """Return the rows of all points of a grid, heights NaN where points are missing, and notes.
+
+    No rows if points (n, 3) share a pixel, or if their grid is complete already.
+    """
+    axes = [_grid_axis(positions) for positions in points[:, :2].T]
+    if not all(len(axis) for axis in axes):
+        return [], []
+    steps = [np.ptp(axis) / (len(axis) - 1) for axis in axes]
+    corner = [axis[0] for axis in axes]
+    indices = np.rint((points[:, :2] - corner) / steps).astype(np.intp)
+    shape = (len(axes[0]), len(axes[1]))
+    flat = np.ravel_multi_index(indices.T, shape)
+    size = shape[0] * shape[1]
+    if not MAX_UNDEFINED_SHARE * size <= len(np.unique(flat)) == len(flat):
+        return [], []
+    offsets = (points[:, :2] - corner) / steps - indices
+    distance = float(np.abs(offsets).max())
+    is_beside = distance > POSITION_ROUNDING
+    if len(flat) == size and not is_beside:
+        return [], []
+    x, y = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
     heights = np.full(size, np.nan)
     heights[flat] = points[:, 2]
-    x, y = np.meshgrid(*axes, indexing="ij")
+    notes = []
+    if is_beside:
+        heights = _heights_on_grid(heights.reshape(shape), indices, offsets).ravel()
+        notes = [f"points up to {distance:.2g} spacings beside a grid interpolated on it"]
     text = io.StringIO()
-    np.savetxt(text, np.column_stack([x.ravel(), y.ravel(), heights]), fmt="%.17g")
-    return text.getvalue().splitlines()
+    np.savetxt(text, np.column_stack([x, y, heights]), fmt="%.17g")
+    return text.getvalue().splitlines(), notes
 
 
-def _grid_axis(positions: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Return evenly spaced positions (n,) and the index of each position among them.
+def _heights_on_grid(heights: Floats, indices: NDArray[np.intp], offsets: Floats) -> Floats:
+    """Return the heights (x, y) whose cubic spline has these heights beside the grid.
 
-    Positions may be rounded. Both arrays are empty if the positions are not evenly spaced.
+    Points have indices (n, 2) and offsets (n, 2) in spacings. Missing points stay NaN.
     """
-    empty = np.empty(0), np.empty(0, np.intp)
-    steps = np.diff(np.unique(positions))
-    if not steps.size or not np.isfinite(steps).all():
-        return empty
-    spacing = np.median(steps[steps > POSITION_ROUNDING * steps.max()])
+    is_missing = np.isnan(heights)
+    nearest = ndimage.distance_transform_edt(
+        is_missing, return_distances=False, return_indices=True
+    )
+    measured = heights[tuple(nearest)]
+    positions = np.indices(heights.shape, dtype=float)
+    positions[:, indices[:, 0], indices[:, 1]] += offsets.T
+    on_grid = measured
+    for _ in range(SPLINE_ITERATIONS):
+        spline = ndimage.map_coordinates(on_grid, positions, order=3, mode="nearest")
+        on_grid = on_grid + measured - spline
+    return np.where(is_missing, np.nan, on_grid)
+
+
+def _grid_axis(positions: Floats) -> Floats:
+    """Return the evenly spaced positions (n,) on which positions lie or about which they crowd.
+
+    Empty if there are fewer or more than a map may have.
+    """
     extent = float(np.ptp(positions))
-    if extent > spacing * PIXEL_BOUNDS[1]:
-        return empty
-    axis = np.linspace(positions.min(), positions.max(), round(extent / spacing) + 1)
-    axis_indices = np.rint((positions - axis[0]) / extent * (len(axis) - 1)).astype(np.intp)
-    is_near = np.abs(axis[axis_indices] - positions) <= POSITION_ROUNDING * spacing
-    return (axis, axis_indices) if is_near.all() else empty
+    if not 0 < extent < np.inf:
+        return np.empty(0)
+    steps = np.diff(np.unique(positions))
+    spacing = np.median(steps[steps > POSITION_ROUNDING * steps.max()])
+    if extent <= spacing * PIXEL_BOUNDS[1]:
+        axis = np.linspace(positions.min(), positions.max(), round(extent / spacing) + 1)
+        nearest = np.rint((positions - axis[0]) / extent * (len(axis) - 1)).astype(np.intp)
+        if (np.abs(axis[nearest] - positions) <= POSITION_ROUNDING * spacing).all():
+            return axis
+    return _crowded_axis(positions, extent)
+
+
+def _crowded_axis(positions: Floats, extent: float) -> Floats:
+    """Return the evenly spaced positions (n,) about which positions crowd most."""
+    counts, edges = np.histogram(positions, POSITION_BINS)
+    crowding = np.fft.rfft(counts, ZERO_PADDING * POSITION_BINS)
+    minimum, maximum = (ZERO_PADDING * (count - 1) for count in PIXEL_BOUNDS)
+    peak = minimum + int(np.abs(crowding[minimum : maximum + 1]).argmax())
+    spacing = ZERO_PADDING * extent / peak
+    offset = 0.5 / POSITION_BINS * extent - np.angle(crowding[peak]) / (2 * np.pi) * spacing
+    first = round((positions.min() - edges[0] - offset) / spacing)
+    last = round((positions.max() - edges[0] - offset) / spacing)
+    return np.asarray(edges[0] + offset + spacing * np.arange(first, last + 1))

@@ -45,11 +45,13 @@ MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
 TOLERANCE = 1e-3
 #: Limits of a band toward short wavelengths, by code, in words for messages.
+OTHER_BODY = "other_body"
 LIMIT_NAMES = {
     "pixels": f"{MIN_PIXELS} pixels",
     "tip": "the tip",
     "noise": "a noise floor",
     "smoothing": "smoothing by the microscope",
+    OTHER_BODY: "the other body, which is rougher",
 }
 
 

@@ -1,7 +1,7 @@
 """Defects of a scan that make forces wrong although its file is readable.
 
-The defects are spikes, lines that were not measured, a clipped range, a curvature that remains
-after levelling, a lay and edges.
+The defects are streaks, spikes, lines that were not measured, a clipped range, a curvature that
+remains after levelling, offsets of lines, a lay, edges and noise.
 """
 
 from collections.abc import Mapping
@@ -16,17 +16,28 @@ from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.height_map import HeightMap, flatten
+from hardcontact.surfaces.reliable_band import FLATTEST_SLOPE, MIN_STANDARD_ERRORS
 from hardcontact.surfaces.spectrum import Floats
+from hardcontact.surfaces.streaks import MIN_STREAK_STEPS, fill_streaks
 
 #: The defects by their code: the units of their numbers. scan_defects.yaml has their sentences.
 DEFECTS = {
+    "streaks": {
+        "streak_lines": "1",
+        "first_streak_line": "1",
+        "last_streak_line": "1",
+        "rms_height_without_streaks": "nm",
+    },
     "spikes": {"spike_share": "1", "rms_height_without_spikes": "nm"},
     "equal_lines": {"equal_line_share": "1"},
     "highest": {"highest_share": "1"},
     "lowest": {"lowest_share": "1"},
     "curvature": {"curvature_radius": "nm", "uncurved_share": "1"},
+    "offset_lines": {"line_offset": "nm"},
     "lay": {"lay_ratio": "1"},
+    "slopes": {"slope_along_x": "1", "slope_along_y": "1"},
     "edges": {"edge_slope_share": "1"},
+    "noise": {"noise_height": "nm", "rms_height_without_noise": "nm"},
 }
 #: The numbers of all defects with their units.
 DEFECT_UNITS = {name: unit for units in DEFECTS.values() for name, unit in units.items()}
@@ -59,10 +70,15 @@ MIN_LAY_RATIO = 3.0
 MIN_LAY_SHARE = 0.1
 MIN_WAVELENGTH_PIXELS = 4
 MIN_WAVES = 4
+#: Smallest correlation of steps from line to line with the next: they have 0 if heights walk at
+#: random, and -0.5 if each line is offset at random, which is noise of the instrument.
+MIN_STEP_CORRELATION = -0.25
 #: Share of pixels that are edges, and their least share of the squared slopes. In rough surfaces
 #: 5 % of the pixels have 0.2 to 0.45 of the squared slopes; with pillars and steps, 0.8 to 1.
 EDGE_PIXELS = 0.05
 MIN_EDGE_SHARE = 0.7
+#: Least share of noise in the variance of heights: it changes the rms height by one per cent.
+MIN_NOISE_SHARE = 0.02
 #: Value in place of an infinite ratio, which a pattern without noise has.
 LARGEST_RATIO = 1e6
 
@@ -75,7 +91,7 @@ def scan_defects(
     Heights in nm, before and after levelling, are (y, x) or (n,) of a line scan. The pixel size in
     nm is the spacing of a line scan.
     """
-    numbers = {"spikes": _spike_numbers(levelled_heights)}
+    numbers: dict[str, list[float]] = {}
     measured_heights = raw_heights
     if raw_heights.ndim == 2:
         rows, columns = _find_equal_lines(raw_heights), _find_equal_lines(raw_heights.T)
@@ -84,11 +100,21 @@ def scan_defects(
         if share > MAX_EQUAL_LINE_SHARE:
             numbers["equal_lines"] = [share]
             measured_heights = raw_heights[~rows][:, ~columns]
-        else:  # Unmeasured lines would look like a lay.
-            numbers["lay"] = _lay_numbers(levelled_heights)
+        else:  # Unmeasured lines would look like a lay or like streaks.
+            levelled_heights, numbers["streaks"] = _without_streaks(levelled_heights)
+            numbers["offset_lines"] = _line_offset_numbers(levelled_heights)
+            numbers["lay"], slope_ratio = _lay_numbers(levelled_heights)
+            if slope_ratio > MIN_LAY_RATIO and not (numbers["lay"] or numbers["offset_lines"]):
+                numbers["slopes"] = _slope_numbers(levelled_heights, pixel_size)
+    numbers["spikes"] = _spike_numbers(levelled_heights)
     numbers["highest"], numbers["lowest"] = _clipping_numbers(measured_heights)
     if not numbers["spikes"] and "equal_lines" not in numbers:
         numbers["edges"] = _edge_numbers(levelled_heights)
+        has_levels = np.median(np.abs(np.diff(raw_heights, axis=0))) == 0
+        if raw_heights.ndim == 2 and not (
+            has_levels or numbers["edges"] or numbers["offset_lines"]
+        ):
+            numbers["noise"] = _noise_numbers(levelled_heights)
     return {
         code: dict(zip(units, numbers[code], strict=True))
         for code, units in DEFECTS.items()
@@ -102,6 +128,15 @@ def examine(
     """Return a scan from `flatten`, with its defects."""
     flat = flatten(scan, sphere_radius, levelling)
     return replace(flat, defects=scan_defects(scan.heights, flat.heights, scan.pixel_size))
+
+
+def _without_streaks(heights: Floats) -> tuple[Floats, list[float]]:
+    """Return heights without streaks, and their lines and the rms height (nm); empty for none."""
+    filled, is_filled = fill_streaks(heights)
+    lines = np.flatnonzero(is_filled.any(axis=1)) + 1
+    if not lines.size:
+        return heights, []
+    return filled, [float(lines.size), float(lines[0]), float(lines[-1]), float(filled.std())]
 
 
 def _spike_numbers(heights: Floats) -> list[float]:
@@ -178,8 +213,33 @@ def _curvature_numbers(heights: Floats, pixel_size: float) -> list[float]:
     return [float(1 / np.abs(curvatures).max()), float(np.sqrt(uncurved_power / total))]
 
 
-def _lay_numbers(heights: Floats) -> list[float]:
-    """Return the ratio of variances of profiles along and across a lay; empty without a lay."""
+def _line_offset_numbers(heights: Floats) -> list[float]:
+    """Return the rms offset (nm) of lines that are offset at random; empty without offsets."""
+    steps = np.diff(heights, axis=0)
+    line_steps = steps.mean(axis=1)
+    is_most = line_steps.var() > steps.var() / 2
+    is_random = _correlation_of_steps(line_steps) < MIN_STEP_CORRELATION
+    return [float(line_steps.std() / np.sqrt(2))] if is_most and is_random else []
+
+
+def _correlation_of_steps(steps: Floats) -> float:
+    """Return the correlation of steps with the next ones along the first axis."""
+    return float((steps[1:] * steps[:-1]).mean() / max((steps**2).mean(), np.finfo(float).tiny))
+
+
+def _slope_numbers(heights: Floats, pixel_size: float) -> list[float]:
+    """Return the rms slopes along x and y; empty if noise of lines makes the steeper one."""
+    steps = [np.diff(lines, axis=0) for lines in (heights.T, heights)]
+    slopes = [float(axis_steps.std()) / pixel_size for axis_steps in steps]
+    is_noise = _correlation_of_steps(steps[int(np.argmax(slopes))]) < MIN_STEP_CORRELATION
+    return [] if is_noise else slopes
+
+
+def _lay_numbers(heights: Floats) -> tuple[list[float], float]:
+    """Return the ratio of variances of profiles along and across a lay, and that of slopes.
+
+    The first is empty if variances do not tell a lay.
+    """
     pixels = len(heights)
     window = np.hanning(pixels + 1)[:-1]
     power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
@@ -190,6 +250,8 @@ def _lay_numbers(heights: Floats) -> list[float]:
     # opposite wavevectors have the same square
     squares = (power[is_resolved] * (wavevector[is_resolved] / size[is_resolved]) ** 2).sum()
     direction = np.exp(0.5j * np.angle(squares))
+    squared_slopes = (power * size**2)[is_resolved].sum()
+    slope_difference = abs((power * wavevector**2)[is_resolved].sum())
 
     def profile_variance(axis: complex) -> float:
         component = np.abs((wavevector * np.conj(axis)).real)
@@ -199,7 +261,13 @@ def _lay_numbers(heights: Floats) -> list[float]:
     variance_along = profile_variance(direction)
     variance_across = profile_variance(1j * direction)
     is_lay = variance_along > max(MIN_LAY_RATIO * variance_across, MIN_LAY_SHARE * power.sum())
-    return [variance_along / max(variance_across, variance_along / LARGEST_RATIO)] if is_lay else []
+    slope_ratio = _ratio(squared_slopes + slope_difference, squared_slopes - slope_difference)
+    return [_ratio(variance_along, variance_across)] if is_lay else [], slope_ratio
+
+
+def _ratio(larger: float, smaller: float) -> float:
+    """Return the ratio of two powers, at most LARGEST_RATIO; 1 if both are zero."""
+    return float(larger / max(smaller, larger / LARGEST_RATIO)) if larger else 1.0
 
 
 def _edge_numbers(heights: Floats) -> list[float]:
@@ -214,11 +282,45 @@ def _edge_numbers(heights: Floats) -> list[float]:
     return [share] if share > MIN_EDGE_SHARE else []
 
 
+def _noise_numbers(heights: Floats) -> list[float]:
+    """Return the rms of white noise and the rms height without it (nm); empty without noise.
+
+    The spectrum of a noisy scan is flatter than that of a self-affine surface at two to four pixels
+    and steeper at longer waves.
+    """
+    pixels = len(heights)
+    window = np.hanning(pixels + 1)[:-1]
+    power = np.abs(np.fft.fft2(heights * np.outer(window, window))) ** 2
+    waves = np.fft.fftfreq(pixels, 1 / pixels)
+    half_octave = np.round(2 * np.log2(pixels / np.maximum(np.hypot(waves, waves[:, None]), 1)))
+    octaves = np.arange(3, 2 * np.log2(pixels / MIN_WAVES))
+    if len(octaves) < 2:
+        return []
+    density = [power[half_octave == octave].mean() for octave in octaves]
+    counts = [np.count_nonzero(half_octave == octave) for octave in octaves]
+    slopes = -2 * np.diff(np.log2(np.maximum(density, np.finfo(float).tiny)))
+    # The window makes one independent wave of four, and opposite wavevectors have the same power.
+    relative_errors = np.sqrt(8 / np.array(counts))
+    errors = 2 / np.log(2) * np.hypot(relative_errors[1:], relative_errors[:-1])
+    is_noisy = (
+        slopes[0] - MIN_STANDARD_ERRORS * errors[0] > FLATTEST_SLOPE
+        and (slopes + MIN_STANDARD_ERRORS * errors).min() < FLATTEST_SLOPE
+    )
+    noise = density[0] / (window**2).sum() ** 2
+    variance = heights.var()
+    if not is_noisy or noise < MIN_NOISE_SHARE * variance:
+        return []
+    return [float(np.sqrt(noise)), float(np.sqrt(max(variance - noise, 0)))]
+
+
 def defect_sentence(code: str, numbers: Mapping[str, float]) -> str:
     """Return the sentence on a defect, with its numbers and without a full stop."""
     words = {name: _format_number(name, number) for name, number in numbers.items()}
     return _sentences()[code].format(
-        **words, spike=MIN_SPIKE_DISTANCE, edge_pixels=format_share(EDGE_PIXELS)
+        **words,
+        streak=MIN_STREAK_STEPS,
+        spike=MIN_SPIKE_DISTANCE,
+        edge_pixels=format_share(EDGE_PIXELS),
     )
 
 
@@ -233,5 +335,7 @@ def _format_number(name: str, number: float) -> str:
     """Return a number of a defect with its unit, a share in per cent."""
     if DEFECT_UNITS[name] == "nm":
         return format_length(number)
+    if name.endswith(("_lines", "_line")):
+        return f"{number:.0f}"
     number = float(f"{number:.2g}")
     return format_share(number) if name.endswith("_share") else f"{number:g}"

@@ -4,6 +4,7 @@
 therefore imported here. `SurfaceTopography.Container.IO.Schema` describes containers.
 """
 
+import gzip
 import io
 import json
 import math
@@ -15,14 +16,15 @@ from typing import Any
 
 import numpy as np
 import yaml
-from SurfaceTopography import open_topography
+from SurfaceTopography import Topography, open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
-from SurfaceTopography.IO import AscReader, MagicMatch, XYZReader, readers
+from SurfaceTopography.IO import AscReader, GWYReader, MagicMatch, XYZReader, readers
 from SurfaceTopography.Support.UnitConversion import is_length_unit
 
 from hardcontact.surfaces.plain_text import POINT_COLUMNS, ROW, readable_text
 from hardcontact.surfaces.scan_heights import (
     MAX_ASPECT_DEVIATION,
+    TAKE_CARE,
     check_points,
     map_values,
     profile_values,
@@ -62,23 +64,51 @@ MAX_TOLERATED_SPACING = 1e-4
 READER_MESSAGE = re.compile(r"tried (\w+): \n (.*?)\n\n(?=tried |\Z)", re.S)
 #: The unit of values that a header of a text states.
 VALUE_UNIT = re.compile(r"(?:value units|z-unit|unit data)\s*[:=]\s*(\S+)", re.I)
+#: What to do with files that hold heights in a form that no reader takes.
+EXPORT = "save the heights as text or netCDF, for example with Gwyddion"
+PICTURE = f"a picture, whose grey values are no heights: {EXPORT}"
+ARCHIVE = "an archive: unpack it, and give the scans in it"
+MODEL = "a model of triangles or points: save its points as a text of x, y, height"
 #: Kinds of files that no reader knows, by how they begin, with the remedy.
 UNKNOWN_KINDS = {
     b"DSCOMPRESSED": "a compressed file of MountainsMap: save it without compression",
-    b"PK\3\4": "an archive: unpack it, and give the scans in it",
+    b"PK\3\4": ARCHIVE,
+    b"BZh": ARCHIVE,
+    b"\xfd7zXZ": ARCHIVE,
+    b"7z\xbc\xaf": ARCHIVE,
+    b"Rar!": ARCHIVE,
+    b"BM": PICTURE,
+    b"II*\0": PICTURE,
+    b"MM\0*": PICTURE,
 }
+#: Kinds of files without heights on a grid, by how they begin, with the remedy: no reader is tried.
+OTHER_KINDS = {
+    b"P2\n": PICTURE,
+    b"P5\n": PICTURE,
+    b"\x89PNG": PICTURE,
+    b"\xff\xd8\xff": PICTURE,
+    b"GIF8": PICTURE,
+    b"#VRML": MODEL,
+    b"ply\n": MODEL,
+    b"%PDF": f"a document: {EXPORT}",
+}
+GZIP = b"\x1f\x8b"
+#: SurfaceTopography's messages on values that are no lengths.
+UNKNOWN_UNIT = re.compile("Unknown unit '(.*)'|.* while unit '(.*)' is of kind")
 
 
 def list_datasets(content: bytes) -> dict[str, Any]:
     """Return {"datasets": names}: the data files in a container, or one empty name otherwise."""
+    content = _decompressed(content)
     entries = _container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
 
 def read_fields(
-    content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str
+    content: bytes, dataset: str, undefined_pixels: str, unit: str, map_size: float | str, mask: str
 ) -> dict[str, Any]:
     """Return the fields of a `HeightMap` that its file states, for `scans.read_scan`."""
+    content = _decompressed(content)
     entries = _container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
@@ -86,13 +116,8 @@ def read_fields(
         with zipfile.ZipFile(io.BytesIO(content)) as container:
             content = container.read(entry["file"])
     content, text_notes = readable_text(content)
-    try:
-        reader = open_topography(io.BytesIO(content))
-    except CannotDetectFileFormat as error:
-        raise RefusedFile(
-            "expected a whole file in a format that SurfaceTopography reads, "
-            f"found {_describe_unread(content, str(error))}"
-        ) from None
+    unit = unit.replace("angstrom", "Å")
+    reader = _open(content)
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     notes = text_notes + notes
     topography, metadata_in_words = _read_topography(
@@ -112,14 +137,18 @@ def read_fields(
     if metadata_in_words:
         origin = "stated by the container" if entry else "given by the user"
         notes.append(f"{', '.join(metadata_in_words)} ({origin})".replace("_", " "))
+    if mask == "keep" and isinstance(reader, GWYReader):
+        topography, mask_notes = _keep_marked_pixels(topography)
+        notes += mask_notes
     is_map = topography.dim == 2
     if is_map and isinstance(reader, AscReader):
         # A text has no count of lines: it may have been cut short.
         pixel_width, pixel_height = np.divide(topography.physical_sizes, topography.nb_grid_pts)
         if abs(pixel_width / pixel_height - 1) > MAX_ASPECT_DEVIATION:
-            raise RefusedFile(
-                "expected square pixels in a text (with others, lines are missing), "
-                f"found {pixel_width:.6g} {topography.unit} x {pixel_height:.6g} {topography.unit}"
+            notes.append(
+                f"{TAKE_CARE}the pixels of this text are not square: so they are if lines are "
+                f"missing, and heights are then stretched {pixel_height / pixel_width:.3g} times "
+                "along y"
             )
     try:
         read_values = map_values if is_map else profile_values
@@ -138,6 +167,57 @@ def read_fields(
     }
 
 
+def _keep_marked_pixels(topography: Any) -> tuple[Any, list[str]]:
+    """Return a map with the heights under its mask, and a caution on them.
+
+    Under a mask of gaps, heights are undefined or, as programs fill them, all equal.
+    """
+    unscaled_heights = topography.parent_topography.heights()
+    is_marked = np.ma.getmaskarray(unscaled_heights)
+    heights = np.ma.getdata(unscaled_heights) * topography.height_scale_factor
+    if len(np.unique(heights[is_marked])) < 2:
+        return topography, []
+    caution = (
+        f"{TAKE_CARE}its mask marks {is_marked.sum()} of {is_marked.size} pixels, whose heights "
+        "count: --mask exclude (scan.mask: exclude) takes them for gaps"
+    )
+    sizes, unit = topography.physical_sizes, topography.unit
+    return Topography(heights, sizes, unit=unit, info=topography.info), [caution]
+
+
+def _decompressed(content: bytes) -> bytes:
+    """Return the content of a file of gzip; any other content stays as it is."""
+    return gzip.decompress(content) if content.startswith(GZIP) else content
+
+
+def _open(content: bytes) -> Any:
+    """Return a reader whose channels can be listed; refuse other files with the remedy."""
+    kind_in_words = next(
+        (words for begin, words in OTHER_KINDS.items() if content.startswith(begin)), ""
+    )
+    if kind_in_words:
+        raise RefusedFile(f"expected a scan of heights, found {kind_in_words}")
+    try:
+        reader = open_topography(io.BytesIO(content))
+        has_channels = bool(reader.channels)
+    except CannotDetectFileFormat as error:
+        raise RefusedFile(
+            "expected a file in a format that SurfaceTopography reads, "
+            f"found {_describe_unread(content, str(error))}"
+        ) from None
+    except ValueError as error:
+        unit = UNKNOWN_UNIT.match(str(error))
+        if unit is None:
+            raise
+        raise RefusedFile(
+            f"expected heights, found values in {unit[unit.lastindex or 0]!r}, which is no unit of "
+            "length: save the heights in place of them"
+        ) from None
+    if not has_channels:
+        raise RefusedFile(f"expected a file with heights, found {_describe_unread(content, '')}")
+    return reader
+
+
 def _describe_unread(content: bytes, reader_messages: str) -> str:
     """Describe a file that no reader takes, with the reasons of the readers of its kind."""
     reasons = {
@@ -154,6 +234,8 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
     )
     if zipfile.is_zipfile(io.BytesIO(content)):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            if "[Content_Types].xml" in archive.namelist():
+                return f"a document of an office program: {EXPORT}"
             if any(name.endswith("/main.xml") for name in archive.namelist()):
                 reader_names = ["X3PReader"]
                 kind_in_words = "an X3P with files in a folder: zip them without the folder"
@@ -162,11 +244,15 @@ def _describe_unread(content: bytes, reader_messages: str) -> str:
         unit = VALUE_UNIT.search("\n".join(lines))
         kind_in_words = "a text that is neither a matrix of equal rows nor columns of points"
         if unit and not is_length_unit(unit[1]):
-            kind_in_words = f"a text of values in {unit[1]}, which is no unit of length"
+            return (
+                f"a text of values in {unit[1]}, which is no unit of length: multiply them by the "
+                "sensitivity of the instrument, and state the unit of the heights"
+            )
     descriptions = [f"{name}: {reasons[name]}" for name in reader_names if name in reasons]
     if kind_in_words:
-        descriptions.insert(0, kind_in_words)
-    return "; ".join(descriptions) or "one that none of its readers takes"
+        return "; ".join([kind_in_words, *descriptions])
+    reasons_in_words = "; ".join(descriptions) or "one that none of its readers takes"
+    return f"{reasons_in_words}; {EXPORT}"
 
 
 def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
@@ -211,7 +297,7 @@ def _find_entry(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     if len(named_entries) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
         raise RefusedFile(
-            "expected the column dataset to name one scan, "
+            "expected --dataset, or the column dataset, to name one scan, "
             f"found {len(named_entries)} of {dataset!r} among {scans}"
         )
     return named_entries[0]
@@ -225,8 +311,6 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
     or of the reader has none, the first channel of heights is returned, with a note.
     """
     channels = reader.channels
-    if not channels:
-        raise RefusedFile("expected a file with heights, found no channel")
     channel_index = entry.get("data_source")
     if channel_index is not None and channel_index not in range(len(channels)):
         raise RefusedFile(
@@ -306,7 +390,8 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
     if is_text and channel.physical_sizes is None and channel.nb_grid_pts[0] <= POINT_COLUMNS:
         raise RefusedFile(
             "expected points x, y, height on a regular grid of which at least half are there, or a "
-            f"matrix of more columns, found {channel.nb_grid_pts[0]} columns on no such grid"
+            f"matrix of more columns, found {channel.nb_grid_pts[0]} columns on no such grid: "
+            "interpolate the points on a grid, for example with Gwyddion"
         )
     check_points(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
@@ -323,8 +408,8 @@ def _read_topography(channel: Any, metadata: dict[str, Any]) -> tuple[Any, list[
             expected += " and unit"
             remedy += ", and --unit nm the unit of the heights"
         raise RefusedFile(
-            f"expected a file that states {expected} of the scan, found none: the file is damaged, "
-            f"or its format has none; --size 5um, or the key scan.map_size, {remedy}"
+            f"expected a file that states {expected} of the scan, found none: --size 5um, or the "
+            f"key scan.map_size, {remedy}"
         )
     # Metadata that the file has already are left out: a second height scale would scale twice.
     arguments: dict[str, Any] = {}

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.base.formatting import format_length
+from hardcontact.base.formatting import format_length, format_share
 from hardcontact.surfaces.scans import RefusedFile
 
 Floats = NDArray[np.float64]
@@ -26,6 +26,8 @@ LENGTH_BOUNDS = (1e-3, 1e7)
 MAX_ASPECT_DEVIATION = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MAX_UNDEFINED_SHARE = 0.5
+#: Sides of a strip, of which most is left out of its central square.
+MIN_STRIP_SIDES = 2
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
 SLOPE_LIMIT = 10
@@ -105,7 +107,11 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
         side = min(rows, columns)
         first_column, first_row = (columns - side) // 2, (rows - side) // 2
         heights = heights[first_column : first_column + side, first_row : first_row + side]
-        notes.append(f"cropped from {columns} x {rows} to {side} x {side} pixels")
+        caution = ""
+        if max(rows, columns) >= MIN_STRIP_SIDES * side:
+            share = format_share(side / max(rows, columns))
+            caution = f"{TAKE_CARE}only {share} of this strip is used: "
+        notes.append(f"{caution}cropped from {columns} x {rows} to {side} x {side} pixels")
     undefined, gaps = _undefined(heights, undefined_pixels)
     values = heights.data
     if undefined:

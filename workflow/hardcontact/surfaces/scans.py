@@ -36,6 +36,8 @@ SMALL_FILE_SECONDS = 2
 SECONDS_PER_MEGABYTE = 10
 #: Elapsed time in s, with waits for a processor: five times the longest computing time.
 MAX_WAIT = 600
+#: What pixels under a mask in a file are: heights, or undefined.
+MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE = 2000
 
@@ -50,16 +52,18 @@ def read_scan(
     undefined_pixels: str = "refuse",
     unit: str = "none",
     map_size: float | str = "none",
+    mask: str = "keep",
 ) -> HeightMap:
     """Read the central square of a map, or a line scan, in nm, not levelled.
 
     `dataset` names a member of a container, or a channel. `unit` (two: of positions, heights) and
-    `map_size`, the longer side in nm, serve files that state none. Raises ValueError, in one line,
+    `map_size`, the longer side in nm, serve files that state none. Pixels under a mask that the
+    user drew stay, or ``"exclude"`` takes them for undefined. Raises ValueError, in one line,
     if the scan cannot be used, or has undefined pixels and their interpolation is ``"refuse"``.
     """
     from hardcontact.surfaces.scan_formats import read_fields
 
-    fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size)
+    fields = read_in_child(read_fields, Path(path), dataset, undefined_pixels, unit, map_size, mask)
     fields["notes"] = tuple(fields["notes"])
     return HeightMap(path=str(path), **fields)
 
@@ -86,7 +90,10 @@ def read_in_child(
     Raises ValueError, one line with the path, if anything fails with the file or in the child.
     """
     if path.is_dir():
-        raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
+        raise ValueError(
+            f"{path}: expected a scan, found a folder: name a file in it; hardcontact "
+            "new takes all of them"
+        )
     if not path.is_file():
         reason = "no regular file" if path.exists() else "no such file"
         raise ValueError(f"{path}: expected a scan, found {reason}")
@@ -112,8 +119,9 @@ def read_in_child(
             answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
         except EOFError:
             answer = {
-                "refused": "expected a readable file, found one whose reader crashes or takes more "
-                f"than {seconds} s or {memory >> 20} MB, which a file of this size may take"
+                "refused": "expected a readable scan, found a file whose reader stops by itself or "
+                f"takes more than {seconds} s or {memory >> 20} MB, which a file of this size may "
+                "take: save the heights as text or netCDF"
             }
         finally:
             child.kill()
@@ -148,8 +156,8 @@ def _run_child(
         answer = {"refused": str(error)}
     except Exception as error:  # damaged bytes may raise anything in a reader
         answer = {
-            "refused": "expected a readable scan, found one damaged or of an unknown kind "
-            f"({type(error).__name__}: {str(error)[:200]})"
+            "refused": "expected a readable scan, found one that its reader cannot follow "
+            f"({type(error).__name__}: {str(error)[:200]}): save the heights as text or netCDF"
         }
     if "refused" in answer:
         answer = {

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.same_place import coarse_map, earlier_scans_of_places
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -36,6 +37,7 @@ def measurement_descriptions(
 
     The radii of their tips are in nm, None if unknown.
     """
+    earlier_measurements = earlier_scans_of_places([coarse_map(scan) for scan in measurements])
     return [
         {
             "kind": measurement.kind,
@@ -48,6 +50,7 @@ def measurement_descriptions(
             "dataset": measurement.dataset,
             "tip_radius": np.nan if radius is None else radius,
             "notes": "; ".join(measurement.notes),
+            "same_place": "" if earlier is None else measurements[earlier].name,
             **dict.fromkeys(DEFECT_UNITS, np.nan),
             **{
                 name: number
@@ -55,7 +58,9 @@ def measurement_descriptions(
                 for name, number in numbers.items()
             },
         }
-        for measurement, radius, band in zip(measurements, radii, bands, strict=True)
+        for measurement, radius, band, earlier in zip(
+            measurements, radii, bands, earlier_measurements, strict=True
+        )
     ]
 
 

@@ -3,7 +3,7 @@
 Each figure has a panel or a curve for every surface.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from pathlib import Path, PurePath
 
 import numpy as np
@@ -34,6 +34,7 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
 #: Looks of curves: the contact model of the answer first, then other models.
 MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
+SPHERE_COLOUR = "black"
 UNRELIABLE_LOOK: style.Look = {"color": "#999999"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
 FITS_ALL_LOOK: style.Look = {"color": "0.3", "label": "fits all"}
@@ -79,11 +80,17 @@ def draw_octaves(datasets: Datasets) -> Figure:
 
 
 def draw_maps(datasets: Datasets) -> Figure:
-    """Draw the first levelled scan of each surface."""
-    figure, surface_panels = _surface_panels(datasets, 3.3)
-    for axes, colour, data in surface_panels:
-        heights = mean_free_heights(data.topography["example_heights"])
-        panels.draw_map(axes, heights, data.topography["scan_size"].item(), colour)
+    """Draw the first levelled scan of each surface, and of the sphere."""
+    labels = datasets.labels()
+    topography = datasets.topography
+    others = topography.sel(surface=~topography["surface"].isin(list(labels)))
+    names = labels | dict(zip(others["surface"].values, others["label"].values, strict=True))
+    colours = style.colours(labels)
+    figure, column = _titled_panels(names.values(), 3.3)
+    for axes, name in zip(column, names, strict=True):
+        scan = topography.sel(surface=name)
+        heights = mean_free_heights(scan["example_heights"])
+        panels.draw_map(axes, heights, scan["scan_size"].item(), colours.get(name, SPHERE_COLOUR))
     return figure
 
 
@@ -205,13 +212,19 @@ def _surface_panels(
 ) -> tuple[Figure, Iterator[tuple[Axes, str, Datasets]]]:
     """Return a figure, and the panel (height in inches), colour and data of each surface."""
     labels = datasets.labels()
-    figure = Figure(figsize=(PAGE_WIDTH, height * len(labels) + 0.4), layout="constrained")
-    column = figure.subplots(len(labels), squeeze=False)[:, 0]
-    for axes, label in zip(column, labels.values(), strict=True):
-        axes.set_title(label, loc="left")
+    figure, column = _titled_panels(labels.values(), height)
     colours = style.colours(labels)
     surface_datasets = [datasets.select_surface(surface) for surface in labels]
     return figure, zip(column, colours.values(), surface_datasets, strict=True)
+
+
+def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.ndarray]:
+    """Return a figure with a column of panels, each with its title and height in inches."""
+    figure = Figure(figsize=(PAGE_WIDTH, height * len(titles) + 0.4), layout="constrained")
+    column = figure.subplots(len(titles), squeeze=False)[:, 0]
+    for axes, title in zip(column, titles, strict=True):
+        axes.set_title(title, loc="left")
+    return figure, column
 
 
 def _draw_measurement(

@@ -1,0 +1,87 @@
+"""Packages are installed as pinned; jobs depend on the pins, not on what is written around them."""
+
+from pathlib import Path
+
+import pytest
+from refusals import assert_says, refusal
+
+from hardcontact.base import packages
+
+#: Requirements of the same meaning: plain, and with reasons and hashes.
+PLAIN = "numpy==2.0\nattrs==25.1\n"
+COMMENTED = (
+    "# arrays (BSD)\n\nnumpy==2.0  # and more\n"
+    "attrs==25.1 ; python_version < '3.12' \\\n    --hash=sha256:12 \\\n    --hash=sha256:34\n"
+)
+
+
+@pytest.fixture
+def write(tmp_path, monkeypatch):
+    """Return a function that writes the requirements and the list of all packages."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "workflow").mkdir()
+
+    def write_requirements(environment, lock):
+        Path(packages.ENVIRONMENT).write_text(environment)
+        Path(packages.LOCK).write_text(lock)
+
+    return write_requirements
+
+
+def test_pins_are_read_and_other_requirements_are_not(tmp_path):
+    path = tmp_path / "environment.txt"
+    path.write_text(
+        "# numpy==0 is a comment\nnumpy==2.0\nxarray>=1\n--no-index\npytest[extra]==1\n"
+    )
+    assert packages.read_pins(path) == {"numpy": "2.0", "pytest": "1"}
+
+
+def test_comments_and_hashes_change_no_input(write):
+    write(PLAIN, PLAIN)
+    packages.write_pins()
+    times = [Path(path).stat().st_mtime_ns for path in packages.PINS]
+    write(COMMENTED, COMMENTED)
+    packages.write_pins()
+    assert [Path(path).stat().st_mtime_ns for path in packages.PINS] == times
+    write(PLAIN, PLAIN.replace("25.1", "25.2"))
+    packages.write_pins()
+    assert [Path(path).read_text()[-5:] for path in packages.PINS] == ["25.1\n", "25.2\n"]
+
+
+INSTALLED = {"numpy": "2.0", "attrs": "25.1"}
+
+
+@pytest.mark.parametrize(
+    ("environment", "lock", "found"),
+    [
+        ("numpy==2.0\n", "numpy==2.0\nattrs==25.2\n", "attrs 25.2, found 25.1"),
+        ("numpy==1.9\n", "numpy==1.9\n", "numpy 1.9, found 2.0"),
+        ("scipy==1.17\n", "scipy==1.17\n", "scipy 1.17, found none"),
+    ],
+)
+def test_packages_other_than_pinned_are_refused(write, monkeypatch, environment, lock, found):
+    monkeypatch.setattr(packages, "installed_version", INSTALLED.get)
+    write(environment, lock)
+    message = refusal(packages.refuse_other_versions)
+    assert_says(message, found, "pip install --require-hashes -r workflow/lock.txt")
+
+
+def test_a_package_that_another_system_needs_may_be_missing(write, monkeypatch):
+    monkeypatch.setattr(packages, "installed_version", INSTALLED.get)
+    write("NumPy==2.0\n", "numpy==2.0\ncolorama==0.4 ; sys_platform == 'win32'\n")
+    packages.refuse_other_versions()
+
+
+def test_a_list_that_was_not_made_anew_is_refused(write):
+    write("numpy==2.1\n", "numpy==2.0\n")
+    message = refusal(packages.refuse_other_versions)
+    assert_says(message, "workflow/lock.txt: expected numpy", ".ci/lock")
+
+
+def test_tools_are_not_pinned_for_runs(project_folder):
+    runs = packages.read_pins(packages.LOCK)
+    tools = packages.read_pins("tests/lock.txt")
+    assert {"numpy", "snakemake"} <= runs.keys() and {"ruff", "pytest"} <= tools.keys()
+    assert not runs.keys() & tools.keys()
+    text = Path(packages.LOCK).read_text()
+    assert text.count("==") <= text.count("--hash=sha256:")

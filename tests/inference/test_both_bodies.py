@@ -1,0 +1,111 @@
+"""A smooth wafer under a rough sphere has the force and the octaves of the sphere."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from direct_sum import direct_total
+from measurements import map_of
+
+from hardcontact.base.random import generator
+from hardcontact.contact.contact import CONTACT_AXES, Contact
+from hardcontact.contact.geometry import bodies, places_on_sphere
+from hardcontact.contact.pull_off import pull_off_force, pull_off_forces
+from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
+from hardcontact.inference.octaves import STEP, forces_with, octave_forces
+from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
+from hardcontact.surfaces.height_map import mirror_stitch
+from hardcontact.surfaces.joined_spectrum import joined_spectrum
+
+PIXELS, PIXEL_SIZE = 128, 10.0
+CONTACT = Contact(
+    radius=5e3, preload=2e-6, hardness=5e9, window=600.0, count=4, range=2.0, work=1.0
+)
+
+
+def scan(purpose, rms_height):
+    surface = map_of(generator(5, purpose), PIXELS, PIXEL_SIZE)
+    surface.heights[...] *= rms_height / surface.heights.std()
+    return surface
+
+
+@pytest.fixture(scope="module")
+def wafer():
+    return scan("wafer", 0.2)
+
+
+@pytest.fixture(scope="module")
+def sphere():
+    return scan("sphere", 10.0)
+
+
+def direct_force(wafer, sphere, contact_pixel, place):
+    """Eq. 3 summed over every pixel, the sphere at a place of its scan; maps are mirrored."""
+    pixels = round(CONTACT.window / PIXEL_SIZE)
+    offsets = np.arange(pixels) - pixels // 2
+    shape = (offsets * PIXEL_SIZE) ** 2 / (2 * CONTACT.radius)
+    gap = shape[:, None] + shape
+    for stitched, (y, x) in ((mirror_stitch(wafer), contact_pixel), (mirror_stitch(sphere), place)):
+        period = stitched.pixels
+        gap -= stitched.heights[np.ix_((y + offsets) % period, (x + offsets) % period)]
+    total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.range)
+    return pull_off_force(total, CONTACT.range, PIXEL_SIZE, 1.0).item()
+
+
+def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
+    combined = combine_maps(generator(1), mirror_stitch(wafer), mirror_stitch(sphere))
+    start = generator(1).integers(2 * PIXELS, size=2)
+    pair = bodies(combined, None, CONTACT)
+    forces = pull_off_forces(pair, [CONTACT], [CONTACT.range])[0, 0]
+    # The window of this contact has no mirror image of the sum.
+    contact_pixel = pair.geometry.positions[[1, 1]]
+    assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
+    direct = direct_force(wafer, sphere, contact_pixel, start + contact_pixel)
+    assert forces[1, 1] == pytest.approx(direct, rel=1e-4)
+
+
+def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
+    limits = [40.0, 80.0, 160.0, 320.0]
+    stitched = [mirror_stitch(body) for body in (wafer, sphere)]
+    both = combine_maps(generator(1), *stitched)
+    stitched[0].heights[...] = 0
+    alone = combine_maps(generator(1), *stitched)
+    mean_forces = [
+        octave_forces(surface, limits, forces_with(CONTACT)).mean(axis=(-2, -1))
+        for surface in (both, alone)
+    ]
+    sensitivities = [np.diff(np.log(forces))[:, 0] / (2 * STEP) for forces in mean_forces]
+    np.testing.assert_allclose(*sensitivities, atol=0.1)
+    assert sensitivities[0].min() < -0.5
+
+
+def test_the_interval_contains_the_forces_at_other_places_of_the_sphere(wafer, sphere):
+    forces = [
+        pull_off_forces(bodies(mirror_stitch(wafer), place, CONTACT), [CONTACT], [CONTACT.range])
+        for place in places_on_sphere(mirror_stitch(sphere), 4)
+    ]
+    dims = ("scan", "sphere_scan", "rho", *CONTACT_AXES)
+    computed = xr.DataArray(np.array(forces)[None, :, 0], {"rho": [CONTACT.range]}, dims)
+    size = PIXELS * PIXEL_SIZE
+    ((low, high),) = mean_intervals(
+        forces_of_surface(computed, size, CONTACT.radius, np.inf), confidence=0.95
+    )
+    rng = generator(2)
+    direct = [
+        direct_force(wafer, sphere, rng.integers(PIXELS, size=2), rng.integers(PIXELS, size=2))
+        for _ in range(10)
+    ]
+    assert max(direct) > 1.5 * min(direct)
+    assert sum(low < force < high for force in direct) >= 8
+
+
+def test_only_the_rougher_body_tells_which_waves_were_measured(wafer, sphere):
+    spectra = [joined_spectrum([body], [5.0]) for body in (wafer, sphere)]
+    both = combine_spectra(*spectra)
+    densities = [spectrum["spectrum"].values for spectrum in spectra]
+    np.testing.assert_allclose(both["spectrum"], np.sum(densities, axis=0))
+    is_measured = both["joined_psd"].notnull()
+    assert is_measured.any() and (both["sphere_share"][is_measured] > 0.99).all()
+    assert both["limited_by"].values.tolist() == ["other_body", spectra[1]["limited_by"].item()]
+    assert both["reliable"].any("bin_wavevector").values.tolist() == [False, True]
+    for name in ("shortest_measured", "longest_measured", "rolloff", "tail_hurst"):
+        assert both.attrs[name] == spectra[1].attrs[name]

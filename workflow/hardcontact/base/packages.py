@@ -1,0 +1,68 @@
+"""The packages that a study runs with: those that are pinned, and those that are installed."""
+
+import re
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from hardcontact.base.whole_file import whole_file
+
+#: The packages that the study imports, and the list of all packages that these need in turn.
+ENVIRONMENT = "environment.txt"
+LOCK = "workflow/lock.txt"
+#: The same without comments and hashes, on which jobs depend: no comment makes a file stale.
+PINS = tuple(f"results/{Path(path).name}" for path in (ENVIRONMENT, LOCK))
+#: The command that installs what is pinned.
+INSTALL = f"pip install --require-hashes -r {LOCK}"
+PIN = re.compile(r"^([\w.-]+)(?:\[[^]]*\])?==([^\s;\\]+)", re.MULTILINE)
+
+
+def read_pins(path: str | Path) -> dict[str, str]:
+    """Return the versions that requirements of pip pin, by package; packages keep their order."""
+    return dict(PIN.findall(Path(path).read_text("utf-8")))
+
+
+def write_pins() -> None:
+    """Write the pins, unless they are there already."""
+    for source, path in zip((ENVIRONMENT, LOCK), PINS, strict=True):
+        text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
+        if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
+            with whole_file(path) as temporary:
+                Path(temporary).write_text(text, "utf-8")
+
+
+def refuse_other_versions() -> None:
+    """Raise ValueError, in one line, if packages are not installed as they are pinned.
+
+    Packages that others need on some systems only may be missing.
+    """
+    locked = _by_plain_name(read_pins(LOCK))
+    required = _by_plain_name(read_pins(ENVIRONMENT))
+    if not required.items() <= locked.items():
+        names = ", ".join(sorted(name for name, pin in required.items() if locked.get(name) != pin))
+        raise ValueError(
+            f"{LOCK}: expected {names} as pinned in {ENVIRONMENT}, found another version or none; "
+            "make it anew by .ci/lock"
+        )
+    installed = {name: installed_version(name) for name in locked}
+    faults = [
+        f"{name} {pin}, found {installed[name] or 'none'}"
+        for name, pin in locked.items()
+        if installed[name] != pin and (installed[name] or name in required)
+    ]
+    if faults:
+        raise ValueError(f"packages: expected {'; '.join(faults)} (mend it: {INSTALL})")
+
+
+def _by_plain_name(pins: dict[str, str]) -> dict[str, str]:
+    """Return pins by names as pip compares them."""
+    return {re.sub(r"[-_.]+", "-", name).lower(): pin for name, pin in pins.items()}
+
+
+@cache
+def installed_version(name: str) -> str | None:
+    """Return the installed version of a package, None if there is none."""
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None

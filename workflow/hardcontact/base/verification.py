@@ -1,0 +1,106 @@
+"""The check of a finished study, also of an archive: every file against its record.
+
+Nothing is written, and no workflow is needed.
+"""
+
+import json
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from hardcontact.base.origin import RECORDS, Record, digest, read_record
+from hardcontact.base.packages import installed_version
+
+#: Folders of a study whose files describe runs: no record describes them.
+OF_RUNS = ("logs", "benchmarks")
+
+
+def traced_records(folder: str | Path) -> dict[str, Record]:
+    """Return the records, by path, of the files in ``results/<study>`` and all that led to them.
+
+    Raises ValueError, with one line, if a record is damaged.
+    """
+    records: dict[str, Record] = {}
+    pending = [
+        (path.parents[1] / path.stem).as_posix()
+        for path in sorted(Path(folder).rglob(f"{RECORDS}/*.json"))
+    ]
+    while pending:
+        path = pending.pop()
+        record = None if path in records else read_record(path)
+        if record is not None:
+            records[path] = record
+            pending.extend(record["input_digests"])
+    return records
+
+
+def check(folder: str | Path) -> tuple[list[str], list[str]]:
+    """Compare every file that led to ``results/<study>`` with its record.
+
+    Returns a line for each file that is missing, has no record or does not match, and further lines
+    on other versions and on counts. Raises ValueError, with one line, if there is nothing to
+    compare or a record is damaged.
+    """
+    records = traced_records(folder)
+    if not records:
+        raise ValueError(f"{folder}: expected files of a study, found none")
+    inputs = {path for record in records.values() for path in record["input_digests"]}
+    current = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
+    absent = inputs - current.keys()
+    unrecorded = sorted(_unrecorded(folder, inputs & current.keys()) - records.keys())
+    faults = [
+        *_output_faults(folder, records, current),
+        *_input_faults(records, current),
+        *(f"{path}: expected a record of its origin, found none" for path in unrecorded),
+    ]
+    return faults, [
+        *_other_versions(records),
+        f"{folder}: {len(records)} files checked, {len(faults)} faults, "
+        f"{len(absent)} inputs not at hand",
+    ]
+
+
+def _output_faults(
+    folder: str | Path, records: Mapping[str, Record], current: Mapping[str, str]
+) -> Iterator[str]:
+    """Yield a line for each file that differs from its record, or is missing in the folder."""
+    for path, record in sorted(records.items()):
+        if path in current and current[path] != record["sha256"]:
+            yield f"{path}: is not the file that the study wrote"
+        elif path not in current and Path(path).is_relative_to(folder):
+            yield f"{path}: expected a file of the study, found none"
+
+
+def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> Iterator[str]:
+    """Yield a line for each file whose inputs are no longer those that it was made from."""
+    for path, record in sorted(records.items()):
+        changed = [
+            name
+            for name, made_from in sorted(record["input_digests"].items())
+            if current.get(name, made_from) != made_from
+        ]
+        if changed and path in current:
+            yield f"{path}: does not match its input {', '.join(changed)}"
+
+
+def _unrecorded(folder: str | Path, inputs: set[str]) -> set[str]:
+    """Return files that should have a record: the study's, and inputs beside recorded files."""
+    files = {
+        path.as_posix()
+        for path in Path(folder).rglob("*")
+        if path.is_file()
+        and RECORDS not in path.parts
+        and path.relative_to(folder).parts[0] not in OF_RUNS
+    }
+    return files | {path for path in inputs if (Path(path).parent / RECORDS).is_dir()}
+
+
+def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:
+    """Yield a line for each version of a package that is not the installed one."""
+    paths = defaultdict[str, list[str]](list)
+    for path, record in sorted(records.items()):
+        for name, recorded in json.loads(record["versions"]).items():
+            if recorded != installed_version(name):
+                paths[f"{name} {recorded}, here {installed_version(name) or 'none'}"].append(path)
+    for version, made in paths.items():
+        yield f"{len(made)} files, such as {made[0]}, were made with {version}"

@@ -1,0 +1,139 @@
+"""Own pull-off forces: single tests, or a mean and a median of each surface."""
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from hardcontact.base.units import parse_quantity
+from hardcontact.config.faults import quote_key, refuse_lines
+from hardcontact.config.key_types import Quantity
+from hardcontact.config.tables import Row, decode_utf8, parse_number, user_table
+
+#: Columns of a table of single tests, and of one row a surface.
+TESTS = ("surface", "value", "unit")
+SUMMARIES = ("surface", "mean", "median", "count", "unit")
+#: Columns of forces.
+FORCE_COLUMNS = ("value", "mean", "median")
+#: A column with its unit, such as "force (uN)" or "pull-off [nN]".
+COLUMN_WITH_UNIT = re.compile(r"(.*?)\s*[(\[]\s*(\S+?)\s*[)\]]")
+#: A pull-off force: of an atom at least, and of a hundred kilograms at most.
+FORCE_QUANTITY = Quantity("N", 1e-15, 1e3)
+
+
+def measured_forces(
+    path: str | Path,
+    surfaces: Collection[str],
+    radius: float,
+    given_as: str = "config key forces",
+) -> pd.DataFrame:
+    """Read the user's own pull-off forces on the surfaces of a study.
+
+    The columns are TESTS, and perhaps `place`, or SUMMARIES with one row per surface; messages
+    name `given_as`. Forces over the radius of the probe (nm) are multiplied by it. Returns by line
+    of the file: surface, mean and median in N (of a single test its force), count of tests, and
+    place, blank if not given. Raises ValueError with a line for each fault.
+    """
+    table = user_table(path, f"a table of forces ({given_as})", decode=_decode)
+    header, units = _split_units(table.header)
+    table = table._replace(header=header)
+    columns = SUMMARIES if "mean" in header else TESTS
+    defaults = {"surface": next(iter(surfaces))} if len(surfaces) == 1 else {}
+    defaults |= {"unit": ""} if units else {}
+    table.require(
+        [name for name in columns if name not in defaults],
+        f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
+        "separated by commas; a column such as value (uN) needs no unit, one surface no name",
+    )
+    rows = table.convert(lambda row: _force(defaults | dict(row), units, surfaces, radius))
+    names = ["surface", "mean", "median", "count", "place"]
+    forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
+    if columns == SUMMARIES:
+        refuse_lines(
+            f"{path}: line {line}: expected each surface once, found again {quote_key(surface)}"
+            for line, surface in forces.surface[forces.duplicated("surface")].items()
+        )
+    return forces
+
+
+def _decode(content: bytes) -> str:
+    """Return a text in UTF-8, or in Latin-1 if it has no control characters; refuse others."""
+    try:
+        return decode_utf8(content)
+    except UnicodeDecodeError:
+        text = content.decode("latin-1")
+        if "".join(text.split()).isprintable():
+            return text
+        raise
+
+
+def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
+    """Return the columns of a table, and the units of those whose header states a unit of force.
+
+    A column of forces with any other name is taken for `value`.
+    """
+    names = []
+    units = {}
+    for cell in header:
+        match = COLUMN_WITH_UNIT.fullmatch(cell)
+        if match and _is_force_unit(match[2]):
+            name = match[1].lower()
+            name = name if name in FORCE_COLUMNS else "value"
+            units[name] = match[2]
+        else:
+            name = cell.lower()
+        names.append(name)
+    return names, units
+
+
+def _is_force_unit(unit: str) -> bool:
+    """Return whether a unit is that of a force, or of a force over a radius."""
+    try:
+        _in_newton("1", unit, radius=1.0)
+    except ValueError:
+        return False
+    return True
+
+
+def _in_newton(number: str, unit: str, radius: float) -> float:
+    """Return a force in N; a force over the radius of the probe (nm) is multiplied by it."""
+    if unit.endswith("N/m"):
+        return parse_quantity(f"{number} {unit}", "J/m2") * radius * 1e-9
+    return parse_quantity(f"{number} {unit}", "N")
+
+
+def _force(
+    row: Row, units: Mapping[str, str], surfaces: Collection[str], radius: float
+) -> tuple[str, float, float, int, str]:
+    """Return surface, mean and median in N, count and place; refuse the first fault of a row."""
+    surface = row["surface"]
+    count = row.get("count", "1")
+    forces = []
+    for name in ("mean", "median") if "mean" in row else ("value", "value"):
+        if parse_number(row[name]) == 0 or row[name].startswith("<"):
+            raise ValueError(
+                f"{name}: expected a force above zero, found {quote_key(row[name])}: of a test "
+                "below the noise write the noise, which makes the mean an upper bound"
+            )
+        if parse_number(row[name]) < 0:
+            raise ValueError(
+                f"{name}: expected forces above zero, found {quote_key(row[name])}: pull-off "
+                "counts as positive here, so take off the sign"
+            )
+        force = _in_newton(row[name], units.get(name, row["unit"]), radius)
+        if not FORCE_QUANTITY.low <= force <= FORCE_QUANTITY.high:
+            written = f"{row[name]} {units.get(name, row['unit'])}"
+            raise ValueError(f"{name}: expected {FORCE_QUANTITY.expects}, found {written}")
+        forces.append(force)
+    mean, median = forces
+    if surface not in surfaces:
+        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {quote_key(surface)}")
+    if not re.fullmatch("[1-9][0-9]{0,8}", count):
+        raise ValueError(f"count: expected a number of tests, found {quote_key(count)}")
+    if median > mean:
+        raise ValueError(
+            "median: expected at most the mean, as of log-normal forces (or give single tests), "
+            f"found {row['median']} beside {row['mean']}"
+        )
+    return surface, mean, median, int(count), row.get("place", "")

@@ -1,0 +1,117 @@
+"""What a run makes again: files whose records differ from what they would be made from now.
+
+Times and Snakemake's own metadata do not count: they are lost or misleading after a copy, a power
+loss or a clock set back.
+"""
+
+import json
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from hardcontact.base.origin import (
+    Record,
+    canonical,
+    digest,
+    lineage,
+    read_record,
+    versions,
+)
+
+#: Size in bytes up to which files of earlier jobs are read; of larger ones the record counts, with
+#: which the job that uses them compares them.
+MAX_READ_SIZE = 1_000_000
+
+
+class Change(NamedTuple):
+    """What differs between the record of a file and the file that would be made now."""
+
+    before: set[str]  #: Parameters and versions of the record alone.
+    now: set[str]  #: Parameters and versions of now alone.
+    inputs: set[str]  #: Inputs that are new, gone, or have another content.
+
+
+class Reruns:
+    """The changes since the files of a run were made.
+
+    A job is Snakemake's: it has paths as `input` and canonical text as `params.canonical`.
+    """
+
+    def __init__(self, dependencies: Mapping[Any, Mapping[Any, Iterable[str]]]) -> None:
+        """Take the files, by job, that each job needs from other jobs."""
+        self._dependencies = dependencies
+        self._digests: dict[str, str | None] = {}
+        self._inputs: dict[Any, dict[str, str | None]] = {}
+        self._lineages: dict[Any, str] = {}
+
+    def change(self, job: Any, path: str) -> Change:
+        """Return what changed since a job made a file."""
+        try:
+            record = read_record(path) or {}
+            before = _named_values(record["parameters"]) | _named_values(record["versions"])
+        except (ValueError, KeyError, TypeError, AttributeError):  # whatever a damage leaves
+            return Change({f"no whole record of {path}"}, set(), set())
+        now = _named_values(job.params.canonical) | _named_values(canonical(versions()))
+        return Change(before - now, now - before, self._changed_inputs(job, record))
+
+    def _changed_inputs(self, job: Any, record: Record) -> set[str]:
+        """Return inputs that changed; missing ones only if what leads to them changed."""
+        if job not in self._inputs:
+            self._inputs[job] = {path: self._digest(path) for path in _inputs(job)}
+        inputs = self._inputs[job]
+        changed = {path for path, _ in inputs.items() ^ record["input_digests"].items()}
+        missing = {path for path, value in inputs.items() if value is None}
+        if missing and self._lineage(job) == record.get("lineage"):
+            return changed - missing
+        return changed
+
+    def _digest(self, path: str) -> str | None:
+        """Return the SHA-256 of a file, None if it is missing."""
+        if path not in self._digests:
+            self._digests[path] = _own_digest(path) if Path(path).is_file() else None
+        return self._digests[path]
+
+    def _lineage(self, job: Any) -> str:
+        """Return the lineage that the files of a job would have now."""
+        if job not in self._lineages:
+            makers = {
+                Path(path).as_posix(): maker
+                for maker, paths in self._dependencies[job].items()
+                for path in paths
+            }
+            inputs = {
+                path: self._lineage(makers[path]) if path in makers else _own_lineage(path)
+                for path in _inputs(job)
+            }
+            self._lineages[job] = lineage(job.params.canonical, inputs)
+        return self._lineages[job]
+
+
+def _inputs(job: Any) -> set[str]:
+    """Return the inputs of a job, as records name them."""
+    return {Path(path).as_posix() for path in job.input}
+
+
+def _own_digest(path: str) -> str:
+    """Return the SHA-256 of a file; that in its record, if the file is large and has one."""
+    record = _whole_record(path) if Path(path).stat().st_size > MAX_READ_SIZE else None
+    return record["sha256"] if record else digest(path)
+
+
+def _whole_record(path: str) -> Record | None:
+    """Return the record of a file, None if it is missing or damaged."""
+    try:
+        return read_record(path)
+    except ValueError:
+        return None
+
+
+def _own_lineage(path: str) -> str:
+    """Return the lineage of a file that no job of the run makes."""
+    record = _whole_record(path)
+    return str(record.get("lineage", "")) if record else digest(path)
+
+
+def _named_values(text: str) -> set[str]:
+    """Return the values of a canonical JSON text with their keys."""
+    return {f"{key}={canonical(value)}" for key, value in json.loads(text).items()}

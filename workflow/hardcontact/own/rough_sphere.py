@@ -1,0 +1,41 @@
+"""The user's scans of a sphere, added to those of a surface."""
+
+from dataclasses import replace
+
+from hardcontact.base.random import generator
+from hardcontact.config.model import Study
+from hardcontact.own.own_spectrum import OwnSpectrum
+from hardcontact.own.scan_force import stitched_map
+from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
+from hardcontact.surfaces.height_map import HeightMap, metrics
+from hardcontact.surfaces.joined_spectrum import ScanSpectrum, reliable_spectrum
+
+
+def add_sphere(surface: OwnSpectrum, sphere: OwnSpectrum) -> OwnSpectrum:
+    """Return the sum of both spectra, and of both maps if each body has a single one.
+
+    Raises ValueError for a table.
+    """
+    spectra = [body.spectrum for body in (surface, sphere)]
+    substrate_spectrum, sphere_spectrum = spectra
+    if not isinstance(substrate_spectrum, ScanSpectrum) or not isinstance(
+        sphere_spectrum, ScanSpectrum
+    ):
+        raise ValueError("--sphere: expected scans of both bodies, found a table of a spectrum")
+    joined = combine_spectra(substrate_spectrum.joined, sphere_spectrum.joined)
+    notes = surface.notes + sphere.notes
+    scans = surface.scans + sphere.scans
+    if len(scans) > 2 or any(scan.kind != "map" for scan in scans):
+        skewness = max(substrate_spectrum.skewness, sphere_spectrum.skewness, key=abs)
+        return OwnSpectrum(reliable_spectrum(joined, skewness), notes, scans)
+    both = _sum_of_maps(*scans)
+    spectrum = reliable_spectrum(joined, metrics(both)["skewness"])
+    return OwnSpectrum(spectrum, notes, (both,), scans)
+
+
+def _sum_of_maps(substrate: HeightMap, sphere: HeightMap) -> HeightMap:
+    """Return the levelled map of a substrate with the roughness of the sphere."""
+    rng = generator(Study().seed, "both bodies")
+    stitched = combine_maps(rng, stitched_map(substrate), stitched_map(sphere))
+    heights = stitched.heights[: substrate.pixels, : substrate.pixels]
+    return replace(substrate, heights=heights, defects={**sphere.defects, **substrate.defects})

@@ -1,0 +1,74 @@
+"""The force on one surface relative to that on another, and the octaves that make the ratio.
+
+Forces are proportional to the work of adhesion, so that their ratio holds for any work that both
+surfaces have. In logarithms, an octave contributes the change of its amplitude times the mean of
+the sensitivities d ln F / d ln a of both surfaces.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from hardcontact.base.number import Number
+from hardcontact.report.artificial import shown_octaves
+from hardcontact.report.datasets import Datasets, forces_at_range
+from hardcontact.report.quantities import number_of
+from hardcontact.surfaces.spectrum import Floats, spectrum_of_dataset
+
+#: Octaves that are named.
+OCTAVES_NAMED = 3
+#: Wavevectors of an octave, at which its power is summed.
+POINTS = 33
+
+
+def comparison_numbers(data: Datasets, reference: Datasets) -> Iterator[Number]:
+    """Yield the force on a surface relative to that on another, and the octaves that make it.
+
+    ``force_ratio_octave_1`` is the shortest wavelength of the octave that contributes most to the
+    ratio, ``force_ratio_octave_1_factor`` its part. Scans of both surfaces are independent: the
+    errors of the logarithms of both forces are added in squares.
+    """
+    forces = [forces_at_range(surface.force) for surface in (data, reference)]
+    force, reference_force = (number_of(surface_forces, "force") for surface_forces in forces)
+    ratio = force.value / reference_force.value
+    ends = [_log_distances(number) for number in (force, reference_force)]
+    below, above = np.hypot(ends[0], ends[1][::-1])
+    low, high = float(ratio * np.exp(-below)), float(ratio * np.exp(above))
+    status = "" if np.isfinite([low, high]).any() else "no_interval"
+    yield Number("force_ratio", ratio, "1", low, high, status)
+    octaves, contributions = octave_contributions(data, reference)
+    # Some octaves may change the ratio the other way.
+    shares = contributions * np.log(ratio)
+    strongest = [index for index in np.argsort(-shares)[:OCTAVES_NAMED] if shares[index] > 0]
+    for rank, index in enumerate(strongest, start=1):
+        name = f"force_ratio_octave_{rank}"
+        yield Number(name, float(octaves[index]), "nm")
+        yield Number(f"{name}_factor", math.exp(contributions[index]))
+
+
+def _log_distances(number: Number) -> Floats:
+    """Return the distances (2,) of both ends of an interval from its value, in logarithms."""
+    with np.errstate(divide="ignore"):
+        return np.abs(np.log(np.array([number.low, number.high]) / number.value))
+
+
+def octave_contributions(data: Datasets, reference: Datasets) -> tuple[Floats, Floats]:
+    """Return octaves (nm) that scans of both surfaces show, and their parts of ln(F/F')."""
+    is_shown = shown_octaves(data) & shown_octaves(reference)
+    octaves = data.sensitivity["octave"].values[is_shown]
+    surfaces = (data, reference)
+    sensitivities = [
+        surface.sensitivity["octave_sensitivity"].values[is_shown] for surface in surfaces
+    ]
+    amplitudes = [_octave_amplitudes(surface, octaves) for surface in surfaces]
+    contributions = np.mean(sensitivities, axis=0) * np.log(amplitudes[0] / amplitudes[1])
+    is_known = np.isfinite(contributions)
+    return octaves[is_known], contributions[is_known]
+
+
+def _octave_amplitudes(data: Datasets, octaves: Floats) -> Floats:
+    """Return the rms heights (octave,) in nm of the waves of each octave of one surface."""
+    spectrum = spectrum_of_dataset(data.spectra)
+    q = 2 * np.pi / octaves[:, None] * np.geomspace(0.5, 1, POINTS)
+    return np.asarray(np.sqrt(np.trapezoid(q * spectrum(q), q) / (2 * np.pi)))

@@ -1,0 +1,125 @@
+"""The roughness of a substrate and of the sphere in one map and one spectrum.
+
+Gaps depend on the sum of both heights alone, so that a smooth sphere on this map touches like a
+rough one on the substrate, everywhere at another place of the sphere.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from hardcontact.surfaces.extrapolated_spectrum import Tail
+from hardcontact.surfaces.filters import interpolate, lowpass
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.reliable_band import OTHER_BODY
+from hardcontact.surfaces.spectrum import BIN_CENTRES, all_scales_rms, spectrum_of_dataset
+
+#: Side of a bin of wavelengths relative to its centre; there are ten bins a decade.
+HALF_BIN = 10**0.05
+
+
+def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightMap) -> HeightMap:
+    """Return the mirror-stitched sum of the roughness of both bodies, on the substrate's pixels.
+
+    Both maps are mirror-stitched; the sphere's shape is subtracted.
+    """
+    pixels = substrate.pixels // 2
+    roughness = _on_pixels(sphere, substrate.pixel_size).heights
+    rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
+    sphere_heights = roughness[np.ix_(rows % len(roughness), columns % len(roughness))]
+    heights = substrate.heights[:pixels, :pixels] + sphere_heights
+    return mirror_stitch(replace(substrate, heights=heights.astype(np.float32)))
+
+
+def _on_pixels(surface: HeightMap, pixel_size: float) -> HeightMap:
+    """Return a periodic map on pixels of about this size (nm), without waves too short for them."""
+    pixels = round(surface.size / pixel_size)
+    if pixels < surface.pixels:
+        surface = lowpass(surface, surface.size / (pixels // 2 - 1))
+    return interpolate(surface, pixels)
+
+
+def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
+    """Return the sum of two spectra of `joined_spectrum`, with the measurements of both bodies.
+
+    A measurement is reliable where its body has most of the power. ``sphere_share``
+    (bin_wavevector) is the sphere's share of the power.
+    """
+    densities = [spectrum_of_dataset(body)(BIN_CENTRES) for body in (substrate, sphere)]
+    total = sum(densities)
+    with np.errstate(invalid="ignore"):
+        share = densities[1] / total
+    is_sphere = densities[1] > densities[0]
+    bodies = [_dominant(substrate, ~is_sphere), _dominant(sphere, is_sphere)]
+    measurements = xr.concat(
+        bodies, "measurement", data_vars="minimal", coords="minimal", compat="override"
+    )
+    reliable = measurements["reliable"].values == 1
+    if not reliable.any():
+        raise ValueError(
+            "expected wavelengths at which the rougher of both bodies was measured, found none: "
+            "scan surface and sphere at the same wavelengths"
+        )
+    used = measurements.isel(measurement=reliable.any(axis=1))
+    shortest = float(used["shortest_reliable"].min())
+    longest = float(used["longest_reliable"].max())
+    short_body, long_body = (
+        (substrate, sphere)[int(is_sphere[np.abs(np.log(BIN_CENTRES * end / 2 / np.pi)).argmin()])]
+        for end in (shortest, longest)
+    )
+    spectrum = substrate["spectrum"] + sphere["spectrum"]
+    share_labels = {"units": "1", "long_name": "share of the sphere in the power of both bodies"}
+    joined_psd = np.where(reliable.any(axis=0), total, np.nan)
+    return measurements.assign(
+        spectrum=spectrum.assign_attrs(substrate["spectrum"].attrs),
+        joined_psd=substrate["joined_psd"].copy(data=joined_psd),
+        sphere_share=("bin_wavevector", share, share_labels),
+    ).assign_attrs(
+        substrate.attrs
+        | {name: short_body.attrs[name] for name in (*Tail._fields, "tail_known")}
+        | {"shortest_measured": shortest, "longest_measured": longest}
+        | {"rolloff": long_body.attrs["rolloff"]}
+    )
+
+
+def _dominant(body: xr.Dataset, is_dominant: NDArray[np.bool_]) -> xr.Dataset:
+    """Return the spectrum of a body whose measurements are reliable only where it dominates."""
+    was_reliable = body["reliable"].values == 1
+    reliable = was_reliable & is_dominant
+    wavelength = 2 * np.pi / BIN_CENTRES
+    shortest, longest = (body[f"{end}_reliable"].values.copy() for end in ("shortest", "longest"))
+    limits = body["limited_by"].values.astype(object)
+    for index in np.flatnonzero((reliable != was_reliable).any(axis=1)):
+        kept = wavelength[reliable[index]]
+        if not kept.size or kept.min() > wavelength[was_reliable[index]].min():
+            limits[index] = OTHER_BODY
+        if kept.size:
+            shortest[index] = max(shortest[index], kept.min() / HALF_BIN)
+            longest[index] = min(longest[index], kept.max() * HALF_BIN)
+    return body.assign(
+        reliable=body["reliable"].copy(data=reliable.astype("int8")),
+        shortest_reliable=body["shortest_reliable"].copy(data=shortest),
+        longest_reliable=body["longest_reliable"].copy(data=longest),
+        limited_by=("measurement", limits.astype(str)),
+    )
+
+
+def sphere_share(spectra: xr.Dataset, wavelength: float) -> float:
+    """Return the sphere's share of the power of both bodies at a wavelength (nm), NaN if smooth."""
+    if "sphere_share" not in spectra:
+        return np.nan
+    wavevector = np.log(spectra["bin_wavevector"].values)
+    shares = spectra["sphere_share"].values
+    return float(np.interp(np.log(2 * np.pi / wavelength), wavevector, shares))
+
+
+def combine_sampled_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
+    """Return the sum of two sampled spectra; its height factor is the rms of both factors."""
+    bodies = (substrate, sphere)
+    variances = [all_scales_rms(spectrum_of_dataset(body))[0] ** 2 for body in bodies]
+    factors = [float(body.attrs["height_factor"]) ** 2 for body in bodies]
+    factor = float(np.sqrt(np.average(factors, weights=variances)))
+    total = (substrate["spectrum"] + sphere["spectrum"]).assign_attrs(substrate["spectrum"].attrs)
+    return xr.Dataset({"spectrum": total}).assign_attrs(height_factor=factor)

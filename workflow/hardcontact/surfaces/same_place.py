@@ -1,0 +1,101 @@
+"""Scans that show the same place, as trace and retrace or a levelled copy do: a single sample."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import Floats
+
+#: Correlation of heights, after the best shift, above which two maps show the same place.
+SAME_PLACE_CORRELATION = 0.5
+#: Most pixels along a side of maps that are compared: means lower the noise, a pair takes 15 ms.
+COMPARED_PIXELS = 64
+#: Longest wavelength that is compared, as a share of the smaller side. Longer waves are few, so
+#: that maps of different places correlate by chance; levelling also changes them.
+LONGEST_COMPARED_SHARE = 1 / 4
+#: Least overlap after a shift, as a share of the smaller map.
+MIN_OVERLAP = 0.5
+#: Least product of variances, relative to the largest: rounding of Fourier transforms is smaller.
+ROUNDING = 1e-9
+#: Largest ratio of the sides of two maps: a smaller part of a place shows other waves.
+MAX_SIZE_RATIO = 1.25
+
+
+def coarse_map(scan: HeightMap) -> HeightMap:
+    """Return a map on at most COMPARED_PIXELS along a side; a line scan as it is."""
+    if scan.kind == "line scan":
+        return scan
+    step = -(-scan.pixels // COMPARED_PIXELS)
+    count = scan.pixels // step
+    kept = scan.heights[: count * step, : count * step]
+    means = kept.reshape(count, step, count, step).mean(axis=(1, 3))
+    return replace(scan, heights=means, pixel_size=step * scan.pixel_size)
+
+
+def earlier_scans_of_places(scans: Sequence[HeightMap]) -> list[int | None]:
+    """Return for each scan the index of the first scan that shows its place; None if it is new.
+
+    Scans are levelled maps from `coarse_map`, or line scans, which are never compared.
+    """
+    earlier: list[int | None] = []
+    for scan in scans:
+        first_scans = [number for number, index in enumerate(earlier) if index is None]
+        earlier.append(
+            next((number for number in first_scans if show_same_place(scans[number], scan)), None)
+        )
+    return earlier
+
+
+def same_place_line(name: str, earlier_name: str) -> str:
+    """Return a line on a scan that is left out."""
+    return f"{name}: it shows the same place as {earlier_name}, and a place counts once"
+
+
+def show_same_place(first: HeightMap, second: HeightMap) -> bool:
+    """Return whether two levelled maps show the same place.
+
+    If parts of a map resemble each other as much, as on a grating, resemblance tells nothing.
+    """
+    if "line scan" in (first.kind, second.kind):
+        return False
+    smaller, larger = sorted([first, second], key=lambda scan: scan.size)
+    if larger.size > MAX_SIZE_RATIO * smaller.size:
+        return False
+    pixel_size = max(first.pixel_size, second.pixel_size)
+    longest = LONGEST_COMPARED_SHARE * smaller.size / pixel_size
+    waves, other_waves = (_short_waves(scan, pixel_size, longest) for scan in (smaller, larger))
+    if _best_correlation(waves, other_waves) <= SAME_PLACE_CORRELATION:
+        return False
+    halves = [np.array_split(waves, 2, axis=axis) for axis in (0, 1)]
+    return all(_best_correlation(*pair) <= SAME_PLACE_CORRELATION for pair in halves)
+
+
+def _short_waves(scan: HeightMap, pixel_size: float, longest: float) -> Floats:
+    """Return a map on pixels of a size (nm) without waves longer than `longest` (pixels)."""
+    from scipy.ndimage import gaussian_filter, zoom
+
+    ratio = scan.pixel_size / pixel_size
+    heights = zoom(gaussian_filter(scan.heights, 0.4 / ratio), ratio) if ratio < 1 else scan.heights
+    # A Gaussian of this width keeps half of the longest wave.
+    width = np.sqrt(2 * np.log(2)) * longest / (2 * np.pi)
+    return np.asarray(heights - gaussian_filter(heights, width), float)
+
+
+def _best_correlation(first: Floats, second: Floats) -> float:
+    """Return the largest correlation of two maps over all shifts that overlap enough."""
+    from scipy.signal import fftconvolve
+
+    def sums(one: Floats, other: Floats) -> Floats:
+        return np.asarray(fftconvolve(one, other[::-1, ::-1]))
+
+    ones, other_ones = np.ones(first.shape), np.ones(second.shape)
+    overlap = sums(ones, other_ones)
+    variances = sums(first**2, other_ones) * sums(ones, second**2)
+    # Where one map is constant, such as in unmeasured lines, rounding leaves no variance to trust.
+    is_comparable = (overlap >= MIN_OVERLAP * min(first.size, second.size)) & (
+        variances > ROUNDING * variances.max()
+    )
+    correlations = sums(first, second)[is_comparable] / np.sqrt(variances[is_comparable])
+    return float(correlations.max(initial=0.0))
