@@ -120,9 +120,9 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square, or the largest one beside undefined regions with a corner.
+    """Return the central square, or the largest one beside what all corners lie in if undefined.
 
-    Such regions lie outside a round aperture or a rotated scan: filled, they would be too smooth.
+    That is outside a round aperture or a rotated scan: filled, it would be too smooth.
     """
     from scipy import ndimage
 
@@ -131,10 +131,10 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
     first_column, first_row = (columns - side) // 2, (rows - side) // 2
     central = heights[first_column : first_column + side, first_row : first_row + side]
     regions, _ = ndimage.label(heights.mask)
-    corners = {int(region) for region in regions[[0, 0, -1, -1], [0, -1, 0, -1]]} - {0}
-    if not corners or central.mask.mean() > MAX_UNDEFINED_SHARE:
+    corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
+    if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
         return central
-    inside = np.pad(~np.isin(regions, list(corners)), 1)
+    inside = np.pad(~np.isin(regions, corners), 1)
     reach = ndimage.distance_transform_cdt(inside, "chessboard")[1:-1, 1:-1]
     middle = np.unravel_index(reach.argmax(), reach.shape)
     half = int(reach.max()) - 1
