@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2259,
     "own": 2006,
-    "report": 3014,
+    "report": 3015,
     "api": 215,
 }
 NO_CODE = {
