@@ -1,5 +1,6 @@
 """Colours and markers, labels, legends."""
 
+import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -17,6 +18,13 @@ def test_colours_and_markers_follow_the_order_of_any_surfaces():
     markers = {name: look["marker"] for name, look in looks.items()}
     assert markers["0"] == markers["6"] != markers["1"]
     assert {name: look["color"] for name, look in looks.items()} == style.colours(looks)
+
+
+def test_a_user_s_settings_change_no_figure(monkeypatch):
+    monkeypatch.setitem(mpl.rcParams, "axes.facecolor", "black")
+    with style.print_style():
+        assert mpl.rcParams["axes.facecolor"] == mpl.rcParamsDefault["axes.facecolor"]
+        assert mpl.rcParams["font.size"] == style.RC["font.size"]
 
 
 @pytest.mark.parametrize(

@@ -65,6 +65,15 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     assert "21 undefined pixels of 1024 filled" in measurement.notes
 
 
+def test_a_round_aperture_is_cropped_to_the_square_inside(tmp_path):
+    y, x = np.indices((64, 64)) - 31.5
+    heights = np.ma.masked_array(np.arange(64.0**2).reshape(64, 64), np.hypot(y, x) > 32)
+    heights[30, 30] = np.ma.masked  # a gap inside is filled
+    measurement = read_scan(scan(tmp_path / "a.nc", heights, (640.0, 640.0)), "", "harmonic")
+    assert (measurement.pixels, measurement.undefined) == (45, 1)
+    assert measurement.pixels == pytest.approx(64 / np.sqrt(2), abs=1)
+
+
 def test_heights_under_a_mask_count_unless_it_is_excluded(tmp_path):
     path = tmp_path / "marked.gwy"
     values = heights(32, 32)

@@ -36,10 +36,13 @@ PAGE = {"answer_surfaces", "keep_records"}
 FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_measured"}
 OCTAVES = {"amplify_octaves", "aggregate_sensitivity"}
 MASTERS = {"synthesize_masters", "filter_masters", "aggregate_scales", "predict_force"}
-SPECTRA = {"measure_spectrum", "sample_spectra", "aggregate_spectra"}
+SPECTRA = {
+    "measure_spectrum", "sample_spectra", "aggregate_spectra",
+    "combine_spectra", "combine_sampled_spectra",
+}  # fmt: skip
 #: The table of roughness of all surfaces, and its readers.
 TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_measured"}
-SCANS = {"prepare_scan"} | TOPOGRAPHY
+SCANS = {"prepare_scan", "combine_scans"} | TOPOGRAPHY
 
 
 @pytest.mark.parametrize(

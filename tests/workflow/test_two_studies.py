@@ -49,7 +49,7 @@ FILTERED = {
 #: Folders whose keys another one has, or of measured surfaces (test_own_reruns.py).
 LEFT_OUT = {
     "conditioning", "stitched", "measurements", "measured_spectra",
-    "sampled_spectra", "octaves",
+    "sampled_spectra", "octaves", "both_bodies",
 }  # fmt: skip
 FOLDERS = {kind: keys for kind, keys in STORE_KEYS.items() if kind not in LEFT_OUT}
 FOLDERS["draws"] += ("scan.featured_surface",)  # It names their surface, in the path.

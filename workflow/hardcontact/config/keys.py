@@ -165,7 +165,7 @@ class ScalesKeys(Keys):
     whole_surfaces: Realizations = 10
     """Surfaces of each substitute as large as large-scale masters, not mirrored, for octaves."""
     sphere_roughness: bool = key(False, "not stated")
-    """Whether the sphere on masters has the roughness of its first scan."""
+    """Whether the sphere on masters has the roughness of its first scan; own scans add it."""
     small: SmallScaleKeys = SmallScaleKeys()
     large: LargeScaleKeys = LargeScaleKeys()
 

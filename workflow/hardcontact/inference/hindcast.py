@@ -217,13 +217,13 @@ def all_hindcasts(
     return stack(surfaces, ["surface"])
 
 
-def widen(force: xr.Dataset, name: str, hindcast_ratio: xr.DataArray) -> xr.Dataset:
-    """Return a positive variable whose interval also contains the error of the hindcast.
+def widen(force: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
+    """Return a positive variable whose interval also contains an error, a factor.
 
-    The logarithms of the interval's half width and of the ratio add in squares.
+    The logarithms of the interval's half width and of the error add in squares.
     """
     value = force[name]
-    log_error = abs(np.log(hindcast_ratio.fillna(1)))
+    log_error = abs(np.log(error.fillna(1)))
     low, high = bounds(force, name)
     low = value * np.exp(-np.hypot(np.log(value / low), log_error))
     high = value * np.exp(np.hypot(np.log(high / value), log_error))

@@ -347,21 +347,31 @@ def _transitions(substrates: Sequence[Entry], sphere_scans: Sequence[Entry]) -> 
 
     Where the other body is rougher, the ends of a scan do not count.
     """
-    bodies = [(scan, sphere_scans) for scan in substrates]
-    bodies += [(scan, substrates) for scan in sphere_scans]
-    sizes = [scan.size for scan, others in bodies if _is_rougher(scan, others, scan.band.longest)]
-    short_scans = [scan for scan, others in bodies if _is_rougher(scan, others, scan.band.shortest)]
+    short_scans = _decisive_scans(substrates, sphere_scans, "shortest")
+    long_scans = _decisive_scans(substrates, sphere_scans, "longest")
     ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
     ends += [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in short_scans]
     ends += [(scan.band.shortest, LIMIT_NAMES[scan.band.limited_by]) for scan in short_scans]
-    longest = float(f"{TRANSITION_SHARE * min(sizes):.3g}")
+    longest = float(f"{TRANSITION_SHARE * min(scan.size for scan in long_scans):.3g}")
     wavelength, reason = max(ends)
     shortest = min(float(f"{wavelength:.3g}"), longest)
     return Transitions(shortest, longest, f"{reason}; below, roughness is artificial")
 
 
+def _decisive_scans(
+    substrates: Sequence[Entry], sphere_scans: Sequence[Entry], end: str
+) -> list[Entry]:
+    """Return the scans whose body is the rougher at this end of their band; all if none is."""
+    bodies = [(scan, sphere_scans) for scan in substrates]
+    bodies += [(scan, substrates) for scan in sphere_scans]
+    rough_scans = [
+        scan for scan, others in bodies if _is_rougher(scan, others, getattr(scan.band, end))
+    ]
+    return rough_scans or [*substrates, *sphere_scans]
+
+
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
-    """Return whether some scan of the other body has no more power at a wavelength (nm)."""
+    """Return whether not all scans of the other body, if any, have more power at a wavelength."""
     index = nearest_bin(wavelength)
     exceeds = [other.density[index] > scan.density[index] for other in others]
     return not (exceeds and all(exceeds))

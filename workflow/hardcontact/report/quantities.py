@@ -17,7 +17,7 @@ QuantityMapping = dict[str, Any]
 NO_VALUE = {
     "no_band": "no band",
     "no_hindcast": "not answered: nothing shows that random roughness extends these scans",
-    "ripples": "none: the filter's ripples beside steps change the force",
+    "ripples": "none: the filter's ripples beside steps or pits change the force",
     "no_exponent": "not answered: the scans do not tell how their roughness goes on",
     "no_agreement": "none agrees",
 }

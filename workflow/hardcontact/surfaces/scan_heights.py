@@ -95,7 +95,7 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int
 
 
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return `_fields` of the central square of a map, whose unit is `factor` nm."""
+    """Return `_fields` of the largest square of a map, whose unit is `factor` nm."""
     from SurfaceTopography import Topography
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
@@ -103,10 +103,9 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
         _masked(topography.heights()), sizes / topography.nb_grid_pts
     )
     columns, rows = heights.shape
-    if rows != columns:
-        side = min(rows, columns)
-        first_column, first_row = (columns - side) // 2, (rows - side) // 2
-        heights = heights[first_column : first_column + side, first_row : first_row + side]
+    heights = _largest_square(heights)
+    side = len(heights)
+    if (side, side) != (columns, rows):
         caution = ""
         if max(rows, columns) >= MIN_STRIP_SIDES * side:
             share = format_share(side / max(rows, columns))
@@ -118,6 +117,29 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
         holed = Topography(heights, heights.shape)
         values = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
     return _fields(values.T * factor, pixel_size, notes + gaps, undefined)
+
+
+def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
+    """Return the central square, or the largest one beside what all corners lie in if undefined.
+
+    That is outside a round aperture or a rotated scan: filled, it would be too smooth.
+    """
+    from scipy import ndimage
+
+    columns, rows = heights.shape
+    side = min(rows, columns)
+    first_column, first_row = (columns - side) // 2, (rows - side) // 2
+    central = heights[first_column : first_column + side, first_row : first_row + side]
+    regions, _ = ndimage.label(heights.mask)
+    corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
+    if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
+        return central
+    inside = np.pad(~np.isin(regions, corners), 1)
+    reach = ndimage.distance_transform_cdt(inside, "chessboard")[1:-1, 1:-1]
+    middle = np.unravel_index(reach.argmax(), reach.shape)
+    half = int(reach.max()) - 1
+    column, row = (slice(int(index) - half, int(index) + half + 1) for index in middle)
+    return heights[column, row]
 
 
 def _square_pixels(

@@ -71,8 +71,10 @@ RC: dict[Any, Any] = {
     "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
 }
 
+#: Settings of Matplotlib as it ships, in place of a user's matplotlibrc.
+SHIPPED = {name: mpl.rcParamsDefault[name] for name in mpl.rcParams if "backend" not in name}
 #: Sets the style of print for a block.
-print_style = partial(mpl.rc_context, RC)
+print_style = partial(mpl.rc_context, SHIPPED | RC)
 
 
 def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
