@@ -5,7 +5,6 @@ from copy import deepcopy
 from types import SimpleNamespace
 
 import pytest
-import yaml
 from refusals import assert_says
 from repository import PAPER, ROOT, snakemake
 from snakemake.cli import parse_config
@@ -64,15 +63,11 @@ def test_keys_of_the_quick_study_are_checked_in_a_full_run():
     assert_says(line, "effort quick", "contact.count", "found 0")
 
 
-def test_the_results_of_the_paper_are_replaced_only_with_overwrite(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    made_with = tmp_path / "results/paper/configuration.yaml"
-    made_with.parent.mkdir(parents=True)
-    made_with.write_text(yaml.safe_dump(PAPER))
+def test_a_study_of_the_project_has_other_values_only_if_asked():
     start.checked_configuration(*configured("contact={hardness: 25GPa}"))  # the same
     harder = "contact={hardness: 30 GPa}"
     line = refusal_line(start.checked_configuration, *configured(harder))
-    assert_says(line, "results/paper", "contact.hardness: '30 GPa' for '25 GPa'", "overwrite=true")
+    assert_says(line, "study paper", "contact.hardness: '30 GPa' for '25 GPa'", "overwrite=true")
     for words in ((harder, "overwrite=true"), (harder, "study=harder")):
         start.checked_configuration(*configured(*words))
 

@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 from known_forces import FORCE_DIMS
 
-from hardcontact.base.statistics import Sampling
+from hardcontact.base.statistics import Sampling, bounds
 from hardcontact.inference.measured_fit import (
     MeasuredTests,
     add_extrapolated_work,
@@ -55,9 +55,10 @@ def sampled_tests(rng, number=40, shape=0.6, surfaces="ab"):
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def fitted(computed_forces, tests):
+def fitted(computed_forces, tests, factor=1.0):
     sizes = {"a": 2500.0, "b": 2500.0}
-    fit = fit_measured(computed_forces, tests, sizes, Sampling(1, 1000, 0.95))
+    factors = dict.fromkeys(sizes, factor)
+    fit = fit_measured(computed_forces, tests, sizes, factors, Sampling(1, 1000, 0.95))
     return fit.sel(contact_model="plastic")
 
 
@@ -96,6 +97,15 @@ def test_the_region_contains_the_true_pair_in_nineteen_of_twenty_draws_and_no_di
 def test_the_region_from_one_scan_per_surface_contains_the_true_pair():
     # Quarters are all that differs here: with spread 0 no scan has a factor of its own.
     assert sum(holds(sampled_fit(seed, scans=1, spread=0.0)) for seed in range(10)) >= 9
+
+
+def test_finer_pixels_raise_the_upper_end_of_the_work_alone():
+    rng = np.random.default_rng(5)
+    computed_forces, tests = adhesion(rng), sampled_tests(rng)
+    low, high = bounds(fitted(computed_forces, tests), "work_by_range")
+    low_with, high_with = bounds(fitted(computed_forces, tests, factor=2.0), "work_by_range")
+    np.testing.assert_allclose(low_with, low)
+    np.testing.assert_allclose(high_with, 2 * high)
 
 
 def test_two_forces_fit_two_unknowns_by_construction():

@@ -5,18 +5,21 @@ from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
+from hardcontact.own.predicted_force import pixel_factors
 
 with job(snakemake) as job:
     adhesion = dataset.read(job.input.adhesion)
     surfaces = adhesion["surface"].values.tolist()
+    force = dataset.read(job.input.force)
     sizes = dataset.read(job.input.topography)["scan_size"].to_series().to_dict()
     fitted = fit_measured(
         adhesion,
         measured_forces(job.input.forces, surfaces, adhesion.attrs["sphere_radius"]),
         sizes,
+        pixel_factors(force).to_series().to_dict(),
         Sampling.from_parameters(job.parameters),
     )
     job.write(
-        add_extrapolated_work(fitted, dataset.read(job.input.force)),
+        add_extrapolated_work(fitted, force),
         title="range and work of adhesion from measured forces",
     )

@@ -104,7 +104,7 @@ def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[
         else:
             faults.setdefault(_key(keys), _sentence(fault))
     for keys, names in unknown.items():
-        faults[_key(keys)] = _unknown(section_model(model, keys), names)
+        faults[_key(keys)] = _unknown(model, section_model(model, keys), names)
     return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)]
 
 
@@ -129,9 +129,9 @@ def _sentence(fault: Mapping[str, Any]) -> str:
     return f"expected {accepted}, found {shorten(fault['input'])}"
 
 
-def _unknown(model: type[BaseModel], names: list[str]) -> str:
-    """Return the expected keys, or those that unknown keys resemble, at any depth of a model."""
-    known_keys = list(model.model_fields)
+def _unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
+    """Return the expected keys of a section, or those of the model that unknown keys resemble."""
+    known_keys = list(section.model_fields)
     written = {".".join(path): _written(path) for path in _paths(model)}
     written |= {path.rpartition(".")[2]: text for path, text in written.items()}
     written |= {key: key for key in known_keys}

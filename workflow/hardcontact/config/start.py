@@ -19,7 +19,7 @@ from hardcontact.base import published
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.base.packages import refuse_other_versions, write_pins
-from hardcontact.config.configuration import refuse_unreadable
+from hardcontact.config.configuration import read_yaml, refuse_unreadable
 from hardcontact.config.endings import end_at_interrupt
 from hardcontact.config.faults import refuse_all, shorten
 from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
@@ -32,8 +32,6 @@ ROOT = LIBRARY.parents[1]
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
-#: Names of studies that an overlay without a name of its own has.
-OWN_NAMES = ("paper", "quick")
 
 
 def _refuse(message: object) -> NoReturn:
@@ -130,7 +128,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         overwrite = yaml_values(config.pop("overwrite", False))
         numbers = numeric_configuration(config)
         if _plans_the_run(workflow) and overwrite is not True:
-            _refuse_replacing(config)
+            _refuse_unnamed(config)
         if numbers["quick"]:
             numeric_configuration(apply_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
@@ -138,24 +136,26 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         _refuse(error)
 
 
-def _refuse_replacing(config: Mapping[str, Any]) -> None:
-    """Refuse other values for a study whose name is the project's own, and that is there."""
-    results = f"results/{config['study']}"
-    path = Path(results, "configuration.yaml")
-    if config["study"] not in OWN_NAMES or not path.is_file():
+def _refuse_unnamed(config: Mapping[str, Any]) -> None:
+    """Refuse other values for a study whose name is the project's own."""
+    name = config["study"]
+    own = deepcopy(read_yaml("config/config.yaml"))
+    if name == "quick":
+        update_config(own, read_yaml("config/quick.yaml"))
+    if name != own["study"]:
         return
-    trees = yaml.safe_load(path.read_text("utf-8")), config
-    made_with, asked = (dict(_leaves(tree)) for tree in trees)
-    numbers, asked_numbers = (dict(_leaves(numeric_configuration(tree))) for tree in trees)
+    of_project, asked = (dict(_leaves(tree)) for tree in (own, config))
+    numbers, asked_numbers = (dict(_leaves(numeric_configuration(tree))) for tree in (own, config))
     changes = [
-        f"{key}: {shorten(asked[key])} for {shorten(made_with[key])}"
+        f"{key}: {shorten(asked[key])} for {shorten(of_project[key])}"
         for key in sorted(numbers.keys() & asked_numbers.keys())
         if numbers[key] != asked_numbers[key]
     ]
     if changes:
         raise ValueError(
-            f"{results}: expected the values with which it was made, found {', '.join(changes)}: "
-            "give the study a name (study: my-name), or replace it with --config overwrite=true"
+            f"study {name}: expected the values of the project, found {', '.join(changes)}: give "
+            f"the study a name (study: my-name), or replace results/{name} with --config "
+            "overwrite=true"
         )
 
 

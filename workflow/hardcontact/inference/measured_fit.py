@@ -103,7 +103,11 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
 
 
 def fit_measured(
-    adhesion: xr.Dataset, forces: pd.DataFrame, scan_sizes: Mapping[str, float], sampling: Sampling
+    adhesion: xr.Dataset,
+    forces: pd.DataFrame,
+    scan_sizes: Mapping[str, float],
+    pixel_factors: Mapping[str, float],
+    sampling: Sampling,
 ) -> xr.Dataset:
     """Fit range and work of adhesion to measured forces, with the roughness of the scans.
 
@@ -111,6 +115,7 @@ def fit_measured(
 
     adhesion, forces: computed forces at 1 J/m² (adhesion.nc), and the user's table of forces in N.
     scan_sizes: side of the scans of each surface in nm.
+    pixel_factors: by which finer pixels may divide the force on each surface.
     Returns fit.nc; by contact_model the variables of `_fit_model`.
     """
     measured = set(forces.surface)
@@ -127,7 +132,7 @@ def fit_measured(
     fits = {}
     for model in adhesion.contact_model.values.tolist():
         computed = _computed_forces(adhesion.sel(contact_model=model), surfaces, scan_sizes)
-        fits[(model,)] = _fit_model(computed, test_means, force_samples, sampling)
+        fits[(model,)] = _fit_model(computed, test_means, force_samples, pixel_factors, sampling)
     # Tests and parts of scans, and so the sources of intervals, are the same for all models.
     sources = [
         computed[name].scan_parts[0].source if test.place_count > 1 else "one_test"
@@ -192,6 +197,7 @@ def _fit_model(
     computed: Mapping[str, SurfaceForces],
     measured_forces: np.ndarray,
     force_samples: np.ndarray,
+    pixel_factors: Mapping[str, float],
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return the fit of one contact model to measured forces (surface,) and samples of them in N.
@@ -211,11 +217,14 @@ def _fit_model(
     sampled_works = force_samples[:, :, None] / np.stack(force_curves, axis=1)
     works = measured_forces[:, None] / curves
     confidence = sampling.confidence
-    intervals = _work_intervals(sampled_works, rhos, ranges, confidence)
+    # Forces that finer pixels divide need more work.
+    factors = np.stack([np.ones(len(computed)), [pixel_factors[name] for name in computed]], -1)
+    intervals = factors[:, None] * _work_intervals(sampled_works, rhos, ranges, confidence)
     # All intervals of n independent surfaces contain the true pair with the confidence c if each
     # has the confidence c^(1/n).
     joint_confidence = confidence ** (1 / len(computed))
-    region = _common_region(_work_intervals(sampled_works, rhos, ranges, joint_confidence))
+    joint_intervals = _work_intervals(sampled_works, rhos, ranges, joint_confidence)
+    region = _common_region(factors[:, None] * joint_intervals)
     return xr.Dataset(
         with_interval(
             "work_by_range", ("surface", "rho_fine"), works, intervals, JOULE_PER_M2, confidence

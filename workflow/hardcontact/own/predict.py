@@ -21,7 +21,12 @@ from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
-from hardcontact.own.request import add_shared_options, implausible_quantities, parse_quantities
+from hardcontact.own.request import (
+    add_shared_options,
+    implausible_quantities,
+    one_pixel_touches,
+    parse_quantities,
+)
 from hardcontact.own.rough_sphere import add_sphere
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.both_bodies import sphere_share
@@ -135,6 +140,7 @@ def predict(arguments: Namespace) -> str:
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
     texts = {name: quantities[name].text for name in CONTACT_QUANTITIES}
+    cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in user_spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *user_spectrum.notes]
     report = _report(numbers, texts, notes, user_spectrum.scans, arguments)
     for name, write in WRITERS.items():

@@ -253,15 +253,21 @@ def add_extrapolated_force(
     )
 
 
-def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
-    """Return forces on the scans whose intervals include those on pixels WIDE_PIXEL times finer.
+def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the factor (surface) by which finer pixels may divide the force on the scans.
 
-    Finer pixels are taken to divide the force by at most the factor by which wider pixels multiply
-    it (tests/benchmarks/validate_random_surfaces.py).
+    It is at most that by which wider pixels multiply it
+    (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
     """
+    unknown = xr.ones_like(force["surface"], dtype=float)
+    factors: xr.DataArray = force.get("wide_pixel_ratio", unknown).fillna(1).clip(min=1)
+    return factors
+
+
+def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:
+    """Return forces on the scans whose intervals include those on pixels WIDE_PIXEL times finer."""
     interval = force["force_interval"]
-    factor = force["wide_pixel_ratio"].fillna(1).clip(min=1)
-    widened = interval.where(interval["bound"] != "low", interval / factor)
+    widened = interval.where(interval["bound"] != "low", interval / pixel_factors(force))
     return force.assign(force_interval=widened.transpose(*interval.dims))
 
 

@@ -23,6 +23,7 @@ from hardcontact.own.contact_scans import (
     search_sizes,
 )
 from hardcontact.own.inventory import FILLING, Entry, entries_by_surface, entry_contradiction_lines
+from hardcontact.own.request import one_pixel_touches
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
@@ -211,13 +212,7 @@ def _contact_cautions(
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
             "show too little of what the sphere feels, and forces come out too low"
         )
-    largest_pixel = max(scan.pixel_size for scan in substrates) ** 2
-    if contact.area < largest_pixel:
-        yield (
-            f"the preload is carried by {contact.area:.3g} nm², less than a pixel of the scans "
-            f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
-            "on the scans"
-        )
+    yield from one_pixel_touches(contact.area, [scan.pixel_size for scan in substrates])
     for surface, search_size in search_sizes.items():
         size = min(scan.size for scan in substrates if scan.source.surface == surface)
         low, high = finite_scan_ratio(size, search_size)

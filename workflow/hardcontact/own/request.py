@@ -170,6 +170,17 @@ def implausible_quantities(quantities: Mapping[str, QuantityOption]) -> Iterator
             yield f"--{name} {option.text}: {question}"
 
 
+def one_pixel_touches(area: float, pixel_sizes: Sequence[float]) -> Iterator[str]:
+    """Yield a caution if less than a pixel (side in nm) of some scan carries the preload."""
+    largest_pixel = max(pixel_sizes, default=0.0) ** 2
+    if area < largest_pixel:
+        yield (
+            f"the preload is carried by {area:.3g} nm², less than a pixel of the scans "
+            f"({largest_pixel:.3g} nm²): one pixel touches, and hardness and preload do not matter "
+            "on the scans"
+        )
+
+
 def name_faults(arguments: Namespace) -> Iterator[str]:
     """Yield a line for each fault of the name of a study."""
     name = arguments.name

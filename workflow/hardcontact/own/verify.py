@@ -14,7 +14,7 @@ def verify_arguments(arguments: Sequence[str]) -> Namespace:
         "hardcontact verify", allow_abbrev=False,
         description="Name the files of a finished study that do not match their records.",
     )  # fmt: skip
-    parser.add_argument("folder", metavar="FOLDER", help="results of a study: results/NAME")
+    parser.add_argument("folder", metavar="FOLDER", help="results of a study, or its name")
     return parser.parse_args(arguments)
 
 
@@ -23,7 +23,8 @@ def verify(arguments: Namespace) -> tuple[str, int]:
 
     Raises ValueError, with one line, if the folder has no files of a study.
     """
-    folder = Path(arguments.folder).resolve()
+    named = Path("results", arguments.folder)
+    folder = (named if named.is_dir() else Path(arguments.folder)).resolve()
     if not folder.is_dir() or len(folder.parts) < 4:
         raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
     # Records name files from the folder that has `results`.
