@@ -15,7 +15,7 @@ from hardcontact.report.figures.style import Look
 from hardcontact.report.figures.values import value_and_interval
 
 OCTAVE_SHARE = 0.84  # of an octave that its bars cover
-SPHERE_SHARE_LOOK: Look = {"color": "black", "alpha": 0.4, "lw": 0}  # of the bar of an octave
+SPHERE_SHARE_LOOK: Look = {"color": style.SPHERE_COLOUR, "lw": 0}  # of the bar of an octave
 UNCHANGED_LOOK: Look = {"color": "0.88", "lw": 0}  # of changes of the force that do not count
 
 
