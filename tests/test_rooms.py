@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2238,
     "own": 1988,
-    "report": 3004,
+    "report": 3007,
     "api": 215,
 }
 NO_CODE = {

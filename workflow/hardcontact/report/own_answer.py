@@ -38,7 +38,7 @@ from hardcontact.report.own_forces import (
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.templates import rendered_lines, rendered_text
 from hardcontact.surfaces.both_bodies import sphere_share
-from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE
+from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 
 #: The name of the range of adhesion among the inputs of contacts.
 RANGE = "range of adhesion"
@@ -207,6 +207,15 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
             yield number._replace(name=f"measurement_{index}_{name}")
 
 
+def _shortest_by(scan: xr.Dataset) -> str:
+    """Return what ends the reliable wavelengths of a measurement, nothing if none is reliable.
+
+    A scan of the smoother body may be reliable, though the other body's waves count.
+    """
+    limit = str(scan["limited_by"].item())
+    return limit if scan["reliable"].any() or limit == OTHER_BODY else ""
+
+
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
     """Return what is known of one surface besides numbers: its name, verdict and measurements."""
     scans = split_measurements(measurements(spectra.sel(surface=surface.name)))
@@ -219,7 +228,7 @@ def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]
             {
                 "name": measurement_name(scan),
                 "kind": str(scan["kind"].item()),
-                "shortest_by": str(scan["limited_by"].item()) if scan["reliable"].any() else "",
+                "shortest_by": _shortest_by(scan),
                 "notes": str(scan["notes"].item()),
             }
             for scan in scans
