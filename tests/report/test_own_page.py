@@ -187,17 +187,17 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 
 
 @pytest.mark.parametrize(
-    ("factor", "verb", "amplitude", "gain"),
+    ("factor", "advice", "force", "amplitude", "gain"),
     [
-        (1, "Polish", "less", "0.9 [0.4, 1.4] %."),
-        (-1, "Roughen", "more", "0.9 [0.4, 1.4] %."),
-        (0.5, "Polish", "less", "0.45 [-0.05, 0.95] % (not certain: the interval includes zero)."),
+        (1, "Polish", "force", "less", "0.9 [0.4, 1.4] %."),
+        (-1, "Roughen", "force", "more", "0.9 [0.4, 1.4] %."),
+        (0.5, "Whether to polish", "force is not certain", "less", "0.45 [-0.05, 0.95] %."),
     ],
 )
-def test_the_page_says_which_octave_to_polish_or_to_roughen(factor, verb, amplitude, gain):
+def test_the_page_says_which_octave_to_polish_or_to_roughen(factor, advice, force, amplitude, gain):
     text = page_of(datasets(sensitivity=sensitivity(factor=factor))).replace("\u00a0", " ")
-    sentence = f"{verb} waves of 80 nm to 160 nm for more force: 1 % {amplitude} amplitude raises "
-    sentence += f"it by {gain}"
+    sentence = f"{advice} waves of 80 nm to 160 nm for more {force}: 1 % {amplitude} amplitude "
+    sentence += f"raises it by {gain}"
     positions = [text.index(part) for part in (sentence, 'id="octaves-figure"', 'id="numbers"')]
     assert positions == sorted(positions)
 
