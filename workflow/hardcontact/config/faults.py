@@ -4,10 +4,11 @@ import datetime
 import difflib
 import re
 import reprlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 #: The accepted values in words, for types of pydantic's errors that it explains to programmers.
 EXPECTED = {
@@ -132,8 +133,8 @@ def _sentence(fault: Mapping[str, Any]) -> str:
 def _unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
     """Return the expected keys of a section, or those of the model that unknown keys resemble."""
     known_keys = list(section.model_fields)
-    written = {".".join(path): _written(path) for path in _paths(model)}
-    written |= {path.rpartition(".")[2]: text for path, text in written.items()}
+    written = {key: _written(key) for key, _ in key_fields(model)}
+    written |= {key.rpartition(".")[2]: text for key, text in written.items()}
     written |= {key: key for key in known_keys}
     matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
     suggestions = ", ".join(dict.fromkeys(written[key] for keys in matches for key in keys))
@@ -142,16 +143,17 @@ def _unknown(model: type[BaseModel], section: type[BaseModel], names: list[str])
     return f"expected {expected}; found {', '.join(sorted(names))[:200]}{question}"
 
 
-def _paths(model: type[BaseModel]) -> Iterator[tuple[str, ...]]:
-    """Yield the path of each key of a model that is no section."""
-    for name, field in model.model_fields.items():
-        section = field.annotation
-        if isinstance(section, type) and issubclass(section, BaseModel):
-            yield from ((name, *path) for path in _paths(section))
+def key_fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
+    """Yield the keys of a section and of the sections in it, each with its field."""
+    for name, field in section.model_fields.items():
+        if isinstance(field.default, BaseModel):
+            yield from key_fields(type(field.default), f"{prefix}{name}.")
         else:
-            yield (name,)
+            yield f"{prefix}{name}", field
 
 
-def _written(path: Sequence[str]) -> str:
+def _written(key: str) -> str:
     """Return a key as YAML has it on one line, such as ``contact: {hardness: ...}``."""
-    return ": {".join(path) + (": ..." + "}" * (len(path) - 1) if len(path) > 1 else "")
+    *sections, name = key.split(".")
+    opened = "".join(f"{section}: {{" for section in sections)
+    return f"{opened}{name}: ...{'}' * len(sections)}" if sections else name

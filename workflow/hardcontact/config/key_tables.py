@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
 import yaml
-from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from hardcontact.config.configuration import set_keys
+from hardcontact.config.faults import key_fields
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import StudyKeys
 from hardcontact.config.selection import SurfaceRow
@@ -32,7 +32,7 @@ VALUES_IN_WORDS = {bool: "`true` or `false`", dict[Any, Any]: "a mapping", list[
 
 def configuration_yaml() -> str:
     """Return the YAML of all keys; comments have meanings, sections of the paper and values."""
-    fields = dict(_fields(StudyKeys))
+    fields = dict(key_fields(StudyKeys))
     comments = {
         key: f"{_meaning(field)}{_paper_section(field)} [{_values(field)}]"
         for key, field in fields.items()
@@ -57,15 +57,6 @@ def update_columns(text: str) -> str:
 def _meaning(field: FieldInfo) -> str:
     """Return the docstring of a field on one line."""
     return " ".join(str(field.description).split())
-
-
-def _fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
-    """Yield the keys of a section and of the sections in it, each with its field."""
-    for name, field in section.model_fields.items():
-        if isinstance(field.default, BaseModel):
-            yield from _fields(type(field.default), f"{prefix}{name}.")
-        else:
-            yield f"{prefix}{name}", field
 
 
 def _paper_section(field: FieldInfo) -> str:

@@ -4,7 +4,7 @@ import logging
 import os
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from copy import deepcopy
 from functools import partial
 from pathlib import Path
@@ -19,10 +19,10 @@ from hardcontact.base import published
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.base.packages import refuse_other_versions, write_pins
-from hardcontact.config.configuration import read_yaml, refuse_unreadable
+from hardcontact.config.configuration import get_key, read_yaml, refuse_unreadable
 from hardcontact.config.endings import end_at_interrupt
-from hardcontact.config.faults import refuse_all, shorten
-from hardcontact.config.model import QUICK_SUFFIX, numeric_configuration
+from hardcontact.config.faults import key_fields, refuse_all, shorten
+from hardcontact.config.model import QUICK_SUFFIX, Study, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.reruns import plan_by_records
 from hardcontact.config.selection import Selection, selected_scans, source_digests, surface_table
@@ -144,12 +144,11 @@ def _refuse_unnamed(config: Mapping[str, Any]) -> None:
         update_config(own, read_yaml("config/quick.yaml"))
     if name != own["study"]:
         return
-    of_project, asked = (dict(_leaves(tree)) for tree in (own, config))
-    numbers, asked_numbers = (dict(_leaves(numeric_configuration(tree))) for tree in (own, config))
+    numbers, asked_numbers = numeric_configuration(own), numeric_configuration(config)
     changes = [
-        f"{key}: {shorten(asked[key])} for {shorten(of_project[key])}"
-        for key in sorted(numbers.keys() & asked_numbers.keys())
-        if numbers[key] != asked_numbers[key]
+        f"{key}: {shorten(get_key(config, key))} for {shorten(get_key(own, key))}"
+        for key, _ in key_fields(Study)
+        if key != "quick" and get_key(numbers, key) != get_key(asked_numbers, key)
     ]
     if changes:
         raise ValueError(
@@ -157,15 +156,6 @@ def _refuse_unnamed(config: Mapping[str, Any]) -> None:
             f"the study a name (study: my-name), or replace results/{name} with --config "
             "overwrite=true"
         )
-
-
-def _leaves(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield the keys of a tree, with dots between their parts, and their values."""
-    for name, item in tree.items():
-        if isinstance(item, Mapping):
-            yield from _leaves(item, f"{prefix}{name}.")
-        else:
-            yield f"{prefix}{name}", item
 
 
 def yaml_values(value: Any) -> Any:
