@@ -15,6 +15,11 @@ from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
 Floats = NDArray[np.float64]
+#: Places on a rough sphere at which own surfaces touch it, the fewest. A trade: an interval from 16
+#: places is 1.1 times as wide as from many, and each place costs the force sums of its contacts.
+SPHERE_PLACES = 16
+#: Contacts along a side at each of several places.
+CONTACTS_A_PLACE = 6
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,234 @@
+"""The files of the surfaces of one study: their spectra, their scans, and both bodies together."""
+
+from collections import defaultdict, namedtuple
+from collections.abc import Iterable, Mapping
+from itertools import cycle
+from math import ceil, sqrt
+from typing import Any
+
+from hardcontact.base.units import path_token
+from hardcontact.config.configuration import combines_bodies, study_contact
+from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, key_values
+from hardcontact.config.selection import Selection
+from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES
+
+# Rows of lists: their fields are wildcards of patterns.
+Scan = namedtuple("Scan", "surface scan")
+ScanPair = namedtuple("ScanPair", "surface scan sphere_scan")
+
+
+class SurfaceFiles:
+    """The files of the surfaces of one study: spectra, scans, and the maps that are touched."""
+
+    def __init__(
+        self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
+    ) -> None:
+        self._configuration = configuration
+        self._selection = selection
+        self._patterns = patterns
+        self.contact = study_contact(configuration)
+        self._defaults = {
+            "radius": f"R{path_token(configuration['sphere']['radius'], 'um')}",
+            "load": self.contact.load,
+            "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
+            "sphere_sources": selection.sources.get(selection.sphere, SMOOTH),
+        }
+        keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
+        self._filter_values = key_values(configuration, keys)
+        self._combines_bodies = combines_bodies(configuration)
+        is_rough = configuration["scales"]["sphere_roughness"]
+        self._probe = "rough" if is_rough else "smooth"
+        if is_rough or self._combines_bodies:
+            self._filter_values["sphere"] = self._defaults["sphere_sources"]
+
+    def path(self, pattern: str, surface: str, **wildcards: object) -> str:
+        """Return the path of a pattern for a surface; wildcards default to values of the study."""
+        is_sphere = surface == self._selection.sphere
+        surface_values = {
+            "shape": f"sphere-{self._defaults['radius']}" if is_sphere else "flat",
+            "sources": self._selection.sources[surface],
+        }
+        return pattern.format(surface=surface, **self._defaults | surface_values | wildcards)
+
+    def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
+        """Return the files of a pattern, one a row."""
+        return [self.path(pattern, **row._asdict()) for row in rows]
+
+    # Surfaces
+
+    def spectrum(self, surface: str) -> str:
+        """Return the spectrum of a surface at all scales."""
+        is_measured = self._selection.basis[surface] == "measured"
+        patterns = self._patterns
+        pattern = patterns.measured_spectrum if is_measured else patterns.calibrated_spectrum
+        return self.path(pattern, surface)
+
+    def measurements(self, surface: str) -> list[str]:
+        """Return the files of all scans of a measured surface; an empty list for a substitute."""
+        if self._selection.basis[surface] != "measured":
+            return []
+        scans = self._selection.all_scans(surface)
+        return [self.path(self._patterns.measurement, surface, scan=scan) for scan in scans]
+
+    def levelling(self, surface: str) -> dict[str, Any]:
+        """Return the levelling of the scans of a surface, with the radius (nm) of a sphere."""
+        radius = self._configuration["sphere"]["radius"]
+        return {
+            "levelling": self._configuration["scan"]["levelling"],
+            "sphere_radius": radius if surface == self._selection.sphere else None,
+        }
+
+    def measuring(self, surface: str) -> dict[str, Any]:
+        """Return the levelling and the tip radii (nm) of the measurements of a surface."""
+        return {"tip_radii": self._selection.tip_radii(surface), **self.levelling(surface)}
+
+    def conditioning(self, surface: str, scan: int) -> str:
+        """Return the gain and factors that a substitute scan shares with its group."""
+        group = self._selection.group(surface, scan)
+        first_scan = self._selection.scans_of_group(surface, group)[0]
+        return self.path(self._patterns.conditioning, surface, scan=first_scan)
+
+    @property
+    def conditionings(self) -> dict[str, str]:
+        """The conditioning of the study's own scans of each substitute, by surface."""
+        return {
+            surface: self.conditioning(surface, self._selection.scans(surface)[0])
+            for surface, basis in self._selection.basis.items()
+            if basis == "substitute"
+        }
+
+    @property
+    def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
+        """The numbers of scans that are made together, and the substitutes that have such scans."""
+        realizations = max(self._configuration[key]["realizations"] for key in ("sets", "scaling"))
+        selection = self._selection
+        groups = defaultdict[tuple[int, ...], list[str]](list)
+        for surface in self.conditionings:
+            last_group = selection.group(surface, selection.own_scan(surface, realizations))
+            for group in range(last_group + 1):
+                groups[tuple(selection.scans_of_group(surface, group))].append(surface)
+        return groups
+
+    def stitched(self, surface: str, scan: int) -> str:
+        """Return a levelled scan with its mirror images."""
+        return self.path(self._patterns.stitched, surface, scan=scan)
+
+    def stitched_of_realization(
+        self, surface: str, realization: int, own_scans: bool = False
+    ) -> str:
+        """Return the scan that a realization builds on, in turn where there are fewer scans.
+
+        Realizations of the sets have scans of their own if the surface is a substitute.
+        """
+        scans = self._selection.scans(surface)
+        scan = scans[(realization - 1) % len(scans)]
+        if own_scans and self._selection.basis[surface] == "substitute":
+            scan = self._selection.own_scan(surface, realization)
+        return self.roughness(surface, scan)
+
+    @property
+    def first_sphere(self) -> str:
+        """The scan of the sphere that roughens the sphere of all masters."""
+        sphere = self._selection.sphere
+        return self.stitched(sphere, self._selection.scans(sphere)[0])
+
+    # Both bodies
+
+    @property
+    def combined_surfaces(self) -> list[str]:
+        """The measured substrates to whose roughness that of a measured sphere is added."""
+        basis = self._selection.basis
+        if not self._combines_bodies or basis[self._selection.sphere] != "measured":
+            return []
+        return [name for name in self._selection.substrates if basis[name] == "measured"]
+
+    def rough_bodies(self, surface: str) -> list[str]:
+        """Return the surfaces whose roughness is in a map of a substrate."""
+        is_combined = surface in self.combined_surfaces
+        return [surface, self._selection.sphere] if is_combined else [surface]
+
+    def roughness(self, surface: str, scan: int) -> str:
+        """Return the stitched scan of a substrate, with the sphere's roughness if that is added."""
+        if surface not in self.combined_surfaces:
+            return self.stitched(surface, scan)
+        return self.path(self._patterns.both_stitched, surface, scan=scan)
+
+    def roughness_spectrum(self, surface: str) -> str:
+        """Return the spectrum of a surface, with the sphere's if its roughness is added."""
+        if surface not in self.combined_surfaces:
+            return self.spectrum(surface)
+        return self.path(self._patterns.both_spectrum, surface)
+
+    def sphere_scan(self, surface: str, scan: int) -> int:
+        """Return the scan of the sphere that meets a scan of a substrate, in turn."""
+        pairs = {pair[:2]: pair.sphere_scan for pair in self.pairs_in_turn}
+        return int(pairs[surface, scan])
+
+    def measurements_of_map(self, surface: str, scan: int) -> list[int]:
+        """Return the measurements of the spectrum of a surface that show a map of its roughness."""
+        scans = self._selection.all_scans(surface)
+        numbers = [scans.index(scan)]
+        if surface in self.combined_surfaces:
+            sphere_scans = self._selection.all_scans(self._selection.sphere)
+            numbers.append(len(scans) + sphere_scans.index(self.sphere_scan(surface, scan)))
+        return numbers
+
+    @property
+    def places_per_side(self) -> int:
+        """Places along a side of each scan of the sphere at which it touches, of own surfaces."""
+        if not self._combines_bodies:
+            return 1
+        return ceil(sqrt(SPHERE_PLACES / len(self._selection.sphere_scans)))
+
+    @property
+    def sphere_places(self) -> list[int]:
+        """The numbers of the places on the sphere: those of its scans if each has one."""
+        if self.places_per_side == 1:
+            return self._selection.sphere_scans
+        count = len(self._selection.sphere_scans) * self.places_per_side**2
+        return list(range(1, count + 1))
+
+    @property
+    def contacts_a_place(self) -> int:
+        """Contacts along a side of their array at each place on the sphere."""
+        count = int(self._configuration["contact"]["count"])
+        return count if self.places_per_side == 1 else min(count, CONTACTS_A_PLACE)
+
+    # Scans
+
+    @property
+    def scans(self) -> list[Scan]:
+        """Every scan."""
+        return self._scans_of(self._selection.surfaces)
+
+    @property
+    def substrate_scans(self) -> list[Scan]:
+        """Every scan of a substrate."""
+        return self._scans_of(self._selection.substrates)
+
+    def _scans_of(self, surfaces: Iterable[str]) -> list[Scan]:
+        """Return every scan of surfaces."""
+        scans = self._selection.scans
+        return [Scan(surface, scan) for surface in surfaces for scan in scans(surface)]
+
+    @property
+    def pairs_in_turn(self) -> list[ScanPair]:
+        """One scan of the sphere for each scan of a substrate, in turn."""
+        return [
+            ScanPair(surface, scan, sphere_scan)
+            for surface in self._selection.substrates
+            for scan, sphere_scan in zip(
+                self._selection.scans(surface), cycle(self._selection.sphere_scans), strict=False
+            )
+        ]
+
+    @property
+    def substitutes(self) -> list[str]:
+        """The substitute substrates."""
+        basis = self._selection.basis
+        return [name for name in self._selection.substrates if basis[name] == "substitute"]
+
+    @property
+    def measured_scans(self) -> list[Scan]:
+        """Every scan of a measured substrate."""
+        return [scan for scan in self.substrate_scans if scan.surface not in self.substitutes]
