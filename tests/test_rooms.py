@@ -19,7 +19,7 @@ BUDGET = {
     "base": 745,
     "surfaces": 3436,
     "contact": 1385,
-    "inference": 1584,
+    "inference": 1588,
     "theory": 647,
     "paper": 1463,
     "config": 2238,

@@ -4,8 +4,8 @@ from hardcontact.base import dataset
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.config.force_table import measured_forces
+from hardcontact.inference.hindcast import pixel_factors
 from hardcontact.inference.measured_fit import add_extrapolated_work, fit_measured
-from hardcontact.own.predicted_force import pixel_factors
 
 with job(snakemake) as job:
     adhesion = dataset.read(job.input.adhesion)

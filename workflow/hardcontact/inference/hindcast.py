@@ -230,3 +230,14 @@ def widen(force: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
     interval = force[f"{name}_interval"]
     ends = xr.concat([low, high], interval["bound"]).transpose(*interval.dims)
     return force.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
+
+
+def pixel_factors(force: xr.Dataset) -> xr.DataArray:
+    """Return the factor (surface) by which finer pixels may divide the force on the scans.
+
+    It is at most that by which wider pixels multiply it
+    (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
+    """
+    without_factor = xr.ones_like(force["surface"], dtype=float)
+    factors: xr.DataArray = force.get("wide_pixel_ratio", without_factor).fillna(1).clip(min=1)
+    return factors

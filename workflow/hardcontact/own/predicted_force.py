@@ -16,7 +16,7 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.inference.hindcast import widen
+from hardcontact.inference.hindcast import pixel_factors, widen
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
@@ -251,17 +251,6 @@ def add_extrapolated_force(
     return force.merge(extrapolated_forces).assign(
         extrapolation_matters=differs.transpose("surface", "side")
     )
-
-
-def pixel_factors(force: xr.Dataset) -> xr.DataArray:
-    """Return the factor (surface) by which finer pixels may divide the force on the scans.
-
-    It is at most that by which wider pixels multiply it
-    (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
-    """
-    unknown = xr.ones_like(force["surface"], dtype=float)
-    factors: xr.DataArray = force.get("wide_pixel_ratio", unknown).fillna(1).clip(min=1)
-    return factors
 
 
 def include_finer_pixels(force: xr.Dataset) -> xr.Dataset:

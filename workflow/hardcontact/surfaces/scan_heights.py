@@ -120,9 +120,9 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 
 
 def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
-    """Return the central square, or the largest one beside what all corners lie in if undefined.
+    """Return the central square of a map, or the largest one within its aperture.
 
-    That is outside a round aperture or a rotated scan: filled, it would be too smooth.
+    All corners of a round or rotated scan are undefined. Filled, they would be too smooth.
     """
     from scipy import ndimage
 
@@ -134,11 +134,11 @@ def _largest_square(heights: np.ma.MaskedArray) -> np.ma.MaskedArray:
     corners = regions[[0, 0, -1, -1], [0, -1, 0, -1]]
     if not corners.all() or central.mask.mean() > MAX_UNDEFINED_SHARE:
         return central
-    inside = np.pad(~np.isin(regions, corners), 1)
-    reach = ndimage.distance_transform_cdt(inside, "chessboard")[1:-1, 1:-1]
-    middle = np.unravel_index(reach.argmax(), reach.shape)
+    is_in_aperture = np.pad(~np.isin(regions, corners), 1)
+    reach = ndimage.distance_transform_cdt(is_in_aperture, "chessboard")[1:-1, 1:-1]
+    centre = np.unravel_index(reach.argmax(), reach.shape)
     half = int(reach.max()) - 1
-    column, row = (slice(int(index) - half, int(index) + half + 1) for index in middle)
+    column, row = (slice(int(index) - half, int(index) + half + 1) for index in centre)
     return heights[column, row]
 
 

@@ -1,4 +1,4 @@
-"""Files that no reader takes, or that hold no heights: what they are, and the remedy."""
+"""Files that no reader takes, or that hold no heights: their kinds, and the remedies."""
 
 import io
 import re
