@@ -7,35 +7,26 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-import scan_files
 from known_spectra import contact_of_area, rough
-from measurements import PIXEL, line_of, map_of, measurement, self_affine_heights
+from prediction_command import numbers_of, printed
 from refusals import assert_says, refusal
 
-import hardcontact as hc
-from hardcontact.base.random import generator
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
 from hardcontact.own import request
-from hardcontact.own.own_spectrum import own_spectrum, table_spectrum
-from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.own.own_spectrum import table_spectrum
+from hardcontact.own.predict import predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff, spectrum_of_dataset
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.theory.closed_form import closed_form, edges
 from hardcontact.theory.prediction import trim_spectrum
 from hardcontact.theory.validity import nearest_errors, table_coordinates
 
+pytestmark = pytest.mark.usefixtures("few_cutoffs")
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 #: The paper's contact, in closed form.
 CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
-
-
-@pytest.fixture(autouse=True)
-def few_cutoffs(monkeypatch):
-    """Search edges between a few cutoffs, in a third of the time."""
-    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFFS", 20)
 
 
 @pytest.fixture
@@ -59,20 +50,6 @@ def rows_of(spectrum):
     )
     rows = zip(*columns, strict=True)
     return [BY_WAVEVECTOR, *(f"{q * 1000!r},rad/um,{c * 1e-36!r},m^4" for q, c in rows)]
-
-
-def printed(*arguments):
-    return predict(predict_arguments(arguments))
-
-
-def rolled_off(wavevector):
-    """C_iso of a self-affine surface with a roll-off at 1 µm."""
-    return smooth_rolloff(wavevector, 1e6, 1000.0, 0.8)
-
-
-def numbers_of(*arguments):
-    """Return the JSON output of the command."""
-    return json.loads(printed(*arguments, "--json", "-"))
 
 
 # Tables
@@ -279,145 +256,3 @@ def test_the_modulus_of_soft_bodies_is_not_taken_from_the_paper(table):
     path = table(*rows_of(rough(17, 1000, 0.8, 20)))
     assert_says(printed(path, "--hardness", "1GPa"), "may be too soft", "--modulus tells")
     assert assumed_modulus(5e9) == PAPER_MODULUS and np.isnan(assumed_modulus(1e9))
-
-
-# Scans
-
-
-def test_a_profile_under_headings_is_a_scan(tmp_path):
-    path = tmp_path / "profile.csv"
-    positions, heights = np.arange(1024) * 5e-4, line_of(generator(3), 1024, PIXEL).heights
-    headings = "x [mm],z [nm]"
-    np.savetxt(
-        path, np.column_stack([positions, heights]), delimiter=",", header=headings, comments=""
-    )
-    (scan_note,) = own_spectrum([path], unit="mm,nm").notes
-    assert_says(scan_note, "reliable from 2 µm (4 pixels)")
-    # The range of the spectrum differs from that of the scan, and says why.
-    assert_says(
-        printed(str(path), "--unit", "mm,nm", "--verbose"),
-        "spectrum used: 2.24 µm to 89.1 µm (the bins, ten a decade, with centres at reliable",
-    )
-
-
-@pytest.mark.parametrize("kind", ["map", "line"])
-def test_a_scan_is_predicted_from_its_reliable_wavelengths(kind, tmp_path, capsys):
-    make, points = (map_of, 128) if kind == "map" else (line_of, 1024)
-    heights = make(generator(3), points, PIXEL).heights
-    path, size = tmp_path / ("scan.nc" if kind == "map" else "scan.xyz"), points * PIXEL
-    if kind == "map":
-        scan_files.scan(path, heights.T, (size, size))
-    else:
-        scan_files.write_coordinates(scan_files.line(heights, size), path)
-    joined_scans = joined_spectrum([measurement(heights, PIXEL)], [None])
-    spectrum = own_spectrum([path]).spectrum
-    has_roughness = np.isfinite(joined_scans.joined_psd.values)
-    assert spectrum.density == pytest.approx(
-        joined_scans.joined_psd.values[has_roughness], rel=1e-4
-    )
-    assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
-    numbers = numbers_of(str(path))
-    assert f"{path}: reliable from" in capsys.readouterr().err
-    force = closed_form(spectrum, CONTACT).force
-    assert numbers["pull_off_force"]["value"] == pytest.approx(force)
-    # It is extrapolated like the masters of the study, up to a roll-off beyond the scan.
-    force = closed_form(spectrum_of_dataset(joined_scans), CONTACT).force
-    assert numbers["extrapolated_force"]["value"] == pytest.approx(force, rel=1e-3)
-    rolloff = joined_scans.attrs["rolloff"]
-    assert numbers["extrapolated_rolloff"]["value"] == pytest.approx(rolloff, rel=1e-3)
-
-
-def test_the_force_on_pillars_is_not_predicted(tmp_path):
-    """Gaussian heights of their spectrum give a hundredth of the sum over the pixels."""
-    y, x = np.indices((128, 128)) % 32 - 15.5
-    heights = 200.0 * (np.hypot(x, y) < 8) + generator(1).normal(0, 0.3, x.shape)
-    path = scan_files.scan(tmp_path / "pillars.nc", heights, (5120.0, 5120.0))
-    report = printed(str(path), "--json", str(tmp_path / "numbers.json"))
-    assert_says(
-        report, "closed form: no number: the heights are not those of an isotropic Gaussian"
-    )
-    assert "edge:" not in report and "error was measured" not in report
-    numbers = json.loads((tmp_path / "numbers.json").read_text())
-    assert numbers["pull_off_force"] == {"value": None, "unit": "N", "status": "steep_edges"}
-    smooth = 2 * np.pi * 250e-6 * 0.0463
-    assert numbers["smooth_force"]["value"] == pytest.approx(smooth, rel=0.01)
-    assert "short_edge" not in numbers and "extrapolated_force" not in numbers
-
-
-def test_a_defect_is_a_caution_and_levelling_is_an_option(tmp_path):
-    heights = self_affine_heights(generator(1), 128, 40.0, 8.0)
-    y, x = np.indices(heights.shape) - 64
-    path, size = tmp_path / "a.nc", (5120.0, 5120.0)
-
-    def report(heights, *options):
-        return printed(str(scan_files.scan(path, heights.T, size)), *options)
-
-    assert f"take care: {path}" not in report(heights)
-    clipped = np.minimum(heights, np.quantile(heights, 0.9))
-    assert_says(report(clipped), f"take care: {path}: 10 % of its pixels have the highest value")
-    bowed = heights - (x**2 + y**2 / 2) * 0.02
-    assert "curvature" in report(bowed)
-    assert "curvature" not in report(bowed, "--levelling", "quadratic")
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_heights_that_are_not_gaussian_are_a_caution_without_a_known_error(tmp_path, sign):
-    """The sum over pixels is less than half the closed form on bumps, above twice it on pores."""
-    base, second_map = (map_of(generator(seed), 128, 40.0, rolled_off).heights for seed in (3, 4))
-    base, second_map = 4 * base / base.std(), second_map / second_map.std()
-    heights = base + sign * 10 * np.maximum(second_map - 0.3, 0) ** 2
-    contact = {"radius": 250e3, "preload": 10e-6, "hardness": 25e9}
-    forces = hc.pull_off_forces(
-        hc.HeightMap(heights, 40.0), ranges=[5.6], work=0.0463, count=6, **contact
-    )
-    summed = forces.pull_off_force.sel(contact_model="plastic").mean().item()
-    path = scan_files.scan(tmp_path / "skewed.nc", heights.T, (5120.0, 5120.0))
-    numbers = numbers_of(str(path))
-    predicted = numbers["pull_off_force"]
-    assert (summed / predicted["value"]) ** sign < 0.5
-    assert predicted["status"] == "outside" and numbers["skewness"]["value"] * sign > 1
-    assert_says(printed(str(path), "--verbose"), "take care: heights have a skewness of")
-    scan_files.scan(path, base.T, (5120.0, 5120.0))
-    assert "skewness" not in printed(str(path), "--verbose")
-
-
-def test_a_csv_of_heights_is_read_as_a_scan(tmp_path):
-    heights = map_of(generator(3), 64, 10.0).heights
-    scan_files.scan(tmp_path / "scan.nc", heights.T, (640.0, 640.0))
-    np.savetxt(tmp_path / "scan.csv", heights, delimiter=",")
-    spectra = [own_spectrum([tmp_path / "scan.nc"])]
-    spectra.append(own_spectrum([tmp_path / "scan.csv"], unit="nm", map_size=640.0))
-    assert spectra[1].spectrum.density == pytest.approx(spectra[0].spectrum.density)
-
-
-def test_members_of_a_container_are_joined_or_chosen(tmp_path):
-    files = {}
-    for number in (1, 2):
-        heights, path = map_of(generator(number), 64, 10.0).heights, tmp_path / f"{number}.nc"
-        files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
-    members = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
-    path = scan_files.container(tmp_path / "twin.zip", members, files)
-    joined_members, second_member = own_spectrum([path]), own_spectrum([path], dataset="scan 2.nc")
-    densities = [own_spectrum([file]).spectrum.density for file in files.values()]
-    assert second_member.spectrum.density == pytest.approx(densities[1])
-    assert joined_members.spectrum.density == pytest.approx(
-        np.sqrt(densities[0] * densities[1]), rel=0.05
-    )
-
-
-def test_files_without_a_spectrum_are_refused_in_one_line(tmp_path):
-    scan_files.scan(tmp_path / "flat.nc", np.zeros((32, 32)))
-    message = refusal(printed, str(tmp_path / "flat.nc"))
-    assert_says(message, "flat.nc", "expected a rough surface, found constant height")
-    # Pixels of 50 µm: no wavelength of the spectrum is known, in a line scan or a map.
-    rng = np.random.default_rng(3)
-    positions = 50.0 * np.arange(64)
-    np.savetxt(tmp_path / "line.txt", np.column_stack([positions, rng.normal(0, 0.05, 64)]))
-    scan_files.scan(tmp_path / "map.nc", rng.normal(0, 50, (64, 64)), (3.2e6, 3.2e6))
-    for name in ("line.txt", "map.nc"):
-        message = refusal(printed, str(tmp_path / name), "--unit", "um")
-        assert_says(message, "from 0.1 nm to 100 µm", "found 0", f"{name} from 200 µm (4 pixels)")
-        assert message.endswith("is the unit of length right?")
-        assert len(message.splitlines()) == 1, message
-    message = refusal(own_spectrum, [tmp_path / "flat.nc", tmp_path / "none.csv"])
-    assert_says(message, "none.csv: expected one table, or scans alone")
