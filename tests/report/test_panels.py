@@ -41,7 +41,7 @@ def test_edges_at_the_last_cutoff_are_open(numbers, symbols):
         dict(zip(("value", "low", "high"), numbers, strict=True)), {"group": "pooled"}
     ).expand_dims("group")
     no_surface = xr.DataArray([], {"surface": []}, name="label")
-    panels.draw_edges(axes, edges, no_surface, end=500, arrow=">")
+    panels.draw_edges(axes, edges, no_surface, {">": 500})
     interval, *marks = axes.lines
     assert tuple(interval.get_xdata()) == numbers[1:]
     assert [mark.get_marker() for mark in marks] == symbols
