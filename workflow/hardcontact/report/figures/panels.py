@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 
+from hardcontact.base.formatting import format_share
 from hardcontact.inference.edges import POOLED
 from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
@@ -44,7 +45,8 @@ def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
 
 def draw_tolerance(axes: Axes, tolerance: float) -> None:
     """Shade the ratios of forces that count as unchanged."""
-    axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0, **UNCHANGED_LOOK)
+    label = f"change below {format_share(tolerance)}"
+    axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0, label=label, **UNCHANGED_LOOK)
 
 
 def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
