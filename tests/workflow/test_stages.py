@@ -144,10 +144,15 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
 
 
 def test_a_target_that_no_rule_makes_is_refused_in_one_line(capsys):
-    message = "No rule to produce claim (if you use input functions ...)."
     error = {"event": LogEvent.ERROR, "exception": "MissingRuleException"}
-    (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", message, error)])
-    assert line.startswith("error: expected a target") and line.endswith("found claim")
+    for name, remedy in {
+        "claim": "a target of README.md",
+        "fig7": "fig6",
+        "fig6": "figure of own surfaces",  # which only studies without the paper's lack
+    }.items():
+        message = f"No rule to produce {name} (if you use input functions ...)."
+        (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", message, error)])
+        assert line.startswith("error: expected") and remedy in line and f"found {name}" in line
 
 
 def test_the_message_of_a_rule_is_shown(capsys):

@@ -25,9 +25,21 @@ def error_line(exception: str, message: str) -> str:
     if faults := _faults():
         return "\n".join(f"error: {fault}" for fault in faults)
     if exception == "MissingRuleException":
-        name = message.partition("produce ")[2].partition(" ")[0]
-        return f"error: expected a target of README.md or a file of the study, found {name}"
+        return _missing_target(message.partition("produce ")[2].partition(" ")[0])
     return f"error: {message.strip().splitlines()[-1]}" if message.startswith("Traceback") else ""
+
+
+def _missing_target(name: str) -> str:
+    """Return the line of a target that no rule makes; figures of the paper name the others."""
+    from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
+
+    if name in PAPER_FIGURES:
+        return (
+            f"error: expected a figure of own surfaces, as `published: none` asks for "
+            f"({', '.join(OWN_FIGURES)}: the target answer makes all), found {name}, of the paper"
+        )
+    figures = f" (figures: {', '.join(PAPER_FIGURES)})" if name.startswith("fig") else ""
+    return f"error: expected a target of README.md{figures} or a file of the study, found {name}"
 
 
 def _faults() -> list[str]:
