@@ -259,6 +259,15 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
         assert sorted(folder.rglob("*")) == files_before
 
 
+def test_an_unknown_option_is_refused_with_the_one_that_it_resembles(run, capsys):
+    for option in ("--hardnes", "--hardnes=3GPa"):
+        with pytest.raises(SystemExit) as caught:
+            run(NAME, "one.nc", option)
+        (line,) = capsys.readouterr().err.splitlines()
+        assert caught.value.code == 2
+        assert_says(line, f"error: unrecognized arguments: {option}", "did you mean --hardness?")
+
+
 def test_an_interruption_ends_in_one_line(run, monkeypatch):
     def interrupted(arguments):
         raise KeyboardInterrupt

@@ -10,6 +10,7 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.origin import canonical, is_current
+from hardcontact.config.claim_table import refuse_claims
 from hardcontact.config.configuration import get_key, reading_keys
 from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
 from hardcontact.config.force_table import measured_forces
@@ -24,6 +25,8 @@ from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import needs_calibration, read_segments
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
+#: The statements of the paper.
+CLAIMS = "resources/paper/claims.csv"
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
 #: paper, in nm: five times the rms height of the roughest.
 SUBSTITUTE_RELIEF = 500.0
@@ -49,6 +52,7 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
     ]
     if config["published"] == PAPER:
         faults = _paper_faults(config, contacts, compared)
+        checks.append(partial(refuse_claims, CLAIMS))
     else:
         faults = []
         if config["sphere"]["surface"] != SMOOTH_SPHERE:

@@ -60,7 +60,7 @@ def prepare(workflow: Any) -> None:
 
 
 def _refuse_touch() -> None:
-    """Refuse to renew times: without files Snakemake ends in a traceback, with them they are mute."""
+    """Refuse to renew times, which decide nothing; without files Snakemake ends in a traceback."""
     if {"--touch", "-t"} & {*sys.argv[1:]}:
         _refuse(
             "snakemake: expected a run, since records and not times decide what is made again, "
