@@ -76,12 +76,12 @@ def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
         "snakemake_logger_plugin_stages.read_stages",
         lambda effort: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
     )
-    monkeypatch.setattr("snakemake_logger_plugin_stages.os.cpu_count", lambda: 1)
     monkeypatch.setattr("snakemake_logger_plugin_stages.threading.Thread", MagicMock())
     clock = SimpleNamespace(monotonic=lambda: 10.0)
     monkeypatch.setattr("snakemake_logger_plugin_stages.time", clock)
 
     def twenty_seconds():
+        yield info("Provided cores: 1", LogEvent.RESOURCES_INFO, cores=1)
         *records, last_record = run(2)
         yield from records
         clock.monotonic = lambda: 30.0
