@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from hardcontact.base.formatting import format_length, format_quantity
+from hardcontact.base.formatting import format_length, format_quantity, known_digits
 from hardcontact.base.number import Number, plain
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
@@ -228,6 +228,7 @@ def _report(
         lstrip_blocks=True,
     )
     environment.filters |= {"length": format_length, "quantity": format_quantity}
+    environment.filters["known_digits"] = known_digits
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(
