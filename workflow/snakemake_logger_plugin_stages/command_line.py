@@ -3,6 +3,9 @@
 import sys
 from argparse import ArgumentParser, Namespace
 from functools import partial
+from pathlib import Path
+
+import yaml
 
 
 def _options() -> Namespace:
@@ -30,16 +33,24 @@ def error_line(exception: str, message: str) -> str:
 
 
 def _missing_target(name: str) -> str:
-    """Return the line of a target that no rule makes; figures of the paper name the others."""
-    from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
+    """Return the line of a target that no rule makes, with the targets of such a study."""
+    from hardcontact.report.figures.listing import PAPER_FIGURES
 
-    if name in PAPER_FIGURES:
-        return (
-            f"error: expected a figure of own surfaces, as `published: none` asks for "
-            f"({', '.join(OWN_FIGURES)}: the target answer makes all), found {name}, of the paper"
+    targets = "a target of README.md"
+    if _has_own_surfaces():
+        targets = (
+            "a target of own surfaces (answer, which makes all figures; topography, adhesion, "
+            "scales or force; with own forces fit)"
         )
-    figures = f" (figures: {', '.join(PAPER_FIGURES)})" if name.startswith("fig") else ""
-    return f"error: expected a target of README.md{figures} or a file of the study, found {name}"
+    elif name.startswith("fig"):
+        targets = f"a figure ({', '.join(PAPER_FIGURES)})"
+    return f"error: expected {targets}, or a file of the study, found {name}"
+
+
+def _has_own_surfaces() -> bool:
+    """Return whether the command line names a study of own surfaces, by its readable overlays."""
+    overlays = [yaml.safe_load(Path(path).read_bytes()) for path in _options().configfile]
+    return any(overlay.get("published") == "none" for overlay in overlays)
 
 
 def _faults() -> list[str]:

@@ -10,7 +10,6 @@ import pandas as pd
 
 from hardcontact.base import published
 from hardcontact.base.origin import canonical, is_current
-from hardcontact.config.claim_table import refuse_claims
 from hardcontact.config.configuration import get_key, reading_keys
 from hardcontact.config.faults import key_fault, refuse_all, refuse_lines
 from hardcontact.config.force_table import measured_forces
@@ -51,6 +50,9 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     if config["published"] == PAPER:
+        # Imported here, as the claims would cost studies of own surfaces almost a second.
+        from hardcontact.config.claim_table import refuse_claims
+
         faults = _paper_faults(config, contacts, compared)
         checks.append(partial(refuse_claims, CLAIMS))
     else:
