@@ -6,7 +6,8 @@ from functools import cache
 import pytest
 from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
 from browser import SCHEMES, WIDTHS, audit_page, measure_page, needs_browser, run_on_page
-from paper_study import CITATION, FRAME, make_page, open_claims, svg
+from html_page import Page
+from paper_study import CITATION, FRAME, make_figures_page, make_page, open_claims, svg
 from repository import PAPER, ROOT
 
 from hardcontact.report.figures.listing import OWN_FIGURES
@@ -87,6 +88,21 @@ def test_sorted_rows_of_a_surface_stay_together(tmp_path):
             name for name, before in zip(surfaces, ["", *surfaces], strict=False) if name != before
         ]
         assert len(changes) == len(set(surfaces)) == 2
+
+
+def test_sorted_rows_stay_below_the_row_that_they_add_to(tmp_path):
+    """In Table 1 rows of computed numbers follow that of the published ones."""
+    page = make_figures_page()
+    quantities = [row[0].strip() for row in Page(page).rows[1:]]
+    for sorted_quantities in run_on_page(page, SORT % (1, 0), tmp_path):
+        assert sorted_quantities != quantities
+        assert groups_of(sorted_quantities) == groups_of(quantities)
+
+
+def groups_of(quantities):
+    """The groups of rows of Table 1."""
+    text = "\n".join(quantities).replace("\ncomputed", "; computed")
+    return set(text.split("\n"))
 
 
 #: Copies the first table of claims, follows a link to a folded row, and prints.

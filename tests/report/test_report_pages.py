@@ -1,6 +1,7 @@
 """Pages of the report are complete, and texts are escaped."""
 
 import re
+import subprocess
 from importlib.metadata import version
 
 import numpy as np
@@ -168,6 +169,15 @@ def test_every_page_links_to_all_others_and_no_link_is_dead():
     for path, html in study_pages.items():
         menu = re.search('<nav class="menu".*?</nav>', html, re.DOTALL)[0]
         assert menu.count("<a ") == len(PAGES) and menu.count('aria-current="page"') == 1, path
+
+
+def test_pages_name_the_version_and_the_commit():
+    words = ["git", "rev-parse", "HEAD"]
+    head = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False).stdout
+    (foot,) = Page(make_page()).texts["footer"]
+    program, _, commit = foot.partition(", commit ")
+    assert program == "hardcontact 1.2.3"
+    assert head.startswith(commit.removesuffix("-dirty")) and bool(head) == bool(commit)
 
 
 def test_a_dead_link_is_found():

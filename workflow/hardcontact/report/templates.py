@@ -15,9 +15,9 @@ from hardcontact.report.figures.listing import caption
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
 
-#: A space before or within an interval, before a unit, or after ±.
+#: A space before or within an interval, before a unit, or beside ±.
 NO_BREAK = re.compile(
-    r"(?<=\d) (?=\[)|(?<=\d,) (?=[-−.\d]+\])"
+    r"(?<=\d) (?=[\[±])|(?<=\d,) (?=[-−.\d]+\])"
     r"|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²|[GM]?Pa|%)(?![A-Za-z]))|(?<=±) "
 )
 

@@ -28,11 +28,14 @@ function comparison(rows, column, direction) {
   return (a, b) => Number.isNaN(keys.get(a)) - Number.isNaN(keys.get(b)) || direction * (keys.get(a) - keys.get(b));
 }
 
-// Rows in their groups: those that follow each other with the same first cell stay together.
+// Whether a row adds to the row before it.
+const follows = row => row.cells[0].className === "follows";
+
+// Rows in their groups, which stay together: those that follow, or that have the same first cell one after the other.
 function grouped(rows) {
   const groups = [];
   rows.forEach((row, index) => {
-    const continues = index && text(row.cells[0]) === text(rows[index - 1].cells[0]);
+    const continues = follows(row) || index && text(row.cells[0]) === text(rows[index - 1].cells[0]);
     if (continues) groups.at(-1).push(row);
     else groups.push([row]);
   });
@@ -44,7 +47,7 @@ function sort(table, groups, column, heading) {
   table.querySelectorAll("th").forEach(cell => cell.removeAttribute("aria-sort"));
   heading.setAttribute("aria-sort", ascending ? "ascending" : "descending");
   const compare = comparison(groups.flat(), column, ascending ? 1 : -1);
-  groups.forEach(rows => rows.sort(compare));
+  groups.forEach(rows => rows.sort((a, b) => follows(a) || follows(b) ? 0 : compare(a, b)));
   groups.sort((a, b) => compare(a[0], b[0]));
   table.tBodies[0].append(...groups.flat());
 }
