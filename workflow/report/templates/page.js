@@ -86,7 +86,7 @@ addEventListener("keydown", event => { if (event.key === "Escape") closeFigures(
 
 // A link to something folded opens its folds.
 function reveal() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const target = document.getElementById(location.hash.slice(1));
   for (let fold = target?.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
   target?.scrollIntoView();
 }
