@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2313,
     "own": 2020,
-    "report": 3214,
+    "report": 3257,
     "api": 215,
 }
 NO_CODE = {
