@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2238,
     "own": 1992,
-    "report": 3022,
+    "report": 3050,
     "api": 215,
 }
 NO_CODE = {

@@ -79,6 +79,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             "own_headline.txt", surfaces=surfaces, chosen=chosen, contact=setting.contact
         ),
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
+        "changed": [],
         "assumed": list(setting.of_paper),
         "chosen": chosen,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],

@@ -28,18 +28,21 @@ class Chapter(NamedTuple):
 
 def pages(
     claims: pd.DataFrame,
+    changed: Sequence[Mapping[str, str]],
     texts: Mapping[str, str],
     configuration: Mapping[str, Any],
     versions: Mapping[str, str],
 ) -> dict[str, str]:
     """Return the HTML of the pages by their names: `claims`, each text, and `parameters`.
 
-    `claims` comes from `verdicts.add_open_ends`; `texts` are chapters in Markdown, by name.
+    `claims` comes from `verdicts.add_open_ends`, `changed` from `changed_inputs`; `texts` are
+    chapters in Markdown, by name.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
+    facts = claim_facts(claims)
     return {
-        "claims": rendered("claims.html", confidence=confidence, **claim_facts(claims)),
+        "claims": rendered("claims.html", confidence=confidence, changed=changed, **facts),
         **{name: rendered("chapter.html", chapter=chapter(text)) for name, text in texts.items()},
         "parameters": rendered("parameters.html", parameters=parameters, versions=versions),
     }
