@@ -69,7 +69,7 @@ def paper_answer(
     numbers, surfaces, labels = facts["numbers"], facts["surfaces"], facts["labels"]
     contact = paper_contact(numeric_configuration(configuration))
     changed = changed_inputs(contact, list(surfaces), table1)
-    verdicts = [] if changed else verdict_counts(claims)
+    judgements = [] if changed else _judgements(claims)
     return {
         "study": configuration["study"],
         "version": version,
@@ -86,7 +86,7 @@ def paper_answer(
         ],
         "notes": _notes(topography, facts),
         "quantities": all_quantities(
-            [*numbers.values(), *verdicts], {name: surfaces[name].values() for name in surfaces}
+            [*numbers.values(), *judgements], {name: surfaces[name].values() for name in surfaces}
         ),
     }
 
@@ -148,8 +148,12 @@ def study_numbers(
     yield from _settings(datasets, constants)
 
 
-def verdict_counts(claims: pd.DataFrame) -> Iterator[Number]:
-    """Yield how often each verdict was reached, of all statements and of independent findings."""
+def _judgements(claims: pd.DataFrame) -> Iterator[Number]:
+    """Yield the share of sets in which each claim holds, and how often each verdict was reached."""
+    frequencies = claims.dropna(subset="computed").set_index("id")["frequency"]
+    for name, claim in ANSWER_CLAIMS.items():
+        if claim in frequencies:
+            yield Number(f"{name}_frequency", frequencies[claim])
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
         yield Number(name, row["claims"])
@@ -164,7 +168,7 @@ def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
 
 
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
-    """Return the computed and the published number of a claim, and its frequency over sets."""
+    """Return the computed and the published number of a claim."""
     edge = name.removeprefix("first_")
     source = "computed"
     if edge in EDGE_SIDES:
@@ -177,7 +181,6 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
-        Number(f"{name}_frequency", row.frequency),
     ]
 
 
