@@ -2,13 +2,14 @@
 
 import json
 import os
-from argparse import ArgumentParser, Namespace
+from argparse import Namespace
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.own.command_line import CommandLine
 from hardcontact.own.output import output_faults, write_output
 from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
 from hardcontact.report.templates import rendered, rendered_lines
@@ -18,10 +19,8 @@ ANSWER = "answer.json"
 
 def compare_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the command; a wrong one ends the program."""
-    parser = ArgumentParser(
-        "hardcontact compare", allow_abbrev=False,
-        description="Print the inputs and the numbers of two studies side by side.",
-    )  # fmt: skip
+    description = "Print the inputs and the numbers of two studies side by side."
+    parser = CommandLine("hardcontact compare", description)
     for name in ("first", "second"):
         parser.add_argument(name, metavar=name.upper(), help=f"results of a study, or its {ANSWER}")
     parser.add_argument("--html", metavar="FILE", help="write a page, too; - for stdout")
