@@ -16,7 +16,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 745,
+    "base": 746,
     "surfaces": 3436,
     "contact": 1385,
     "inference": 1588,
@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2238,
     "own": 1992,
-    "report": 3186,
+    "report": 3199,
     "api": 215,
 }
 NO_CODE = {
