@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2313,
     "own": 2093,
-    "report": 3381,
+    "report": 3382,
     "api": 215,
 }
 NO_CODE = {
