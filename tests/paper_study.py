@@ -22,7 +22,7 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS, add_open_ends
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
 from hardcontact.report.paper_answer import paper_answer
-from hardcontact.report.paper_page import paper_page
+from hardcontact.report.paper_page import figures_page, paper_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.table1 import table1_rows
 
@@ -90,13 +90,12 @@ def captions():
 
 
 def make_page(rows=None, **changed):
-    """The page."""
-    topography = (datasets() | changed)["topography"]
-    return paper_page(
-        answer(rows, **changed),
-        open_claims(rows, **changed),
-        table1_rows(topography, published_table1()),
-        figures(),
-        captions(),
-        CITATION,
-    )
+    """The page of the answer."""
+    content = answer(rows, **changed)
+    return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION)
+
+
+def make_figures_page(rows=None):
+    """The page of all figures."""
+    table1 = table1_rows(datasets()["topography"], published_table1())
+    return figures_page(answer(rows), table1, figures(), captions())

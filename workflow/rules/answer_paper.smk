@@ -16,7 +16,9 @@ rule answer_paper:
         published_table1=PUBLISHED_TABLES["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
         chapters=[
-            f"workflow/report/{page}.md" for page in PAGES if page not in ("claims", "parameters")
+            f"workflow/report/{page}.md"
+            for page in PAGES
+            if page not in ("figures", "claims", "parameters")
         ],
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",

@@ -11,7 +11,7 @@ from hardcontact.base.packages import read_pins
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.figures.listing import caption
 from hardcontact.report.paper_answer import paper_answer
-from hardcontact.report.paper_page import paper_page
+from hardcontact.report.paper_page import figures_page, paper_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.report_pages import pages
 from hardcontact.report.table1 import table1_rows
@@ -31,7 +31,8 @@ with job(snakemake) as job:
     table1 = table1_rows(datasets["topography"], published.table1(job.input.published_table1))
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
-    job.write_text(paper_page(answer, claims, table1, figures, captions, citation), "page")
+    job.write_text(paper_page(answer, claims, figures, captions, citation), "page")
+    job.write_text(figures_page(answer, table1, figures, captions), "figures")
     chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}
     versions = read_pins(job.input.environment)
     for name, page in pages(claims, chapters, job.parameters, versions).items():
