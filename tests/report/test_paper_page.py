@@ -107,7 +107,7 @@ def pictures(page):
 
 def test_the_figures_of_the_answer_have_their_captions(page):
     shown = [name for name, picture in figures().items() if picture in pictures(page)]
-    assert {"fig_octaves", "fig6"} <= set(shown)
+    assert {"fig_scales", "fig_octaves", "fig6"} <= set(shown)
     for name in shown:
         assert captions()[name].title in page.values("alt")
         assert any(captions()[name].short in text for text in page.texts["figcaption"])

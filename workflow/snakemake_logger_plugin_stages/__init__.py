@@ -48,6 +48,7 @@ class LogHandler(LogHandlerBase):
         self._stream = sys.stdout if settings.stdout else sys.stderr
         self._stages: dict[str, Stage] = {}
         self._planned: dict[str, int] = {}  # jobs of each rule
+        self._cores = os.cpu_count() or 1
         self._done = Counter[str]()
         self._rules: dict[int, str] = {}  # by job
         self._begin: dict[str, float] = {}  # of the first job of each rule
@@ -64,6 +65,8 @@ class LogHandler(LogHandlerBase):
             self._show_error(record, fields["exception"])
         elif self._own_log:
             self._say(self.format(record))
+        elif event == LogEvent.RESOURCES_INFO:
+            self._cores = fields.get("cores", self._cores)
         elif event == LogEvent.RUN_INFO:
             self._plan(fields["stats"])
         elif event == LogEvent.JOB_INFO:
@@ -105,9 +108,9 @@ class LogHandler(LogHandlerBase):
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
-        """Return the time (s) that numbers of jobs by rule take on all processors."""
+        """Return the time (s) that numbers of jobs by rule take on the cores of the run."""
         seconds = sum(self._stages[rule].seconds * count for rule, count in jobs.items())
-        return seconds / (os.cpu_count() or 1)
+        return seconds / self._cores
 
     def _position(self) -> str:
         """Return the number of finished jobs, and the remaining time from the costs of jobs.

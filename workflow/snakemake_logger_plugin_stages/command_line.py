@@ -3,6 +3,9 @@
 import sys
 from argparse import ArgumentParser, Namespace
 from functools import partial
+from pathlib import Path
+
+import yaml
 
 
 def _options() -> Namespace:
@@ -25,9 +28,29 @@ def error_line(exception: str, message: str) -> str:
     if faults := _faults():
         return "\n".join(f"error: {fault}" for fault in faults)
     if exception == "MissingRuleException":
-        name = message.partition("produce ")[2].partition(" ")[0]
-        return f"error: expected a target of README.md or a file of the study, found {name}"
+        return _missing_target(message.partition("produce ")[2].partition(" ")[0])
     return f"error: {message.strip().splitlines()[-1]}" if message.startswith("Traceback") else ""
+
+
+def _missing_target(name: str) -> str:
+    """Return the line of a target that no rule makes, with the targets of such a study."""
+    from hardcontact.report.figures.listing import PAPER_FIGURES
+
+    targets = "a target of README.md"
+    if _has_own_surfaces():
+        targets = (
+            "a target of own surfaces (answer, which makes all figures; topography, adhesion, "
+            "scales or force; with own forces fit)"
+        )
+    elif name.startswith("fig"):
+        targets = f"a figure ({', '.join(PAPER_FIGURES)})"
+    return f"error: expected {targets}, or a file of the study, found {name}"
+
+
+def _has_own_surfaces() -> bool:
+    """Return whether the command line names a study of own surfaces, by its readable overlays."""
+    overlays = [yaml.safe_load(Path(path).read_bytes()) for path in _options().configfile]
+    return any(overlay.get("published") == "none" for overlay in overlays)
 
 
 def _faults() -> list[str]:

@@ -254,6 +254,8 @@ class StudyKeys(Keys):
     """What the study is compared with: the `paper`, or `none` for own surfaces."""
     forces: FilePath = "none"
     """With `published: none`: table of forces measured on these surfaces, or `none`."""
+    given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
+    """With `published: none`: known quantities; others that equal the paper's count as assumed."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
     """Substrate in the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021

@@ -202,6 +202,9 @@ def _choices_without_scans(
         yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
+    given = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
+    if given:
+        yield Choice("given", given, "known; others that equal the paper's are assumed")
     surface, reason = (
         (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
     )
@@ -234,7 +237,9 @@ def _report_lines(
     yield "\nChosen:"
     for key, value, reason in choices:
         if isinstance(value, list):
-            value = f"{len(value)} values, {value[0]} to {value[-1]}"
+            is_short = len(value) <= len(CONTACT_QUANTITIES)
+            ends = f"{len(value)} values, {value[0]} to {value[-1]}"
+            value = ", ".join(value) if is_short else ends
         yield f"{key}: {value}" + (f" ({reason})" if reason else "")
     if proposal.cautions:
         yield "\nTake care:"

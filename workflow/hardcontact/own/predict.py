@@ -4,14 +4,14 @@ import json
 import math
 import os
 import sys
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 import pandas as pd
 
-from hardcontact.base.formatting import format_length, format_quantity
+from hardcontact.base.formatting import format_length, format_quantity, known_digits
 from hardcontact.base.number import Number, plain
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
@@ -19,6 +19,7 @@ from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import WIDE_PIXEL
+from hardcontact.own.command_line import CommandLine
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
@@ -60,10 +61,7 @@ form has a force only where its error is known, and where it agrees with the for
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the command; a wrong one ends the program."""
-    parser = ArgumentParser(
-        "hardcontact predict", description=USAGE, formatter_class=RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )  # fmt: skip
+    parser = CommandLine("hardcontact predict", USAGE)
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared_options(parser)
     parser.add_argument(
@@ -230,6 +228,7 @@ def _report(
         lstrip_blocks=True,
     )
     environment.filters |= {"length": format_length, "quantity": format_quantity}
+    environment.filters["known_digits"] = known_digits
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(

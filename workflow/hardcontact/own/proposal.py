@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.base.formatting import format_length
+from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.config import model
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import CONTACT_PIXELS, periods_in_window
@@ -178,9 +178,27 @@ def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
     for entry in entries:
         for code, numbers in entry.defects.items():
             yield f"{entry.name}: {defect_sentence(code, numbers)}"
+        if "curvature" in entry.defects and entry.source.sphere_radius is not None:
+            yield _radius_question(entry, entry.source.sphere_radius)
     for entry in entries:
         _, cautions = split_notes(entry.notes)
         yield from (f"{entry.name}: {line}" for line in cautions)
+
+
+def _radius_question(entry: Entry, stated_radius: float) -> str:
+    """Return a question about the stated radius (nm) of a sphere that leaves its scan curved.
+
+    The defect has no sign: a sphere that is smaller or, with less curvature, larger leaves it.
+    """
+    remaining = 1 / entry.defects["curvature"]["curvature_radius"]
+    curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
+    radii = " or ".join(
+        format_quantity(1 / value, "nm", digits=2) for value in curvatures if value > 0
+    )
+    return (
+        f"{entry.name}: --radius {format_length(stated_radius)} contradicts this scan of the "
+        f"sphere, whose curvature is that of a radius of {radii}: which is right?"
+    )
 
 
 def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 import os
 import re
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -13,6 +13,7 @@ from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
+from hardcontact.own.command_line import CommandLine
 from hardcontact.surfaces.height_map import LEVELLING
 from hardcontact.surfaces.scans import MASKS
 
@@ -63,10 +64,7 @@ class Source(NamedTuple):
 
 def parse_arguments(arguments: Sequence[str]) -> Namespace:
     """Return the parsed command line, without the program's name; a wrong one ends the program."""
-    parser = ArgumentParser(
-        "hardcontact", description=USAGE, formatter_class=RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )  # fmt: skip
+    parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
         "command", choices=["new", "predict", "verify"], metavar="{new,predict,verify}",

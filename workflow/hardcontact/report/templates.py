@@ -77,7 +77,8 @@ def _environment() -> Any:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
+        "printed": quantities.printed, "words": quantities.in_words, "rounded": quantities.rounded,
+        "bare": quantities.bare,
         "percent": format_share, "share_of_decades": _share_of_decades,
         "unbroken": unbroken, "base64": _base64,
     }  # fmt: skip
