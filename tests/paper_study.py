@@ -67,10 +67,11 @@ def open_claims(rows=None, **changed):
     return add_open_ends(claims() if rows is None else rows, [data["edges"], data["sets"]])
 
 
-def answer(rows=None, **changed):
+def answer(rows=None, configuration=PAPER, **changed):
     """Return answer.json of the study, from other claims or datasets if given."""
     table = open_claims(rows, **changed)
-    content = paper_answer(table, datasets() | changed, CONSTANTS, PAPER, CITATION["version"])
+    tables = (CONSTANTS, published_table1())
+    content = paper_answer(table, datasets() | changed, *tables, configuration, CITATION["version"])
     return json.loads(answer_text(content))
 
 
@@ -92,9 +93,9 @@ def captions():
     }
 
 
-def make_page(rows=None, **changed):
+def make_page(rows=None, configuration=PAPER, **changed):
     """The page of the answer."""
-    content = answer(rows, **changed)
+    content = answer(rows, configuration, **changed)
     return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION, FRAME)
 
 

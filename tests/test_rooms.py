@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 749,
+    "base": 761,
     "surfaces": 3436,
     "contact": 1385,
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
     "config": 2313,
-    "own": 2020,
-    "report": 3257,
+    "own": 2093,
+    "report": 3382,
     "api": 215,
 }
 NO_CODE = {

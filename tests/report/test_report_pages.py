@@ -49,11 +49,11 @@ def evaluated(**values):
     return table
 
 
-def make_pages(table=None, **texts):
+def make_pages(table=None, changed=(), **texts):
     """The pages."""
     configuration = PAPER | {"inference": {"confidence": 0.8}}
     table = evaluated() if table is None else table
-    return pages(table, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
+    return pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
 def test_facts_are_the_claims_with_their_numbers_as_printed():
@@ -199,7 +199,16 @@ def test_every_chapter_has_a_title_and_unique_anchors(path):
 def test_parameters_are_the_whole_configuration_and_every_version():
     versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
     configuration = PAPER | {"store": "a<b>&c"}
-    page = Page(pages(evaluated(), {}, configuration, versions, FRAME)["parameters"])
+    page = Page(pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
     assert yaml.safe_load(page.texts["pre"][0]) == configuration
     cells = [[cell.strip() for cell in row] for row in page.rows]
     assert cells[1:] == [[name, number] for name, number in versions.items()]
+
+
+def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
+    changed = [{"input": "hardness", "paper": "25 GPa", "study": "30 GPa"}]
+    page = Page(make_pages(changed=changed)["claims"])
+    assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
+    (row,) = [row for row in page.rows if "first" in row[0]]
+    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm"
+    assert not [text for text in page.values("class") if text.startswith("verdict-")]

@@ -31,6 +31,7 @@ class Chapter(NamedTuple):
 
 def pages(
     claims: pd.DataFrame,
+    changed: Sequence[Mapping[str, str]],
     texts: Mapping[str, str],
     configuration: Mapping[str, Any],
     versions: Mapping[str, str],
@@ -38,14 +39,17 @@ def pages(
 ) -> dict[str, str]:
     """Return the HTML of the pages by their names: `claims`, each text, and `parameters`.
 
-    `claims` comes from `verdicts.add_open_ends`; `texts` are chapters in Markdown, by name.
+    `claims` comes from `verdicts.add_open_ends`, `changed` from `changed_inputs`; `texts` are
+    chapters in Markdown, by name.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
     facts = claim_facts(claims)
     chapters = {name: chapter(text, frame.pages) for name, text in texts.items()}
     return {
-        "claims": rendered("claims.html", frame, "claims", confidence=confidence, **facts),
+        "claims": rendered(
+            "claims.html", frame, "claims", confidence=confidence, changed=changed, **facts
+        ),
         **{
             name: rendered("chapter.html", frame, name, chapter=page)
             for name, page in chapters.items()
