@@ -5,6 +5,7 @@ import os
 from argparse import Namespace
 from collections.abc import Sequence
 from functools import partial
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.own.command_line import CommandLine
 from hardcontact.own.output import output_faults, write_output
 from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
-from hardcontact.report.templates import rendered, rendered_lines
+from hardcontact.report.templates import Frame, rendered, rendered_lines
 
 ANSWER = "answer.json"
 
@@ -44,7 +45,7 @@ def compare(arguments: Namespace) -> str:
         names = [arguments.first, arguments.second]
     facts = {"studies": names, "digits": EQUAL_DIGITS, **compare_answers(*answers)._asdict()}
     if arguments.html is not None:
-        page = rendered("compare.html", **facts)
+        page = rendered("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":
             return page
         write_output(arguments.html, page)
