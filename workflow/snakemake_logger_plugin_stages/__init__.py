@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Mapping
 from datetime import timedelta
 from logging import WARNING, LogRecord
+from pathlib import Path
 from typing import Any
 
 from snakemake.common import NOTHING_TO_BE_DONE_MSG
@@ -22,9 +23,12 @@ from snakemake_interface_logger_plugins.common import LogEvent
 from snakemake_logger_plugin_stages.cluster import log_reasons
 from snakemake_logger_plugin_stages.command_line import effort, error_line
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
+from snakemake_logger_plugin_stages.home import provide_home
 
 #: The logger of a study's own messages.
 STUDY_LOGGER = "snakemake.logging.study"
+#: The home of a user without one.
+HOME = Path(".snakemake/home")
 #: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
 MAX_SILENCE_SECONDS = 30
 #: Share of a run in whose time the table of costs weighs as much as the finished jobs.
@@ -55,6 +59,7 @@ class LogHandler(LogHandlerBase):
 
     def __post_init__(self) -> None:
         """Prepare to show a run, before Snakemake reads any file."""
+        provide_home(HOME)
         log_reasons()
         settings = self.common_settings
         self._own_log = bool(settings.dryrun or settings.verbose or settings.quiet)
