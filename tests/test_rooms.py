@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
-    "config": 2238,
+    "config": 2253,
     "own": 1992,
     "report": 3007,
     "api": 215,

@@ -47,6 +47,11 @@ def test_only_a_similar_key_is_suggested():
 
 # Files
 
+#: Ten lines, each of ten times the line before: 1, 11, 111, ... values, in all 1.23e9.
+NESTED_ALIASES = b"a0: &a0 1\n" + b"".join(
+    b"a%d: &a%d [%s]\n" % (n, n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 10)
+)
+
 
 @pytest.mark.parametrize(
     ("content", "message_part"),
@@ -62,6 +67,7 @@ def test_only_a_similar_key_is_suggested():
         (b"a: 2026-13-45", "month"),
         (b"a: " + b"9" * 5000, "4300 digits"),
         (b"a: " + b"[" * 50_000, "maximum recursion depth"),
+        pytest.param(NESTED_ALIASES, "1.23e+09 values, with aliases", id="nested aliases"),
         (b"a: !!python/object/apply:os.mkdir [made]", "line 1"),
         (None, "Is a directory"),
     ],
@@ -73,6 +79,14 @@ def test_a_file_that_is_no_configuration_is_refused(tmp_path, content, message_p
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
     assert_says(message, message_part)
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
+
+
+def test_a_file_too_large_for_a_configuration_is_not_read(tmp_path):
+    path = tmp_path / "a.yaml"
+    with open(path, "wb") as file:
+        file.truncate(200_000_000)
+    message = refusal(configuration.refuse_unreadable, path)
+    assert_says(message, "at most 1 MB, found 200,000,000 bytes")
 
 
 def test_a_missing_configuration_is_named(tmp_path):

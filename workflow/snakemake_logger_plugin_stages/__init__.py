@@ -21,7 +21,7 @@ from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages.cluster import log_reasons
-from snakemake_logger_plugin_stages.command_line import effort, error_line
+from snakemake_logger_plugin_stages.command_line import effort, error_line, refuse_faults
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 from snakemake_logger_plugin_stages.home import provide_home
 
@@ -60,6 +60,7 @@ class LogHandler(LogHandlerBase):
     def __post_init__(self) -> None:
         """Prepare to show a run, before Snakemake reads any file."""
         provide_home(HOME)
+        refuse_faults()
         log_reasons()
         settings = self.common_settings
         self._own_log = bool(settings.dryrun or settings.verbose or settings.quiet)
