@@ -17,6 +17,9 @@ from hardcontact.config.model import Study
 @pytest.mark.parametrize(
     ("key", "value", "message_parts"),
     [
+        ("study", "lock.txt", ["study:", "without .txt at the end", "'lock.txt'"]),
+        ("study", "my ", ["study:", "letters", "'my '"]),
+        ("study", "store", ["store:", "apart from results/store", "results/store"]),
         ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
         ("hardness", "3 GPa", ["found hardness (did you mean contact: {hardness: ...}?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
@@ -39,6 +42,15 @@ from hardcontact.config.model import Study
 )
 def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
     assert_says(refusal(numbers, key, value), "config key ", "expected", *message_parts)
+
+
+@pytest.mark.parametrize("link", ["results", "results/paper", "results/store"])
+def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / link).parent.mkdir(exist_ok=True)
+    (tmp_path / link).symlink_to("nowhere")
+    (line,) = refusal(numbers, "seed", 1).splitlines()
+    assert_says(line, "study and store", f"found {link}, a link to nowhere, which is missing")
 
 
 def test_only_a_similar_key_is_suggested():

@@ -223,6 +223,11 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
 REFUSED = [
     ([NAME], ["expected files"]),
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
+    (["mine ", "one.nc"], ["NAME: expected a name", "found 'mine '"]),
+    (["lock.txt", "one.nc"], ["NAME: expected a name", "without .txt at the end"]),
+    (["-dash", "one.nc"], ["expected options of hardcontact --help, found -dash"]),
+    ([NAME, "one.nc", "--hardnes", "3"], ["--hardnes 3 (did you mean --hardness?)"]),
+    ([NAME, "--surface", "-dash", "one.nc"], ["--surface: expected at least one argument"]),
     ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
     (["store", "one.nc", "--overwrite"], ["found store"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),

@@ -4,7 +4,7 @@ import json
 import math
 import os
 import sys
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -22,6 +22,7 @@ from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
+    Parser,
     add_shared_options,
     implausible_quantities,
     one_pixel_touches,
@@ -59,11 +60,8 @@ form has a force only where its error is known, and where it agrees with the for
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the command; a wrong one ends the program."""
-    parser = ArgumentParser(
-        "hardcontact predict", description=USAGE, formatter_class=RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )  # fmt: skip
+    """Return the parsed command line, without the command."""
+    parser = Parser("hardcontact predict", USAGE)
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_shared_options(parser)
     parser.add_argument(

@@ -4,12 +4,14 @@ import os
 import re
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
 from importlib.metadata import version
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 from hardcontact.base.code import LIBRARY
 from hardcontact.config.arguments import unit_question
+from hardcontact.config.faults import SIMILARITY
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
@@ -21,9 +23,7 @@ ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
-RESERVED_NAMES = (
-    "config", "constraints.txt", "environment.txt", "paper", "quick", "store", "surfaces"
-)  # fmt: skip
+RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
 USAGE = """\
@@ -61,12 +61,33 @@ class Source(NamedTuple):
     is_in_folder: bool = False  #: whether the user named its folder, which may hold other files
 
 
+class Parser(ArgumentParser):
+    """Refuses a wrong command line in one line, with the option that an unknown one resembles."""
+
+    def __init__(self, command: str, description: str) -> None:
+        """Prepare to parse the words of a command."""
+        super().__init__(
+            command,
+            description=description,
+            formatter_class=RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )
+
+    def error(self, message: str) -> NoReturn:
+        """Raise ValueError."""
+        words = message.removeprefix("unrecognized arguments: ")
+        if words != message:
+            matches = get_close_matches(
+                words.split()[0], self._option_string_actions, 1, SIMILARITY
+            )
+            question = f" (did you mean {matches[0]}?)" if matches else ""
+            message = f"expected options of {self.prog} --help, found {words}{question}"
+        raise ValueError(message)
+
+
 def parse_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the program's name; a wrong one ends the program."""
-    parser = ArgumentParser(
-        "hardcontact", description=USAGE, formatter_class=RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )  # fmt: skip
+    """Return the parsed command line, without the program's name."""
+    parser = Parser("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
         "command", choices=["new", "predict", "verify"], metavar="{new,predict,verify}",
@@ -186,7 +207,8 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
     name = arguments.name
     try:
         # The quick study beside it must have a name, too.
-        STUDY_NAME.check(f"{name}{QUICK_SUFFIX}")
+        for study in (name, f"{name}{QUICK_SUFFIX}"):
+            STUDY_NAME.check(study)
     except ValueError:
         accepted = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_SUFFIX)))
         yield f"NAME: expected {accepted}, no blanks, found {name!r}"

@@ -1,19 +1,20 @@
 """`hardcontact verify`: the check of the files of a finished study, wherever they are kept."""
 
 import os
-from argparse import ArgumentParser, Namespace
+from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
 
 from hardcontact.base.verification import check
+from hardcontact.own.request import Parser
 
 
 def verify_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the command; a wrong one ends the program."""
-    parser = ArgumentParser(
-        "hardcontact verify", allow_abbrev=False,
-        description="Name the files of a finished study that do not match their records.",
-    )  # fmt: skip
+    """Return the parsed command line, without the command."""
+    parser = Parser(
+        "hardcontact verify",
+        "Name the files of a finished study that do not match their records.",
+    )
     parser.add_argument("folder", metavar="FOLDER", help="results of a study, or its name")
     return parser.parse_args(arguments)
 
