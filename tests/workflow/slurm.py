@@ -114,11 +114,11 @@ def configure(folder):
     for name in ("state", "spool"):
         (folder / name).mkdir()
     os.environ["SLURM_CONF"] = str(path)
-    # The executor starts the steps of a job without this variable. SRUN_DELAY makes a job last.
+    # The executor starts the steps of a job without this variable. STEP_DELAY makes a job last.
     srun = folder / "bin/srun"
     srun.parent.mkdir()
     srun.write_text(
-        f'#!/bin/sh\nsleep ${{SRUN_DELAY:-0}}\nSLURM_CONF={path} exec {shutil.which("srun")} "$@"\n'
+        f'#!/bin/sh\nsleep ${{STEP_DELAY:-0}}\nSLURM_CONF={path} exec {shutil.which("srun")} "$@"\n'
     )
     srun.chmod(0o755)
     os.environ["PATH"] = f"{srun.parent}:{os.environ['PATH']}"

@@ -23,7 +23,7 @@ FAULTS = [
     ("--default-resources slurm_partition=nowhere", {}, "Invalid partition", "slurm_partition"),
     ("--default-resources slurm_partition=members slurm_account=nobody", {}, "Invalid account",
      "slurm_account"),
-    ("--set-resources filter_masters:runtime=1", {"SRUN_DELAY": "100"}, "DUE TO TIME LIMIT",
+    ("--set-resources filter_masters:runtime=1", {"STEP_DELAY": "100"}, "DUE TO TIME LIMIT",
      "runtime"),
     ("--set-resources filter_masters:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
 ]  # fmt: skip
