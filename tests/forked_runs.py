@@ -43,12 +43,12 @@ def run_program(folder, module, words, environment):
     """
     importlib.import_module(module)  # with its packages, once for all runs
     with tempfile.TemporaryFile() as output:
-        code = forked(_call_main, folder, module, words, environment, output.fileno())
+        code = forked(call_main, folder, module, words, environment, output.fileno())
         output.seek(0)
         return SimpleNamespace(returncode=code, stdout=output.read().decode())
 
 
-def _call_main(folder, module, words, environment, output):
+def call_main(folder, module, words, environment, output):
     use_library_of(folder)
     os.environ.update(environment)
     for descriptor in (1, 2):

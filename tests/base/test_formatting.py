@@ -10,6 +10,7 @@ from hardcontact.base.formatting import (
     format_quantity,
     format_with_interval,
     is_boundless,
+    known_digits,
 )
 
 
@@ -55,6 +56,12 @@ def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, 
 )
 def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
     assert format_as_paper(value, unit, ends) == printed
+
+
+def test_a_third_digit_is_known_if_the_interval_is_narrow():
+    """The distance of two digits is 1 to 10 % of a number, that of three 0.1 to 1 %."""
+    assert known_digits(105.0, 80.0, 320.0) == known_digits(105.0, nan, nan) == 2
+    assert known_digits(36.0, 35.8, 36.3) == 3
 
 
 def test_digits_are_as_asked_and_without_exponent():

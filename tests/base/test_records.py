@@ -11,18 +11,25 @@ from repository import run_snakemake
 from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import Origin, digest, digests, keep_records, record_path
+from hardcontact.base.origin import (
+    Origin,
+    canonical,
+    digest,
+    digests,
+    keep_records,
+    record_path,
+)  # fmt: skip
 from hardcontact.base.verification import check, traced_records
 from hardcontact.own import new
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
 
 
-def make(path, inputs):
+def make(path, inputs, parameters="{}"):
     """Make a file from others, with any content."""
     Path(path).parent.mkdir(exist_ok=True)
     Path(path).write_text(path)
-    keep_records([path], Origin("{}", digests(inputs), []))
+    keep_records([path], Origin(parameters, digests(inputs), []))
 
 
 @pytest.fixture
@@ -92,6 +99,14 @@ def test_files_made_with_other_versions_are_no_faults_but_said(study):
     faults, (versions, _) = check("results")
     assert faults == []
     assert versions.startswith("1 files, such as results/table.csv, were made with scipy 0.")
+
+
+def test_files_made_with_other_parameters_are_no_faults_but_said(study):
+    for name, tolerance in (("edges", 0.1), ("scaling", 0.1), ("sensitivity", 0.2)):
+        make(f"results/{name}.nc", ["store/a.nc"], canonical({"tolerance": tolerance, "scan": 1}))
+    faults, (parameters, _) = check("results")
+    assert faults == []
+    assert_says(parameters, "tolerance:", "0.1 (results/edges.nc), 0.2 (results/sensitivity.nc)")
 
 
 def files_of(folder):

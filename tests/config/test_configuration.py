@@ -156,6 +156,8 @@ def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():
         "preload",
         "range of adhesion",
     ]
+    known = own_configuration | {"given": ["preload", "range"]}
+    assert configuration.quantities_of_paper(known) == ["radius of the sphere"]
 
 
 DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")

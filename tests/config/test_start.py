@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 from refusals import assert_says
-from repository import PAPER, ROOT, snakemake
+from repository import PAPER, ROOT, TINY, snakemake
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
@@ -55,6 +55,20 @@ def test_a_run_in_another_folder_is_refused(tmp_path, monkeypatch, rules_folder,
     folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / rules_folder)
     workflow = SimpleNamespace(current_basedir=folder, main_snakefile=tmp_path / main)
     assert_says(refusal_line(start.prepare, workflow), str(tmp_path), str(ROOT))
+
+
+@pytest.mark.parametrize("option", ["--touch", "-t"])
+def test_times_are_not_renewed(monkeypatch, option):
+    monkeypatch.setattr(start.sys, "argv", ["snakemake", "all", option])
+    assert_says(refusal_line(start._refuse_touch), "records and not times", "snakemake -n")
+
+
+def test_the_grids_of_the_paper_are_refused_for_own_surfaces():
+    quick = ROOT / "config/quick.yaml"
+    for configfiles in ((quick, ROOT / TINY), (ROOT / TINY, quick)):
+        study = planned_workflow(*configfiles)
+        line = refusal_line(start.checked_configuration, study, PAPER | {"published": "none"})
+        assert_says(line, "config/quick.yaml", "--config effort=quick")
 
 
 def test_keys_of_the_quick_study_are_checked_in_a_full_run():

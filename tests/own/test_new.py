@@ -11,7 +11,7 @@ from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.config import checks
-from hardcontact.config.configuration import set_keys
+from hardcontact.config.configuration import quantities_of_paper, set_keys
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
 from hardcontact.config.start import apply_effort
@@ -88,6 +88,12 @@ def test_one_scan_makes_a_full_and_a_quick_study(folder, run):
     quick, _ = accepted(folder, done, "quick")
     # The quick study replaces nothing of the full one.
     assert quick["study"] != config["study"] and quick["store"] != config["store"]
+
+
+def test_given_quantities_are_not_assumed_though_they_equal_the_paper_s(folder, run):
+    own_scan(folder / "one.nc")
+    config, _ = accepted(folder, run(NAME, "one.nc", "--work", "46.3 mJ/m2", "--radius", "0.25mm"))
+    assert quantities_of_paper(config) == ["hardness", "preload", "range of adhesion"]
 
 
 def test_options_state_what_files_lack_and_are_kept(folder, run):
@@ -225,9 +231,6 @@ REFUSED = [
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
     (["mine ", "one.nc"], ["NAME: expected a name", "found 'mine '"]),
     (["lock.txt", "one.nc"], ["NAME: expected a name", "without .txt at the end"]),
-    (["-dash", "one.nc"], ["expected options of hardcontact --help, found -dash"]),
-    ([NAME, "one.nc", "--hardnes", "3"], ["--hardnes 3 (did you mean --hardness?)"]),
-    ([NAME, "--surface", "-dash", "one.nc"], ["--surface: expected at least one argument"]),
     ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
     (["store", "one.nc", "--overwrite"], ["found store"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),
@@ -262,6 +265,15 @@ def test_faulty_arguments_are_refused_in_one_line_and_nothing_is_written(folder,
             all(message_part in line for message_part in message_parts) for line in done.errors
         ), done.errors
         assert sorted(folder.rglob("*")) == files_before
+
+
+def test_an_unknown_option_is_refused_with_the_one_that_it_resembles(run, capsys):
+    for option in ("--hardnes", "--hardnes=3GPa"):
+        with pytest.raises(SystemExit) as caught:
+            run(NAME, "one.nc", option)
+        (line,) = capsys.readouterr().err.splitlines()
+        assert caught.value.code == 2
+        assert_says(line, f"error: unrecognized arguments: {option}", "did you mean --hardness?")
 
 
 def test_an_interruption_ends_in_one_line(run, monkeypatch):

@@ -2,6 +2,7 @@
 
 import math
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -229,6 +230,20 @@ def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transi
 def test_scans_that_spoil_the_forces_have_a_caution_with_numbers(scan, settings, message_parts):
     assert_says(" ".join(propose([scan], None, settings).cautions), *message_parts)
     assert not propose([entry(10000, 512, 14, undefined=99)], None, probe()).cautions
+
+
+@pytest.mark.parametrize(("radius", "stated"), [(50e3, 250e3), (50e3, 60e3), (50e3, 40e3)])
+def test_a_stated_radius_that_the_scan_of_the_sphere_contradicts_is_questioned(radius, stated):
+    """Curvatures add: what is left of 1/R by another stated radius is their difference."""
+    left = abs(1 / radius - 1 / stated)
+    ball = entry(defects={"curvature": {"curvature_radius": 1 / left, "uncurved_share": 0.1}})
+    ball = replace(ball, source=Source("sphere", "sphere", "ball.nc", "ball.nc", stated))
+    (caution,) = [
+        line
+        for line in propose([entry(), ball], "sphere", probe(stated)).cautions
+        if "contradicts" in line
+    ]
+    assert_says(caution, f"--radius {stated / 1e3:g} µm", f"{radius / 1e3:g} µm")
 
 
 @pytest.mark.parametrize(

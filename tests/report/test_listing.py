@@ -21,7 +21,7 @@ def test_each_figure_has_its_drawing():
 
 
 def test_each_figure_of_the_paper_belongs_to_a_chapter():
-    page = (ROOT / "workflow/report/templates/paper_part.html").read_text("utf-8")
+    page = (ROOT / "workflow/report/templates/figures.html").read_text("utf-8")
     chapters = set(re.findall(r'^  "(\d\. [^"]+)": "', page, re.M))
     assert {describe_figure(name).chapter for name in PAPER_FIGURES} <= chapters
 

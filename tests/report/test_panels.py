@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 
-from hardcontact.report.figures import panels, values
+from hardcontact.report.figures import fig_scales, panels, values
 
 CURVE = xr.Dataset(
     {"value": ("x", [1.0, 2, 4]), "low": ("x", [0.5, 1, np.nan]), "high": ("x", [3.0, 5, np.nan])},
@@ -41,7 +41,7 @@ def test_edges_at_the_last_cutoff_are_open(numbers, symbols):
         dict(zip(("value", "low", "high"), numbers, strict=True)), {"group": "pooled"}
     ).expand_dims("group")
     no_surface = xr.DataArray([], {"surface": []}, name="label")
-    panels.draw_edges(axes, edges, no_surface, end=500, arrow=">")
+    panels.draw_edges(axes, edges, no_surface, {">": 500})
     interval, *marks = axes.lines
     assert tuple(interval.get_xdata()) == numbers[1:]
     assert [mark.get_marker() for mark in marks] == symbols
@@ -82,3 +82,18 @@ def test_sets_are_summarized_by_the_median_and_the_central_nine_tenths():
 def test_maps_lose_their_padding_and_their_mean():
     padded = xr.DataArray([[1.0, 3, np.nan], [2, 6, np.nan], [np.nan] * 3], dims=("row", "column"))
     assert values.mean_free_heights(padded).tolist() == [[-2, 0], [-1, 3]]
+
+
+def test_maps_of_the_question_lack_the_waves_on_one_side_of_the_band():
+    size, pixels = 2500.0, 256
+    position = (0.5 + np.arange(pixels)) / pixels
+    # Cosines that are even about both edges: wavelengths of 5 µm, 250 nm and 25 nm.
+    long, middle, short = (np.cos(np.pi * order * position) for order in (1, 20, 200))
+    heights = np.tile(long + middle + short, (pixels, 1))
+    scan = xr.Dataset({"example_heights": (("row", "column"), heights), "scan_size": size})
+    maps = fig_scales.filtered_heights(scan, [43.0, 1800.0])
+    assert list(maps) == ["whole", "without waves below 43 nm", "without waves above 1.8 µm"]
+    for drawn, expected in zip(
+        maps.values(), (long + middle + short, long + middle, middle + short), strict=True
+    ):
+        np.testing.assert_allclose(drawn, np.tile(expected, (pixels, 1)), atol=1e-5)

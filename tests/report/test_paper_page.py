@@ -6,12 +6,22 @@ import re
 import numpy as np
 import pytest
 from html_page import Page
-from paper_study import CITATION, answer, captions, claims, datasets, figures, make_page
+from paper_study import (
+    CITATION,
+    answer,
+    captions,
+    claims,
+    datasets,
+    figures,
+    make_figures_page,
+    make_page,
+)
 from refusals import assert_says
+from repository import PAPER, merged
 
 from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.selection import LARGER_PIXELS
-from hardcontact.paper.verdicts import UNTESTABLE, summary
+from hardcontact.paper.verdicts import UNTESTABLE, VERDICTS, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.quantities import numbers_by_name
 
@@ -39,8 +49,7 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
     anchors, links = page.values("id"), page.values("href")
     assert len(anchors) == len(set(anchors))
     assert {link[1:] for link in links if link.startswith("#")} <= set(anchors)
-    neighbours = {f"figures/{name}.pdf" for name in PAPER_FIGURES}
-    neighbours |= {"answer.json", "claims.csv", "report/claims.html"}
+    neighbours = {"answer.json", "claims.csv", "report/claims.html", "report/figures.html"}
     assert neighbours <= set(links)
     external = {link for link in links if ":" in link}
     assert external == {f"https://doi.org/{CITATION['references'][0]['doi']}"}
@@ -49,7 +58,7 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
 def test_the_page_says_first_what_came_out(page):
     first_words = plain(page.texts["div"][0])
     assert "The force follows the octaves of 640 to 1280 nm, 320 to 640 nm" in first_words
-    assert first_words.index("The force follows") < first_words.index("independent findings")
+    assert first_words.index("The force follows") < first_words.index("independent findings of")
     numbers = numbers_by_name(answer())
     for name in ("first_short_edge", "first_long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
@@ -92,26 +101,49 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
         assert ("from artificial roughness" in plain(" ".join(row))) == is_artificial, row
 
 
-def test_octaves_and_fig_6_are_the_first_figures_and_every_figure_has_its_caption(page):
-    pictures = [
-        base64.b64decode(image["src"].partition(",")[2]) for image in page.attributes["img"]
-    ]
-    first = ["fig_octaves", "fig6"]
-    order = [*first, *(name for name in PAPER_FIGURES if name not in first)]
-    assert pictures == [figures()[name] for name in order]
-    for name in PAPER_FIGURES:
+def pictures(page):
+    """The pictures of a page in their order."""
+    return [base64.b64decode(image["src"].partition(",")[2]) for image in page.attributes["img"]]
+
+
+def test_the_figures_of_the_answer_have_their_captions(page):
+    shown = [name for name, picture in figures().items() if picture in pictures(page)]
+    assert {"fig_scales", "fig_octaves", "fig6"} <= set(shown)
+    for name in shown:
         assert captions()[name].title in page.values("alt")
         assert any(captions()[name].short in text for text in page.texts["figcaption"])
 
 
+def test_the_page_of_figures_has_each_with_its_caption_and_its_file():
+    page = Page(make_figures_page())
+    assert pictures(page) == list(figures().values())
+    for name in PAPER_FIGURES:
+        assert f"../figures/{name}.pdf" in page.values("href")
+        assert any(captions()[name].short in text for text in page.texts["figcaption"])
+    assert any("AFM scans: rms height (nm), published" in row[0] for row in page.rows)
+
+
 def test_main_findings_repeat_the_claims(page):
     table = claims().set_index("id")
-    links = [link for link in page.values("href") if link.startswith("report/claims.html#")]
+    anchors = [link.partition("#")[2] for link in page.values("href")]
+    ids = [anchor for anchor in anchors if anchor in table.index]
     rows = [[plain(cell) for cell in row] for row in page.rows if len(row) == 5][1:]
-    for cells, link in zip(rows[: len(links)], links, strict=True):
-        claim = table.loc[link.partition("#")[2]]
+    for cells, claim_id in zip(rows[: len(ids)], ids, strict=True):
+        claim = table.loc[claim_id]
         assert (cells[0], cells[-1]) == (claim["statement"], claim["verdict"])
-    assert len(links) >= 10
+    assert len(ids) >= 10
+
+
+def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
+    harder = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+    page = Page(make_page(configuration=harder))
+    words = plain(page.texts["main"][0])
+    assert words.startswith("What changes?")
+    assert ["hardness", "25 GPa", "30 GPa"] in [[plain(cell) for cell in row] for row in page.rows]
+    assert ["finding", "verdict"] not in [[row[0], row[-1]] for row in page.rows]
+    for verdict in VERDICTS:
+        assert f"verdict-{verdict.replace(' ', '-')}" not in page.values("class")
+        assert verdict not in words
 
 
 def test_only_substitutes_are_labelled_as_such(page):
@@ -121,8 +153,8 @@ def test_only_substitutes_are_labelled_as_such(page):
     assert not any("(substitute)" in text for text in measured_page.texts["main"])
 
 
-def test_a_page_without_numbers_still_has_every_figure():
+def test_a_page_without_numbers_still_has_its_figures(page):
     table = claims().assign(computed=np.nan, low=np.nan, high=np.nan, frequency=np.nan)
-    page = Page(make_page(table))
-    assert len(page.attributes["img"]) == len(PAPER_FIGURES)
-    assert not re.search(r"\bnan\b", page.texts["main"][0], re.I)
+    empty_page = Page(make_page(table))
+    assert pictures(empty_page) == pictures(page)
+    assert not re.search(r"\bnan\b", empty_page.texts["main"][0], re.I)

@@ -3,6 +3,7 @@
 import matplotlib as mpl
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -18,6 +19,13 @@ def test_colours_and_markers_follow_the_order_of_any_surfaces():
     markers = {name: look["marker"] for name, look in looks.items()}
     assert markers["0"] == markers["6"] != markers["1"]
     assert {name: look["color"] for name, look in looks.items()} == style.colours(looks)
+
+
+def test_surfaces_at_one_position_stand_side_by_side_around_it():
+    data = xr.Dataset(coords={"surface": list("abcd")})
+    factors = [factor for factor, _, _ in style.iterate_dodged(data)]
+    assert np.prod(factors) == pytest.approx(1)
+    assert np.allclose(np.divide(factors[1:], factors[:-1]), style.DODGE)
 
 
 def test_a_user_s_settings_change_no_figure(monkeypatch):

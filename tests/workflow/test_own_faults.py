@@ -1,15 +1,13 @@
-"""After kills, full disks, altered files and failing jobs, a study continues and loses nothing.
+"""After full disks, altered files and failing jobs, a study continues and loses nothing.
 
 All on the small study of own surfaces, whose undisturbed results are the reference.
 """
 
 import os
 import shutil
-import signal
 import subprocess
 import sys
-import time
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from textwrap import indent
 
 import pytest
@@ -19,13 +17,9 @@ from refusals import assert_says
 from repository import ROOT, environment
 from scan_files import truncate_file
 
-from hardcontact.base.whole_file import PART
-
 pytestmark = pytest.mark.study
 
 RESULTS, STORE = "results/several-quick", "results/store-several-quick"
-#: Seconds that a test waits at most.
-PATIENCE = 600
 
 
 def run(study, *arguments):
@@ -36,13 +30,6 @@ def errors(output):
     """Return the distinct error lines of a run; a retried job repeats its lines."""
     assert "Traceback" not in output, output
     return sorted({line for line in output.splitlines() if line.startswith("error:")})
-
-
-def until(condition, description):
-    end = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < end, f"waited {PATIENCE} s for {description}"
-        time.sleep(0.02)
 
 
 @pytest.fixture
@@ -56,63 +43,6 @@ def empty(own_study, tmp_path):
     """Copy the study without its results."""
     ignored = shutil.ignore_patterns("results", ".snakemake")
     return shutil.copytree(own_study, tmp_path / "empty", ignore=ignored)
-
-
-# Killed
-
-
-def start(study, target):
-    """Start a run in a process group of its own, which a kill ends as a whole."""
-    files = ["config/several.yaml", "few.yaml"]
-    command = [sys.executable, "-m", "snakemake", target, "--configfile", *files]
-    with open(study / "output", "w") as output:
-        return subprocess.Popen(
-            [*command, "--config", "effort=quick"],
-            cwd=study, env=environment(study), stdout=output, stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )  # fmt: skip
-
-
-def processes(folder):
-    """Return the processes that work in a folder, from /proc."""
-    for process in os.listdir("/proc"):
-        try:
-            if process.isdigit() and os.readlink(f"/proc/{process}/cwd") == str(folder):
-                yield process
-        except OSError:  # of another user, or ended meanwhile
-            continue
-
-
-def files_made(study):
-    return len(list((study / STORE).rglob("*.nc")))
-
-
-def kill_after(study, count, target):
-    """Start a run and kill it when it has made a number of files."""
-    process = start(study, target)
-    try:
-        until(lambda: files_made(study) >= count or process.poll() is not None, f"{count} files")
-        assert process.poll() is None, (study / "output").read_text()
-    finally:
-        with suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-    until(lambda: not list(processes(study)), "processes to end")
-    assert "Traceback" not in (study / "output").read_text()
-    assert damaged(study / "results") == []
-    run(study, "--unlock")
-
-
-def test_a_killed_study_continues(empty, own_study):
-    (forces,) = (own_study / STORE / "pull_off").glob("*/sphere/*/*/*/*/twin/*/scan-1.nc")
-    target = str(forces.relative_to(own_study))
-    kill_after(empty, 2, target)
-    done = run(empty, target)
-    assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
-    lines = differences(empty / "results", own_study / "results")
-    assert [line for line in lines if "several-quick" in line and "missing" not in line] == []
-    assert (empty / target).is_file()
-    assert list((empty / "results").rglob(f"{PART}*")) == []
 
 
 # Disks that are full, and folders that cannot be written to
@@ -212,6 +142,21 @@ def test_a_read_only_folder_is_named(copy):
     assert failed_run.returncode != 0
     (line,) = errors(failed_run.stdout)
     assert_says(line, f"{RESULTS}: expected a folder to write to, found")
+
+
+VERIFY = "import sys; from hardcontact.own.new import main; sys.exit(main())"
+
+
+def test_verify_writes_nothing_and_needs_no_snakemake(copy, tmp_path):
+    (tmp_path / "snakemake.py").write_text("raise ImportError")
+    paths = os.pathsep.join([str(tmp_path), str(ROOT / "workflow")])
+    with read_only(copy):
+        run = subprocess.run(
+            [sys.executable, "-B", "-c", VERIFY, "verify", copy / RESULTS],
+            env=environment(ROOT) | {"PYTHONPATH": paths}, capture_output=True, text=True,
+        )  # fmt: skip
+    assert_says(run.stdout, f"{RESULTS}: ", "files checked, 0 faults, 0 inputs not at hand")
+    assert run.returncode == 0 and run.stderr == ""
 
 
 # Altered files

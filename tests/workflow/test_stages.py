@@ -13,6 +13,7 @@ from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import STUDY_LOGGER, LogHandler
+from snakemake_logger_plugin_stages.command_line import cost_column
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
 JOBS = ["level_scan", "level_scan", "stitch"]
@@ -74,14 +75,14 @@ def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
 def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
     monkeypatch.setattr(
         "snakemake_logger_plugin_stages.read_stages",
-        lambda effort: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
+        lambda column: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
     )
-    monkeypatch.setattr("snakemake_logger_plugin_stages.os.cpu_count", lambda: 1)
     monkeypatch.setattr("snakemake_logger_plugin_stages.threading.Thread", MagicMock())
     clock = SimpleNamespace(monotonic=lambda: 10.0)
     monkeypatch.setattr("snakemake_logger_plugin_stages.time", clock)
 
     def twenty_seconds():
+        yield info("Provided cores: 1", LogEvent.RESOURCES_INFO, cores=1)
         *records, last_record = run(2)
         yield from records
         clock.monotonic = lambda: 30.0
@@ -144,11 +145,36 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
     assert line == "Error in rule stitch" + f": see {log}" * has_log
 
 
-def test_a_target_that_no_rule_makes_is_refused_in_one_line(capsys):
-    message = "No rule to produce claim (if you use input functions ...)."
+@pytest.mark.parametrize(
+    ("words", "column"),
+    [
+        ([], "full"),
+        (["--configfile", "config/crn.yaml"], "own"),
+        (["--configfile", "config/crn.yaml", "--config", "effort=quick"], "quick"),
+    ],
+)
+def test_the_costs_are_those_of_such_a_study(monkeypatch, project_folder, words, column):
+    monkeypatch.setattr(sys, "argv", ["snakemake", *words])
+    assert cost_column() == column
+
+
+@pytest.mark.parametrize(
+    ("name", "words", "remedy"),
+    [
+        ("claim", [], "a target of README.md"),
+        ("fig7", [], "fig6"),
+        ("fig6", ["--configfile", "config/crn.yaml"], "answer, which makes all figures"),
+    ],
+)
+def test_a_target_that_no_rule_makes_is_refused_in_one_line(
+    capsys, monkeypatch, project_folder, name, words, remedy
+):
+    monkeypatch.setattr(sys, "argv", ["snakemake", name, *words])
+    message = f"No rule to produce {name} (if you use input functions ...)."
     error = {"event": LogEvent.ERROR, "exception": "MissingRuleException"}
     (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", message, error)])
-    assert line.startswith("error: expected a target") and line.endswith("found claim")
+    assert line.startswith("error: expected a") and line.endswith(f"found {name}")
+    assert remedy in line
 
 
 def test_the_message_of_a_rule_is_shown(capsys):

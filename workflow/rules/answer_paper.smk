@@ -16,8 +16,11 @@ rule answer_paper:
         published_table1=PUBLISHED_TABLES["published_table1"],
         figures=[PATTERNS.figure(name, "svg") for name in PAPER_FIGURES],
         chapters=[
-            f"workflow/report/{page}.md" for page in PAGES if page not in ("claims", "parameters")
+            f"workflow/report/{page}.md"
+            for page in PAGES
+            if page not in ("figures", "claims", "parameters")
         ],
+        pages="workflow/report/pages.yaml",
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         environment=PINS[0],

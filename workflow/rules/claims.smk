@@ -13,6 +13,7 @@ rule evaluate_claims:
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
+    retries: 0  # A fault of a statement would be there again.
     params:
         canonical=parameters(datasets=DATASETS, confidence=STUDY["inference"]["confidence"]),
     script:

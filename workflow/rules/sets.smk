@@ -44,6 +44,7 @@ rule judge_sets:
         code=code_inputs("judge_sets.py"),
     output:
         PATTERNS.dataset("sets"),
+    retries: 0  # A fault of a statement would be there again.
     params:
         canonical=parameters(
             chunks=FILES.chunks,

@@ -21,7 +21,7 @@ from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages.cluster import log_reasons
-from snakemake_logger_plugin_stages.command_line import effort, error_line, refuse_faults
+from snakemake_logger_plugin_stages.command_line import cost_column, error_line, refuse_faults
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 from snakemake_logger_plugin_stages.home import provide_home
 
@@ -67,6 +67,7 @@ class LogHandler(LogHandlerBase):
         self._stream = sys.stdout if settings.stdout else sys.stderr
         self._stages: dict[str, Stage] = {}
         self._planned: dict[str, int] = {}  # jobs of each rule
+        self._cores = os.cpu_count() or 1
         self._done = Counter[str]()
         self._rules: dict[int, str] = {}  # by job
         self._begin: dict[str, float] = {}  # of the first job of each rule
@@ -83,6 +84,8 @@ class LogHandler(LogHandlerBase):
             self._show_error(record, fields["exception"])
         elif self._own_log:
             self._say(self.format(record))
+        elif event == LogEvent.RESOURCES_INFO:
+            self._cores = fields.get("cores", self._cores)
         elif event == LogEvent.RUN_INFO:
             self._plan(fields["stats"])
         elif event == LogEvent.JOB_INFO:
@@ -120,7 +123,7 @@ class LogHandler(LogHandlerBase):
 
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show the number of planned jobs and about the time that they take."""
-        stages = read_stages(effort())
+        stages = read_stages(cost_column())
         self._planned = {**jobs}
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
@@ -131,9 +134,9 @@ class LogHandler(LogHandlerBase):
         threading.Thread(target=self._break_silence, daemon=True).start()
 
     def _cost(self, jobs: Mapping[str, int]) -> float:
-        """Return the time (s) that numbers of jobs by rule take on all processors."""
+        """Return the time (s) that numbers of jobs by rule take on the cores of the run."""
         seconds = sum(self._stages[rule].seconds * count for rule, count in jobs.items())
-        return seconds / (os.cpu_count() or 1)
+        return seconds / self._cores
 
     def _position(self) -> str:
         """Return the number of finished jobs, and the remaining time from the costs of jobs.

@@ -3,6 +3,9 @@
 import sys
 from argparse import ArgumentParser, Namespace
 from functools import partial
+from pathlib import Path
+
+import yaml
 
 
 def _options() -> Namespace:
@@ -13,19 +16,40 @@ def _options() -> Namespace:
     return parser.parse_known_args(sys.argv[1:])[0]
 
 
-def effort() -> str:
-    """Return the column of costs for the command line: "quick" for a first answer, else "full"."""
+def cost_column() -> str:
+    """Return the column of costs: of a first answer, of own surfaces or of the paper."""
     options = _options()
-    is_quick = "config/quick.yaml" in options.configfile or "effort=quick" in options.config
-    return "quick" if is_quick else "full"
+    if "config/quick.yaml" in options.configfile or "effort=quick" in options.config:
+        return "quick"
+    return "own" if _has_own_surfaces() else "full"
 
 
 def error_line(exception: str, message: str) -> str:
     """Return the line of an error before the first job, or an empty text for other errors."""
     if exception == "MissingRuleException":
-        name = message.partition("produce ")[2].partition(" ")[0]
-        return f"error: expected a target of README.md or a file of the study, found {name}"
+        return _missing_target(message.partition("produce ")[2].partition(" ")[0])
     return f"error: {message.strip().splitlines()[-1]}" if message.startswith("Traceback") else ""
+
+
+def _missing_target(name: str) -> str:
+    """Return the line of a target that no rule makes, with the targets of such a study."""
+    from hardcontact.report.figures.listing import PAPER_FIGURES
+
+    targets = "a target of README.md"
+    if _has_own_surfaces():
+        targets = (
+            "a target of own surfaces (answer, which makes all figures; topography, adhesion, "
+            "scales or force; with own forces fit)"
+        )
+    elif name.startswith("fig"):
+        targets = f"a figure ({', '.join(PAPER_FIGURES)})"
+    return f"error: expected {targets}, or a file of the study, found {name}"
+
+
+def _has_own_surfaces() -> bool:
+    """Return whether the command line names a study of own surfaces, by its readable overlays."""
+    overlays = [yaml.safe_load(Path(path).read_bytes()) for path in _options().configfile]
+    return any(overlay.get("published") == "none" for overlay in overlays)
 
 
 def refuse_faults() -> None:

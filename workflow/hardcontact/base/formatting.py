@@ -20,6 +20,9 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
+#: Width of an interval, relative to its number, below which a third digit is known: the second one
+#: of a number just above 1 is a tenth.
+NARROW_INTERVAL = 0.1
 #: Largest ratio of the ends of a printed interval; a wider one only says that scans are too few.
 MAX_END_RATIO = 100
 
@@ -27,6 +30,11 @@ MAX_END_RATIO = 100
 def format_number(value: float, digits: int = 3) -> str:
     """Return a number with this many significant digits, without exponent below a million."""
     return f"{float(f'{value:.{digits}g}'):g}"
+
+
+def known_digits(value: float, low: float, high: float) -> int:
+    """Return how many digits of a number are known: three if its interval is narrow, else two."""
+    return 3 if high - low < NARROW_INTERVAL * abs(value) else 2
 
 
 def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:

@@ -5,7 +5,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from hardcontact.base.whole_file import whole_file
+from hardcontact.base.whole_file import remove_parts, whole_file
 
 #: The packages that the study imports, and the list of all packages that these need in turn.
 ENVIRONMENT = "environment.txt"
@@ -27,6 +27,7 @@ def write_pins() -> None:
     for source, path in zip((ENVIRONMENT, LOCK), PINS, strict=True):
         text = "".join(f"{name}=={pin}\n" for name, pin in read_pins(source).items())
         if not Path(path).is_file() or Path(path).read_text("utf-8") != text:
+            remove_parts(path)
             with whole_file(path) as temporary:
                 Path(temporary).write_text(text, "utf-8")
 

@@ -24,6 +24,8 @@ from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import needs_calibration, read_segments
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
+#: The statements of the paper.
+CLAIMS = "resources/paper/claims.csv"
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
 #: paper, in nm: five times the rms height of the roughest.
 SUBSTITUTE_RELIEF = 500.0
@@ -48,7 +50,11 @@ def check_study(config: dict[str, Any], table: pd.DataFrame, compared: Collectio
         for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     if config["published"] == PAPER:
+        # Imported here, as the claims would cost studies of own surfaces almost a second.
+        from hardcontact.config.claim_table import refuse_claims
+
         faults = _paper_faults(config, contacts, compared)
+        checks.append(partial(refuse_claims, CLAIMS))
     else:
         faults = []
         if config["sphere"]["surface"] != SMOOTH_SPHERE:

@@ -139,10 +139,10 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
 
 
 def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
-    """Return the names of the CONTACT_QUANTITIES that are the paper's: a ruby sphere on diamond."""
+    """Return the names of the CONTACT_QUANTITIES that are the paper's and nobody gave."""
     paper = Study().model_dump(warnings=False)
     return [
         name
-        for key, name in CONTACT_QUANTITIES.values()
-        if get_key(config, key) == get_key(paper, key)
+        for option, (key, name) in CONTACT_QUANTITIES.items()
+        if option not in config["given"] and get_key(config, key) == get_key(paper, key)
     ]

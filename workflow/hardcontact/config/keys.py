@@ -86,7 +86,7 @@ class ScanKeys(Keys):
     """Pixels under a mask in a file of Gwyddion: `keep` their heights, or `exclude` them as
     undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """What is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
+    """Form that is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
     `plane`, or a `quadratic` polynomial."""
 
 
@@ -112,7 +112,7 @@ class AdhesionKeys(Keys):
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
     )
-    """Ranges of adhesion ρ at which forces are computed, and interpolated between them."""
+    """Ranges of adhesion ρ at which forces are computed; between them forces are interpolated."""
 
 
 class InferenceKeys(Keys):
@@ -165,7 +165,7 @@ class ScalesKeys(Keys):
     whole_surfaces: Realizations = 10
     """Surfaces of each substitute as large as large-scale masters, not mirrored, for octaves."""
     sphere_roughness: bool = key(False, "not stated")
-    """Whether the sphere on masters has the roughness of its first scan; own scans add it."""
+    """Whether the paper's sphere is rough on masters, like its first scan; a scanned own one is."""
     small: SmallScaleKeys = SmallScaleKeys()
     large: LargeScaleKeys = LargeScaleKeys()
 
@@ -174,7 +174,7 @@ class ElasticKeys(Keys):
     """Elastic contact."""
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, sampled at random; each takes about a second."""
+    """Contacts solved on each scan, sampled at random."""
 
 
 class IndentKeys(Keys):
@@ -221,7 +221,7 @@ class SetsKeys(Keys):
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
     """Scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
-    """Rms heights at which forces on the pool are computed, and interpolated between."""
+    """Rms heights at which forces on the pool are computed; other forces are interpolated."""
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20
@@ -251,9 +251,11 @@ class StudyKeys(Keys):
     scans: Annotated[list[int], Field(min_length=1), or_word("all")] = key("all")
     """Numbers of the scans used, such as `[1, 2]`, or `all`."""
     published: Literal["paper", "none"] = "paper"
-    """What the study is compared with: the `paper`, or `none` for own surfaces."""
+    """Publication that the study is compared with: the `paper`, or `none` for own surfaces."""
     forces: FilePath = "none"
     """With `published: none`: table of forces measured on these surfaces, or `none`."""
+    given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []
+    """With `published: none`: known quantities; others that equal the paper's count as assumed."""
     reference_surface: SurfaceId = key("uncd", "Fig. 4b")
     """Substrate in the denominator of ratios of forces."""
     seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021

@@ -22,7 +22,7 @@ from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import get_key, read_yaml, refuse_unreadable
 from hardcontact.config.endings import end_at_interrupt
 from hardcontact.config.faults import key_fields, refuse_all, shorten
-from hardcontact.config.model import QUICK_SUFFIX, Study, numeric_configuration
+from hardcontact.config.model import NONE, QUICK_SUFFIX, Study, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.reruns import plan_by_records
 from hardcontact.config.selection import Selection, selected_scans, source_digests, surface_table
@@ -50,12 +50,22 @@ def prepare(workflow: Any) -> None:
     os.environ.setdefault("MALLOC_TRIM_THRESHOLD_", str(REUSED_MEMORY))
     check_folders(".snakemake")  # Snakemake's own attempt ends in a traceback.
     if _plans_the_run(workflow):
+        _refuse_touch()
         end_at_interrupt(workflow)
         try:
             refuse_other_versions()
         except ValueError as error:
             _refuse(error)
         plan_by_records(workflow)
+
+
+def _refuse_touch() -> None:
+    """Refuse to renew times, which decide nothing; without files Snakemake ends in a traceback."""
+    if {"--touch", "-t"} & {*sys.argv[1:]}:
+        _refuse(
+            "snakemake: expected a run, since records and not times decide what is made again, "
+            "found --touch: `snakemake -n` names the jobs that would run"
+        )
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -121,6 +131,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         if _plans_the_run(workflow):
             files = map(os.path.relpath, workflow.configfiles)
             refuse_all(partial(refuse_unreadable, path) for path in files)
+            _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
         update_config(config, yaml_values(nested))
@@ -134,6 +145,16 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
         return numbers
     except ValueError as error:
         _refuse(error)
+
+
+def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
+    """Refuse the grids of the paper's quick study for own surfaces, in either order of overlays."""
+    quick = ROOT / "config/quick.yaml"
+    if config["published"] == NONE and quick in map(Path.resolve, map(Path, workflow.configfiles)):
+        raise ValueError(
+            "--configfile: expected config/quick.yaml for studies of the paper alone, found it "
+            "with `published: none`: --config effort=quick gives a first answer for own surfaces"
+        )
 
 
 def _refuse_unnamed(config: Mapping[str, Any]) -> None:

@@ -44,7 +44,7 @@ from hardcontact.own.request import (
 
 
 def main() -> int:
-    """Carry out the command line: `new`, `predict` or `verify`; return the exit code."""
+    """Carry out the command line: `new`, `predict`, `verify`, `compare`; return the exit code."""
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
         refuse_lines(
@@ -62,6 +62,10 @@ def main() -> int:
             words, code = verify(verify_arguments(sys.argv[2:]))
             print(words, flush=True)
             return code
+        elif sys.argv[1:2] == ["compare"]:
+            from hardcontact.own.compare import compare, compare_arguments
+
+            print(compare(compare_arguments(sys.argv[2:])))
         else:
             print(new_study(parse_arguments(sys.argv[1:])))
         sys.stdout.flush()
@@ -202,6 +206,9 @@ def _choices_without_scans(
         yield Choice("scan.levelling", arguments.levelling, "as given, for all height maps")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
+    given = [option for option in CONTACT_QUANTITIES if quantities[option].is_given]
+    if given:
+        yield Choice("given", given, "known; others that equal the paper's are assumed")
     surface, reason = (
         (SPHERE, "its scans") if arguments.sphere else (SMOOTH_SPHERE, "no scans of it")
     )
@@ -234,7 +241,9 @@ def _report_lines(
     yield "\nChosen:"
     for key, value, reason in choices:
         if isinstance(value, list):
-            value = f"{len(value)} values, {value[0]} to {value[-1]}"
+            is_short = len(value) <= len(CONTACT_QUANTITIES)
+            ends = f"{len(value)} values, {value[0]} to {value[-1]}"
+            value = ", ".join(value) if is_short else ends
         yield f"{key}: {value}" + (f" ({reason})" if reason else "")
     if proposal.cautions:
         yield "\nTake care:"

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.base.formatting import format_length
+from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.config import model
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import CONTACT_PIXELS, periods_in_window
@@ -44,7 +44,7 @@ FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
 CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
-#: a scan at full effort then take 5 of the 20 minutes of processor time.
+#: a scan at full effort then take 5 minutes of processor time at most.
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
 SECONDS_A_PIXEL = 4e-7
@@ -68,7 +68,7 @@ class Effort(NamedTuple):
     ranges: int  #: of adhesion
 
 
-#: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
+#: A minute of processor time, for one scan of 512 x 512 pixels; and a third of it.
 FULL_EFFORT = Effort(
     pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_side=20, ranges=12
 )
@@ -178,9 +178,27 @@ def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
     for entry in entries:
         for code, numbers in entry.defects.items():
             yield f"{entry.name}: {defect_sentence(code, numbers)}"
+        if "curvature" in entry.defects and entry.source.sphere_radius is not None:
+            yield _radius_question(entry, entry.source.sphere_radius)
     for entry in entries:
         _, cautions = split_notes(entry.notes)
         yield from (f"{entry.name}: {line}" for line in cautions)
+
+
+def _radius_question(entry: Entry, stated_radius: float) -> str:
+    """Return a question about the stated radius (nm) of a sphere that leaves its scan curved.
+
+    The defect has no sign: a sphere that is smaller or, with less curvature, larger leaves it.
+    """
+    remaining = 1 / entry.defects["curvature"]["curvature_radius"]
+    curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
+    radii = " or ".join(
+        format_quantity(1 / value, "nm", digits=2) for value in curvatures if value > 0
+    )
+    return (
+        f"{entry.name}: --radius {format_length(stated_radius)} contradicts this scan of the "
+        f"sphere, whose curvature is that of a radius of {radii}: which is right?"
+    )
 
 
 def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:

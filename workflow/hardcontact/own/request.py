@@ -2,19 +2,18 @@
 
 import os
 import re
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
-from difflib import get_close_matches
 from importlib.metadata import version
 from pathlib import Path
-from typing import NamedTuple, NoReturn
+from typing import NamedTuple
 
 from hardcontact.base.code import LIBRARY
 from hardcontact.config.arguments import unit_question
-from hardcontact.config.faults import SIMILARITY
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
 from hardcontact.config.selection import LABEL, TIP_RADIUS
+from hardcontact.own.command_line import CommandLine
 from hardcontact.surfaces.height_map import LEVELLING
 from hardcontact.surfaces.scans import MASKS
 
@@ -61,38 +60,16 @@ class Source(NamedTuple):
     is_in_folder: bool = False  #: whether the user named its folder, which may hold other files
 
 
-class Parser(ArgumentParser):
-    """Refuses a wrong command line in one line, with the option that an unknown one resembles."""
-
-    def __init__(self, command: str, description: str) -> None:
-        """Prepare to parse the words of a command."""
-        super().__init__(
-            command,
-            description=description,
-            formatter_class=RawDescriptionHelpFormatter,
-            allow_abbrev=False,
-        )
-
-    def error(self, message: str) -> NoReturn:
-        """Raise ValueError."""
-        words = message.removeprefix("unrecognized arguments: ")
-        if words != message:
-            matches = get_close_matches(
-                words.split()[0], self._option_string_actions, 1, SIMILARITY
-            )
-            question = f" (did you mean {matches[0]}?)" if matches else ""
-            message = f"expected options of {self.prog} --help, found {words}{question}"
-        raise ValueError(message)
-
-
 def parse_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the program's name."""
-    parser = Parser("hardcontact", USAGE)
+    """Return the parsed command line, without the program's name; a wrong one ends the program."""
+    parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
-        "command", choices=["new", "predict", "verify"], metavar="{new,predict,verify}",
+        "command", choices=["new", "predict", "verify", "compare"],
+        metavar="{new,predict,verify,compare}",
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "
-        "hardcontact predict --help; verify: check the files of a finished study",
+        "hardcontact predict --help; verify: check the files of a finished study; compare: the "
+        "numbers of two studies",
     )  # fmt: skip
     parser.add_argument(
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"

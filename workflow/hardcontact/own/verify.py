@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from hardcontact.base.verification import check
-from hardcontact.own.request import Parser
+from hardcontact.own.command_line import CommandLine
 
 
 def verify_arguments(arguments: Sequence[str]) -> Namespace:
-    """Return the parsed command line, without the command."""
-    parser = Parser(
-        "hardcontact verify",
-        "Name the files of a finished study that do not match their records.",
-    )
+    """Return the parsed command line, without the command; a wrong one ends the program."""
+    description = "Name the files of a finished study that do not match their records."
+    parser = CommandLine("hardcontact verify", description)
     parser.add_argument("folder", metavar="FOLDER", help="results of a study, or its name")
     return parser.parse_args(arguments)
 

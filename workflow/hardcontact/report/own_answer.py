@@ -1,6 +1,6 @@
 """The answer of a study of own surfaces: the content of its answer.json."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,19 +70,27 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
     surfaces = surface_answers(datasets, setting)
     study_numbers = _study_numbers(datasets, setting)
     chosen = _chosen_inputs(datasets.force, setting)
+    numbers = {number.name: number for number in study_numbers}
+    fit_text = _fit_text(numbers)
     return {
         "study": setting.study,
         "version": setting.version,
         "effort": setting.effort,
         "kind": "own surfaces",
         "headline": rendered_lines(
-            "own_headline.txt", surfaces=surfaces, chosen=chosen, contact=setting.contact
+            "own_headline.txt",
+            surfaces=surfaces,
+            chosen=chosen,
+            contact=setting.contact,
+            assumed=setting.of_paper,
+            fit=fit_text if len(surfaces) > 1 else "",
         ),
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
+        "changed": [],
         "assumed": list(setting.of_paper),
         "chosen": chosen,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
-        "notes": _notes(surfaces, study_numbers),
+        "notes": _notes(surfaces, numbers, fit_text),
         "quantities": all_quantities(
             study_numbers, {surface.name: surface.numbers.values() for surface in surfaces}
         ),
@@ -156,7 +164,9 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     return numbers
 
 
-def _notes(surfaces: list[SurfaceAnswer], study_numbers: list[Number]) -> list[dict[str, Any]]:
+def _notes(
+    surfaces: list[SurfaceAnswer], numbers: Mapping[str, Number], fit_text: str
+) -> list[dict[str, Any]]:
     """Return what the numbers alone do not tell, in words: cautions, what to measure, the fit."""
     notes = substitutes_note([surface.label for surface in surfaces if surface.basis != "measured"])
     several = len(surfaces) > 1
@@ -169,13 +179,14 @@ def _notes(surfaces: list[SurfaceAnswer], study_numbers: list[Number]) -> list[d
         for measurement in surface.next:
             text = rendered_text("own_next.txt", measurement=measurement, **facts, **limits)
             notes.append(note("next", text, measurement.code, surface.name))
-    numbers = {number.name: number for number in study_numbers}
-    if "fit_range" in numbers:
-        status = numbers["fit_region_range"].status
-        disagrees = status in ("ends", "no_agreement") and numbers["fit_agrees"].value == 0
-        text = rendered_text("own_fit.txt", n=numbers)
-        notes.append(note("fit", text, status, grave=disagrees))
+    if fit_text:
+        notes.append(note("fit", fit_text, numbers["fit_region_range"].status))
     return notes
+
+
+def _fit_text(numbers: Mapping[str, Number]) -> str:
+    """Return which ranges and works agree with all measured forces, nothing without forces."""
+    return rendered_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:

@@ -1,4 +1,4 @@
-"""The page of the paper's study: answer.json, claims, Table 1, figures and their captions."""
+"""Pages of the paper's study: its answer, and all its figures with Table 1."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
@@ -10,29 +10,49 @@ from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_
 from hardcontact.report.page import render_page
 from hardcontact.report.paper_answer import ANSWER_CLAIMS
 from hardcontact.report.report_pages import claim_facts
+from hardcontact.report.templates import Frame, rendered
 
 
 def paper_page(
     answer: Mapping[str, Any],
     claims: pd.DataFrame,
-    table1: Sequence[Sequence[str]],
     figures: Mapping[str, bytes],
     captions: Mapping[str, Caption],
     citation: Mapping[str, Any],
+    frame: Frame,
 ) -> str:
     """Return the page of the paper's study.
 
-    `claims` comes from `verdicts.add_open_ends`, `table1` from `table1.table1_rows`; SVG and
-    captions are by the name of the figure.
+    `claims` comes from `verdicts.add_open_ends`; SVG and captions are by the name of the figure.
     """
-    chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
     return render_page(
         answer,
         figures,
         citation,
+        frame,
         answer_claims=ANSWER_CLAIMS,
-        chapters=[(heading, list(names)) for heading, names in chapters],
-        table1=table1,
         captions=captions,
         **claim_facts(claims),
+    )
+
+
+def figures_page(
+    answer: Mapping[str, Any],
+    table1: Sequence[Sequence[str]],
+    figures: Mapping[str, bytes],
+    captions: Mapping[str, Caption],
+    frame: Frame,
+) -> str:
+    """Return the page of all figures of the paper's study, and of Table 1 from `table1_rows`."""
+    chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
+    return rendered(
+        "figures.html",
+        frame,
+        "figures",
+        notes=answer["notes"],
+        surfaces=answer["surfaces"],
+        table1=table1,
+        figures=figures,
+        captions=captions,
+        chapters=[(heading, list(names)) for heading, names in chapters],
     )

@@ -7,7 +7,12 @@ from typing import Any
 
 import xarray as xr
 
-from hardcontact.base.formatting import PRINTED_UNITS, format_as_paper, format_quantity
+from hardcontact.base.formatting import (
+    PRINTED_UNITS,
+    format_as_paper,
+    format_quantity,
+    known_digits,
+)
 from hardcontact.base.number import Number, plain
 from hardcontact.base.statistics import bounds
 
@@ -100,6 +105,11 @@ def in_words(number: Number, digits: int = 3) -> str:
     if high:
         return f"at most {printed(number, digits, 'high')}"
     return NO_VALUE.get(number.status, "not known")
+
+
+def rounded(number: Number) -> str:
+    """Return a number in words, with as many digits as its interval leaves."""
+    return in_words(number, known_digits(number.value, number.low, number.high))
 
 
 def _unbounded(number: Number, digits: int) -> str:

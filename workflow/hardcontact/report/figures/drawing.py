@@ -77,7 +77,12 @@ def svg_bytes(figure: Figure, title: str, resolution: float) -> bytes:
         figure.savefig(buffer, format="svg", dpi=resolution, metadata=metadata)
     svg = buffer.getvalue().replace(b"'DejaVu Sans'", SVG_FONTS)
     # Hundredths of a point are enough, and indentation is a tenth of the file.
-    return re.sub(rb"\s+", b" ", re.sub(rb"(\.\d\d)\d+", rb"\1", svg))
+    return re.sub(rb"\s+", b" ", re.sub(rb"<[^>]+>", _round_positions, svg))
+
+
+def _round_positions(tag: re.Match[bytes]) -> bytes:
+    """Return a tag with two decimals of each number; numbers between tags are text to be read."""
+    return re.sub(rb"(\.\d\d)\d+", rb"\1", tag[0])
 
 
 def _has_many_points(artist: Artist) -> bool:

@@ -68,6 +68,7 @@ def draw(
             axes.set_xlabel("pull-off force (µN)")
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
+    figure.align_ylabels(grid[:, 0])
     style.legend_above(figure, _legend_handles(pairs, floor), 3)
     return figure
 

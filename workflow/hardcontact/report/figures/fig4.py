@@ -22,6 +22,8 @@ DRAWN_MAP_PIXELS = 640  # along a side of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 PUBLISHED_MEAN: style.Look = {"lw": 1.0, "ls": ":"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
+AT_FIT_DODGES = 4  # these symbols are larger than those of the curves
+MARK_POSITION = 0.97  # of the symbol on a published mean, on the x axis from 0 to 1
 RATIO_FIT: style.Look = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
 
 
@@ -128,9 +130,10 @@ def _draw_forces(
     set_spread = summarize_sets(set_fits["mean_force"]) * unit
     _draw_curves(axes, scans, set_spread, published / style.MICRONEWTON)
     fitted = value_and_interval(fit.sel(pair="fitted"), "mean_force_at_pair") / style.MICRONEWTON
-    for look, force in style.iterate_surfaces(fitted):
+    for factor, look, force in style.iterate_dodged(fitted):
         at_fit = look | AT_FIT
-        panels.draw_bars(axes, fit["range_of_adhesion"], force, elinewidth=1.2, zorder=4, **at_fit)
+        rho = fit["range_of_adhesion"] * factor**AT_FIT_DODGES
+        panels.draw_bars(axes, rho, force, elinewidth=1.2, zorder=4, **at_fit)
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"
     style.label_panel(axes, "c", title)
@@ -140,10 +143,12 @@ def _draw_curves(
     axes: Axes, scans: xr.Dataset, set_spread: xr.Dataset, published: pd.Series
 ) -> None:
     """Draw values with intervals, bands of the sets and published levels against rho (nm)."""
-    for look, curve in style.iterate_surfaces(scans):
+    transform = axes.get_yaxis_transform()
+    for factor, look, curve in style.iterate_dodged(scans):
         surface = curve["surface"].item()
         panels.draw_band(axes, scans["rho"], set_spread.sel(surface=surface), look["color"])
-        panels.draw_bars(axes, scans["rho"], curve, elinewidth=0.7, ms=2.5, **look)
+        panels.draw_bars(axes, factor * scans["rho"], curve, elinewidth=0.7, ms=2.5, **look)
         axes.axhline(published[surface], color=look["color"], **PUBLISHED_MEAN)
+        axes.plot(MARK_POSITION, published[surface], transform=transform, mfc="white", **look)
     axes.set(xscale="log", yscale="log")
     style.end_near_values([axes])

@@ -1,5 +1,7 @@
 """Fig. 5: the indents that plastic contact leaves in the sphere."""
 
+from itertools import cycle
+
 import matplotlib as mpl
 import numpy as np
 import pandas as pd
@@ -13,10 +15,11 @@ LINE_COLOURS = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper;
 BEFORE = "0.5"
 #: Preloads have its colours too, as black is for published values.
 DEPTH_COLOURS = mpl.colormaps["Purples"]
+PRELOAD_LINES = ("-", "-.", ":")  # dashed lines are published
 SIZES = {  # title, axis, published constant
     "depth": ("deepest point", "depth (nm)", "indent_depth"),
-    "equal_area_side": ("largest indent: √area", "edge length (nm)", "indent_edge_length"),
-    "longer_side": ("largest indent: longer side", "lateral size (nm)", "indent_edge_length"),
+    "equal_area_side": ("largest indent", "side of an equal square (nm)", "indent_edge_length"),
+    "longer_side": ("largest indent", "longer side (nm)", "indent_edge_length"),
 }
 PRELOAD = "preload_indentation"  # the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
@@ -76,7 +79,7 @@ def _draw_line(axes: Axes, contact: xr.Dataset, axis: str) -> None:
     axes.fill_between(
         line[axis], height_after, height_before, color=LINE_COLOURS[axis], alpha=0.25, lw=0
     )
-    axes.plot(line[axis], height_before, color=BEFORE, lw=0.8, label="before")
+    axes.plot(line[axis], height_before, color=BEFORE, ls=":", label="before")
     axes.plot(line[axis], height_after, color=LINE_COLOURS[axis], label="after")
     axes.set_xlabel(f"{axis} (nm)")
     axes.locator_params(nbins=5)
@@ -90,9 +93,10 @@ def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series)
     sizes = indent[name].quantile(SHARES, contacts, method="inverted_cdf")
     sizes = sizes.transpose("preload", "quantile")
     shades = DEPTH_COLOURS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
-    for values, colour in zip(sizes, shades, strict=True):
+    for values, colour, dashes in zip(sizes, shades, cycle(PRELOAD_LINES), strict=False):
         label = f"computed, {_print_preload(values['preload'])}"
-        axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
+        look: style.Look = {"color": colour, "ls": dashes, "drawstyle": "steps-post"}
+        axes.plot(values, SHARES, label=label, **look)
     label = f"published, {_print_preload(published[PRELOAD])}"
     axes.axvline(published[constant], color=style.PUBLISHED_COLOUR, lw=1.0, ls="--", label=label)
     axes.set(xlabel=quantity, ylim=(0, 1))

@@ -15,6 +15,7 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_interval
 
 PUBLISHED_LINE: style.Look = {"color": "0.25", "lw": 1.0, "ls": "--"}
+TOLERANCE_LINE: style.Look = {"color": "0.6", "lw": 0.8, "zorder": 0}
 #: Smallest change drawn, in per cent: a thousandth of the tolerance. Without waves above a cutoff
 #: the change is zero but for rounding.
 SMALLEST_CHANGE = 0.01
@@ -62,7 +63,8 @@ def _draw_side(column: np.ndarray, edges: xr.Dataset) -> None:
     end = last_cutoff(edges["filtered_force_ratio"], side)
     edge_rows = value_and_interval(edges, "edge")
     edge_rows["value"] = edge_rows["value"].fillna(end)
-    panels.draw_edges(column[2], edge_rows, edges["label"], end, ">" if side == "small" else "<")
+    arrows = {">" if side == "small" else "<": end}
+    panels.draw_edges(column[2], edge_rows, edges["label"], arrows)
     column[2].set_xlabel("cutoff wavelength (nm)")
 
 
@@ -70,13 +72,13 @@ def _draw_changes(axes: Axes, change: xr.Dataset, tolerance: float) -> None:
     """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
     cutoffs = change["cutoff_wavelength"]
     surfaces = [group for group in change["group"].values if group != POOLED]
-    for surface, colour in style.colours(surfaces).items():
-        axes.plot(cutoffs, change["value"].sel(group=surface), color=colour, lw=0.8)
+    for surface, look in style.looks(surfaces).items():
+        axes.plot(cutoffs, change["value"].sel(group=surface), lw=0.8, ms=2.5, **look)
     pooled = change.sel(group=POOLED)
     panels.draw_bars(axes, cutoffs, pooled, elinewidth=0.9, lw=1.8, **style.POOLED_LOOK)
-    axes.axhline(tolerance, color="0.6", lw=0.8, zorder=0)
     axes.set(yscale="log", ylabel="change (%)")
     axes.set_ylim(bottom=max(SMALLEST_CHANGE, axes.get_ylim()[0]))
+    axes.axhline(tolerance, **TOLERANCE_LINE)
 
 
 def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist]:
@@ -88,6 +90,7 @@ def _legend_handles(edges: xr.Dataset, short: float, long: float) -> list[Artist
         Line2D([], [], lw=1.8, label="mean change of all", **style.POOLED_LOOK),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
+        Line2D([], [], label=f"change of {tolerance}", **TOLERANCE_LINE),
         Line2D([], [], label=f"published: {short:g} and {long:g} nm", **PUBLISHED_LINE),
         Patch(label="artificial roughness", **style.ARTIFICIAL_LOOK),
         Line2D([], [], ls="none", marker=">", ms=5, color="0.3", label="beyond the last cutoff"),

@@ -13,6 +13,7 @@ from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import published_edge, value_and_bounds
 
 MICROMETRE = 1000  # nm
+EDGE_INTERVAL: style.Look = {"fc": "0.94", "ec": "0.7", "hatch": r"\\\\", "lw": 0, "zorder": 0}
 QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 QUANTITIES = {  # title, axis, printed unit
     "largest_share": ("largest patch", "share of the force", 1),
@@ -47,8 +48,8 @@ def draw(asperities: xr.Dataset, edges: xr.Dataset, published_constants: pd.Data
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)
     entries = style.legend_entries((grid[0, 0], grid[1, 1]))
-    entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=style.OPACITY, lw=0)
-    figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=4)
+    spread = Patch(color="0.3", alpha=style.OPACITY, lw=0, label="half of the contacts (bands)")
+    style.legend_above(figure, [*entries.values(), spread])
     return figure
 
 
@@ -60,8 +61,8 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
     radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
     extent = 2 * radius * np.sqrt(-np.log(1 - asperities.attrs["share"]))
     for lengths, label, dashes in (
-        (extent, "smooth sphere on a plane (d)", "-"),
-        (radius, "interaction radius √(2Rρ) (d)", "-."),
+        (extent, "smooth sphere (d)", "-"),
+        (radius, r"interaction radius $(2R\rho)^{1/2}$ (d)", "-."),
     ):
         look: style.Look = {"color": "black", "lw": 0.9, "ls": dashes, "label": label}
         axes.plot(lengths["rho"], lengths / MICROMETRE, **look)
@@ -76,6 +77,6 @@ def _draw_critical(axes: Axes, edges: xr.Dataset, published_constants: pd.DataFr
     confidence = format_share(edges.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="long edge $λ_L$ (d)")
     if np.isfinite([low, high]).all():
-        axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")
+        axes.axhspan(low, high, label=f"its {confidence} interval (d)", **EDGE_INTERVAL)
     look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
     axes.axhline(published / MICROMETRE, **look)

@@ -14,7 +14,11 @@ from hardcontact.report.figures.values import value_and_interval
 
 MIN_DRAWN_FORCE = 1e-6  # µN; a model that predicts less predicts no force at all
 METRIC_LABELS = {"afm": "AFM scans alone", "all_scales": "all scales"}
-ERROR_COLOURS = {"published": style.PUBLISHED_COLOUR, "computed": "0.55"}
+ERROR_LOOKS: dict[str, style.Look] = {
+    "published": {"color": style.PUBLISHED_COLOUR, "marker": "o"},
+    "computed": {"color": "0.55", "marker": "s"},
+}
+PUBLISHED_LINE: style.Look = {"lw": 0.5, "alpha": 0.6}
 
 
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
@@ -29,7 +33,12 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
         for face, label in zip(("0.3", "white"), METRIC_LABELS.values(), strict=True)
     ]
-    style.legend_above(figure, [*style.surface_handles(classical, ls="none"), *metric_handles], 6)
+    line_handles = [
+        Line2D([], [], color="0.3", label="published force", **PUBLISHED_LINE),
+        Line2D([], [], color="0.3", lw=0.8, label="interval (bars)"),
+    ]
+    surface_handles = style.surface_handles(classical, ls="none")
+    style.legend_above(figure, [*surface_handles, *metric_handles, *line_handles])
     return figure
 
 
@@ -58,7 +67,7 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
             force = value_and_interval(surface_data, variable) / style.MICRONEWTON
             _draw_point(axes, x + offset, force, **look)
         published = surface_data["published_mean_force"].item() / style.MICRONEWTON
-        axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
+        axes.axhline(published, color=colour, zorder=0, **PUBLISHED_LINE)
         forces = value_and_interval(surface_data, "pull_off_force") / style.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, shift in zip(METRIC_LABELS, (-0.04, 0.04), strict=True):
@@ -81,15 +90,14 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     errors = value_and_interval(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
-    for force_source, side in (("published", -1), ("computed", 1)):
-        colour = ERROR_COLOURS[force_source]
+    for side, (force_source, error_look) in zip((-1, 1), ERROR_LOOKS.items(), strict=True):
         for metrics, shift in zip(METRIC_LABELS, (-0.07, 0.07), strict=True):
-            look = {"color": colour, "marker": "o", "mfc": colour if metrics == "afm" else "white"}
+            face = error_look["color"] if metrics == "afm" else "white"
             for x, model in enumerate(classical["model"].values):
                 point = errors.sel(model=model, metrics=metrics, force_source=force_source)
-                _draw_point(axes, x + 0.17 * side + shift, point, **look)
-        axes.plot([], [], "o", color=colour, label=f"to {force_source} forces")
-    axes.text(-0.4, threshold / 2, f"below {threshold:g}", fontsize=7, va="center")
+                _draw_point(axes, x + 0.17 * side + shift, point, mfc=face, **error_look)
+        axes.plot([], [], ls="none", label=f"to {force_source} forces", **error_look)
+    axes.text(-0.4, threshold / 2, f"paper: below {threshold:g}", fontsize=7, va="center")
     labels = classical["model_label"].values
     axes.set_xticks(range(len(labels)), labels, **style.TILTED)
     axes.set(ylim=(0, 1.5), ylabel="least mean relative error")

@@ -5,6 +5,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from hardcontact.report.figures import drawing, style
 
@@ -13,6 +15,7 @@ PRESSURE_COLOURS = "RdBu_r"  # white at the hardness
 PRESSURE_TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
 NO_CONTACT_COLOUR = "0.75"
 MOST_SHARE = 0.5  # share of the contact area that the paper calls "most"
+MOST_LOOK: style.Look = {"color": "0.9", "lw": 0, "zorder": 0}
 PRESSURE_LEVELS = {  # attribute: label, line
     "hardness": ("hardness", "-"),
     "hertz_peak_pressure": ("smooth sphere (Hertz)", "--"),
@@ -24,7 +27,7 @@ def draw(elastic: xr.Dataset) -> Figure:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
     surfaces = elastic.sizes["surface"]
     figure, (maps, (shares, peaks, forces)) = drawing.create_rows(
-        4.6, elastic, (1, (1,) * surfaces), (1.3, (1, 1, 1))
+        5.1, elastic, (1, (1,) * surfaces), (1.3, (1, 1, 1))
     )
     _draw_pressures(maps, elastic)
     _draw_shares(shares, elastic)
@@ -32,16 +35,21 @@ def draw(elastic: xr.Dataset) -> Figure:
     _draw_forces(forces, elastic)
     for axes in (shares, peaks, forces):
         axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED)
+    handles = [
+        Patch(color=NO_CONTACT_COLOUR, label="no contact (a)"),
+        Line2D([], [], color="0.3", marker="o", ms=3, ls="none", label="one contact"),
+        Line2D([], [], color="0.3", lw=1.6, label="median"),
+        Patch(label="published: most of the area (b)", **MOST_LOOK),
+    ]
+    style.legend_above(figure, handles)
     return figure
 
 
 def _draw_shares(axes: Axes, elastic: xr.Dataset) -> None:
     """Draw the share of the contact area above the hardness, and what the paper calls "most"."""
     _draw_contacts(axes, elastic["share_above_hardness"])
-    axes.axhspan(MOST_SHARE, 1, color="0.88", zorder=0)
-    middle = axes.get_xlim()[1] / 2
-    axes.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
-    axes.set(ylim=(-0.03, 1.12), ylabel="share of contact area")
+    axes.axhspan(MOST_SHARE, 1, **MOST_LOOK)
+    axes.set(ylim=(-0.03, 1.03), ylabel="share of contact area")
     style.label_panel(axes, "b", "pressure above hardness")
 
 
@@ -62,8 +70,9 @@ def _draw_forces(axes: Axes, elastic: xr.Dataset) -> None:
     ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
     change = (ratio - 1) / style.PERCENT
     _draw_contacts(axes, change)
-    axes.axhline(0, color="0.7", lw=0.6, zorder=0)
-    axes.set_ylabel("elastic / rigid pull-off − 1 (%)")
+    axes.axhline(0, color="0.6", lw=0.8, zorder=0, label="no change")
+    axes.legend()
+    axes.set_ylabel("change of the force (%)")
     style.label_panel(axes, "d", f"differs by up to {abs(change).max().item():.2g} %")
 
 
@@ -96,11 +105,11 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
     """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
     offsets = np.linspace(-SCAN_SPREAD / 2, SCAN_SPREAD / 2, values.sizes["scan"])[:, None]
-    for position, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
+    for position, (surface, look) in enumerate(style.looks(values["surface"].values).items()):
         surface_data = values.sel(surface=surface).transpose("scan", "contact")
         positions = np.broadcast_to(position + offsets, surface_data.shape)
-        axes.plot(
-            positions.ravel(), surface_data.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6
-        )
-        axes.hlines(surface_data.median(), position - 0.45, position + 0.45, color=colour, lw=1.6)
+        symbols: style.Look = look | {"ls": "none", "ms": 3, "mew": 0, "alpha": 0.6}
+        axes.plot(positions.ravel(), surface_data.values.ravel(), **symbols)
+        ends = position - 0.45, position + 0.45
+        axes.hlines(surface_data.median(), *ends, color=look["color"], lw=1.6)
     axes.set_xlim(-0.6, values.sizes["surface"] - 0.4)

@@ -32,19 +32,24 @@ def draw(enhancement: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         *style.surface_handles(enhancement),
         Line2D([], [], label="mean change of all", **style.POOLED_LOOK),
         Line2D([], [], label=f"published: {edge:g} nm", **style.PUBLISHED_RANGE),
+        Line2D([], [], lw=1.4, color="0.3", label="interval (bars)"),
         Patch(label=f"change below {tolerance}", **panels.UNCHANGED_LOOK),
+        Line2D([], [], ls="none", marker="<", ms=5, color="0.3", label="beyond the cutoffs"),
     ]
     style.legend_above(figure, handles)
     return figure
 
 
 def _draw_case(ratio_panel: Axes, edge_panel: Axes, edges: xr.Dataset) -> None:
-    """Draw the ratios and edges of one contact model at one range; arrows at the first cutoff."""
+    """Draw the ratios and edges of one contact model at one range.
+
+    Arrows at the first and last cutoff show what lies beyond; a missing edge is beyond the last.
+    """
     ratio = value_and_interval(edges, "filtered_force_ratio").dropna("cutoff_wavelength", how="all")
     panels.draw_ratios(ratio_panel, ratio, edges.attrs["tolerance"])
     style.label_logarithmic(ratio_panel.yaxis, digits=(1, 2, 5))
-    first_cutoff = ratio["cutoff_wavelength"].values[0]
-    edge_rows = value_and_interval(edges, "edge")
-    edge_rows["value"] = edge_rows["value"].clip(min=first_cutoff)
-    panels.draw_edges(edge_panel, edge_rows, edges["label"], first_cutoff, "<")
+    first, last = ratio["cutoff_wavelength"].values[[0, -1]]
+    edge_rows = value_and_interval(edges, "edge").clip(first, last)
+    edge_rows["value"] = edge_rows["value"].fillna(last)
+    panels.draw_edges(edge_panel, edge_rows, edges["label"], {"<": first, ">": last})
     edge_panel.set_xlabel("cutoff (nm)")

@@ -10,12 +10,14 @@ from matplotlib.lines import Line2D
 from hardcontact.base.statistics import lognormal_shape
 from hardcontact.report.figures import drawing, style
 
-#: Symbol, colour and words of each kind of surface.
+#: Symbol, colour and words of each kind of surface; no surface of the study has these colours.
 KIND_LOOKS: dict[str, style.Look] = {
-    "bumps": {"marker": "^", "color": style.SUBSTRATE_COLOURS[1], "label": "bumps"},
-    "pits": {"marker": "v", "color": style.SUBSTRATE_COLOURS[0], "label": "pits"},
+    "bumps": {"marker": "^", "color": "#882255", "label": "bumps"},
+    "pits": {"marker": "v", "color": "#332288", "label": "pits"},
     "gaussian": {"marker": "o", "color": "0.6", "label": "Gaussian, height over all scales"},
 }
+
+EQUALITY_LOOK: style.Look = {"color": "0.6", "lw": 0.8}
 
 
 def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
@@ -36,14 +38,15 @@ def draw(features: xr.Dataset, published_pull_off: pd.DataFrame) -> Figure:
     _draw_equality(median_axes, features, mean)
     median_axes.set(xscale="log", yscale="log", ylabel="median force (µN)")
     scatter_axes.set(xscale="log", ylabel="standard deviation of ln F")
-    for letter, axes in zip("ab", (median_axes, scatter_axes), strict=True):
+    for letter, axes, title in (("a", median_axes, "median"), ("b", scatter_axes, "scatter")):
         axes.set_xlabel("mean force (µN)")
-        style.label_panel(axes, letter, "at the published ρ and $W$")
+        style.label_panel(axes, letter, f"{title} at the published ρ and $W$")
     style.label_logarithmic(
         median_axes.xaxis, median_axes.yaxis, scatter_axes.xaxis, digits=(1, 2, 5)
     )
     handles = [Line2D([], [], ls="none", **look) for look in (*KIND_LOOKS.values(), published)]
-    style.legend_above(figure, handles)
+    handles.append(Line2D([], [], label="median = mean (a)", **EQUALITY_LOOK))
+    style.legend_above(figure, handles, 5)
     return figure
 
 
@@ -51,4 +54,4 @@ def _draw_equality(axes: Axes, features: xr.Dataset, published_mean: float) -> N
     """Draw the line on which the median is the mean."""
     means = features["mean_force"].values / style.MICRONEWTON
     ends = [np.nanmin(means, initial=published_mean), np.nanmax(means, initial=published_mean)]
-    axes.plot(ends, ends, color="0.7", lw=0.6, zorder=0)
+    axes.plot(ends, ends, zorder=0, **EQUALITY_LOOK)

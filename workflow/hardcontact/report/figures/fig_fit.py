@@ -1,15 +1,15 @@
 """The fit of range and work of adhesion: its error, the minima, and the published pair."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
-from hardcontact.base.formatting import format_with_interval
+from hardcontact.base.formatting import format_share, format_with_interval
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.values import value_and_bounds
@@ -32,12 +32,26 @@ def draw(fit: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame) -
     curves, error_map = figure.subplots(1, 2)
     _draw_least_error(curves, fit, sets.sel(contact_model=PLASTIC))
     _draw_error_map(error_map, plastic_fit, published_constants)
+    style.legend_above(figure, _legend_handles(curves, fit, published_constants))
     for axes in (curves, error_map):
         panels.draw_published_range(axes, published_constants)
         axes.set_xlim(plastic_fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, digits=(1, 3))
     return figure
+
+
+def _legend_handles(
+    curves: Axes, fit: xr.Dataset, published_constants: pd.DataFrame
+) -> list[Artist]:
+    """Return the entries of the curves, and those of lines that several panels share."""
+    published = published_constants["value"]["range_of_adhesion"]
+    interval = f"{format_share(fit.attrs['confidence'])} interval"
+    return [
+        *style.legend_entries([curves]).values(),
+        Line2D([], [], marker="|", ms=9, ls="none", label=interval, color="black"),
+        Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
+    ]
 
 
 def _draw_least_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None:
@@ -51,18 +65,13 @@ def _draw_least_error(axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset) -> None
         curve = fit["best_error_by_range"].sel(contact_model=model)
         axes.plot(curve["rho_fine"], curve, lw=1.2, label=f"{model} contact", **MODEL_LOOKS[model])
     best = value_and_bounds(plastic_fit, "best_error")
-    axes.plot(
-        [plastic_fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0
-    )
+    ends = [best["low"], best["high"]]
+    axes.plot([plastic_fit["range_of_adhesion"]] * 2, ends, color="black", lw=1.0)
     _mark_minima(axes, plastic_fit, "error")
-    axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
-    position: Any = {"transform": axes.get_yaxis_transform(), "va": "bottom"}
-    axes.text(0.02, threshold, f"paper: below {threshold:g}", **position, **style.NOTE_LOOK)
+    label = f"published: error below {threshold:g}"
+    axes.axhline(threshold, color="0.6", lw=0.8, ls=":", zorder=0, label=label)
     axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
-    errors = [*set_errors, best["low"], best["value"], threshold]
-    axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
     style.label_logarithmic(axes.yaxis, digits=(1, 2, 5))
-    axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
     interval_note = " over scans" if np.isfinite(best["low"]) else ""
     title = f"smallest error {format_with_interval(best, '.2g')}{interval_note}"
     style.label_panel(axes, "a", title)

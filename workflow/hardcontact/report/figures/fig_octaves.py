@@ -30,7 +30,7 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
         _draw_band_ratios(axes, ratios, tolerance)
         ends = ratios["band_end"].values
         style.label_panel(axes, letter, f"{kind} band: {ends[0]:.3g} to {ends[1]:.4g} nm")
-    bottom[0].set_ylabel("force / force with all roughness")
+    bottom[0].set_ylabel("force / unfiltered force")
     style.legend_above(figure, _legend_handles(sensitivity, tolerance))
     return figure
 
@@ -38,7 +38,6 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
 def _draw_band_ratios(axes: Axes, ratios: xr.Dataset, tolerance: float) -> None:
     """Draw the force with a part of the roughness over the force with all of it."""
     panels.draw_tolerance(axes, tolerance)
-    axes.axhline(1, color="0.6", lw=0.6, zorder=1)
     parts = ratios["band_part"].values
     positions = np.arange(len(parts))
     values = value_and_interval(ratios, "band_force_ratio")

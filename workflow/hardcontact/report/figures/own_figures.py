@@ -4,12 +4,15 @@ Each figure has a panel or a curve for every surface.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from itertools import cycle
 from pathlib import Path, PurePath
 
 import numpy as np
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.inference.edges import computed_cutoffs
@@ -33,15 +36,15 @@ SIDE_LOOKS: dict[str, tuple[str, style.Look]] = {
     "large": ("without longer wavelengths", {"ls": "--", "marker": "s"}),
 }
 #: Looks of curves: the contact model of the answer first, then other models.
-MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--"}, {"ls": ":"})
+MODEL_LINES: tuple[style.Look, ...] = ({"ls": "-"}, {"ls": "--", "mfc": "white"}, {"ls": ":"})
 KIND_COLOURS = {"map": "#332288", "line scan": "#882255", "description": "#999933"}
 SPHERE_COLOUR = "black"
-UNRELIABLE_LOOK: style.Look = {"color": "#999999"}
+UNRELIABLE_LOOK: style.Look = {"color": "#999999", "mfc": "white", "ls": "--"}
 JOINED_LOOK: style.Look = {"color": "black", "ls": ":", "lw": 1.8, "zorder": 3}
-FITS_ALL_LOOK: style.Look = {"color": "0.3", "label": "fits all"}
+FITS_ALL_LOOK: style.Look = {"color": "0.3", "ls": "--", "marker": "", "label": "fits all"}
 #: Most measurements with unreliable parts of spectra drawn: more curves hide each other.
 MAX_UNRELIABLE_CURVES = 3
-MAX_MARKED_POINTS = 30  # on a line
+MARKED_POINTS = 12  # about as many symbols on a line
 MAP_RESOLUTION = 72  # dots per inch of height maps in the SVG, which are most of a page
 MAX_OCTAVE_MARGIN = 2.0  # of the axis relative to the largest bar; intervals may be much longer
 PAGE_WIDTH = 3.8  # inch: 360 pixels of a phone show 7 points as 9 pixels
@@ -68,8 +71,8 @@ def draw_octaves(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     is_shown = [shown_octaves(datasets.select_surface(surface)) for surface in labels]
     sensitivity = datasets.sensitivity.sel(surface=list(labels))
-    looks = style.colours(labels).items()
-    handles = [Patch(color=colour, label=labels[surface]) for surface, colour in looks]
+    looks = style.looks(labels).items()
+    handles: list[Artist] = [Line2D([], [], label=labels[name], **look) for name, look in looks]
     if "sphere_share" in datasets.spectra:
         middles = np.sqrt(2) * sensitivity["octave"].values
         spectra = [datasets.spectra.sel(surface=surface) for surface in labels]
@@ -116,7 +119,7 @@ def draw_cutoffs(datasets: Datasets) -> Figure:
         panels.draw_tolerance(axes, datasets.edges.attrs["tolerance"])
         edges = data.edges["edge"]
         known_sides = [side for side in SIDE_LOOKS if not fails_hindcast(data, side)]
-        _mark_positions(axes, edges.sel(side=known_sides).values)
+        _mark_positions(axes, edges.sel(side=known_sides).values, "edges of the band")
         _scale(axes, "cutoff wavelength (nm)", "force / unfiltered force", cutoffs)
         style.end_near_values([axes])
         low, high = axes.get_ylim()
@@ -137,8 +140,9 @@ def draw_spectra(datasets: Datasets) -> Figure:
         all_measurements = measurements(data.spectra)
         has_data = np.isfinite(all_measurements["psd"].values).any(axis=0)
         shows_unreliable = all_measurements.sizes["measurement"] <= MAX_UNRELIABLE_CURVES
-        for measurement in split_measurements(all_measurements):
-            _draw_measurement(axes, wavelengths, measurement, shows_unreliable)
+        pairs = zip(split_measurements(all_measurements), cycle(style.MARKERS), strict=False)
+        for measurement, marker in pairs:
+            _draw_measurement(axes, wavelengths, measurement, marker, shows_unreliable)
         used_density = _used_spectrum(data.spectra)[has_data]
         joined_density = data.spectra["joined_psd"].values[has_data]
         axes.plot(wavelengths[has_data], used_density, color=colour, label="used")
@@ -163,14 +167,12 @@ def draw_forces(datasets: Datasets) -> Figure:
     figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     forces = value_and_interval(force, "force") / style.MICRONEWTON
-    for surface, colour in style.colours(labels).items():
-        for model, look in zip(models, MODEL_LINES, strict=False):
+    for surface, surface_look in style.looks(labels).items():
+        for model, line in zip(models, MODEL_LINES, strict=False):
             curve = forces.sel(surface=surface, contact_model=model)
             drawn_curve = curve if model == answer_model else curve[["value"]]
-            label = f"{labels[surface]}, {model}"
-            _draw_curve(
-                axes, force["rho"].values, drawn_curve, look | {"color": colour, "label": label}
-            )
+            look = surface_look | line | {"label": f"{labels[surface]}, {model}"}
+            _draw_curve(axes, force["rho"].values, drawn_curve, look)
     rho = force.attrs["range_of_adhesion"]
     _finish_over_range(figure, force["rho"].values, rho, "pull-off force (µN)")
     return figure
@@ -187,12 +189,12 @@ def draw_works(datasets: Datasets) -> Figure:
     labels = datasets.labels()
     names = [str(name) for name in fit["surface"].values]
     rho = fit["rho_fine"].values
-    colours = style.colours(labels)
+    looks = style.looks(labels)
     figure = Figure(figsize=(PAGE_WIDTH, 3.4), layout="constrained")
     axes = figure.subplots()
     works = value_and_interval(fit, "work_by_range") / style.MILLIJOULE
     for name in names:
-        look = {"color": colours[name], "label": labels[name]}
+        look = looks[name] | {"label": labels[name]}
         _draw_curve(axes, rho, works.sel(surface=name), look)
     low, high = fit["region"].values.T / style.MILLIJOULE
     if len(names) > 1 and np.isfinite([low, high]).any():
@@ -235,16 +237,22 @@ def _titled_panels(titles: Collection[str], height: float) -> tuple[Figure, np.n
 
 
 def _draw_measurement(
-    axes: Axes, wavelengths: np.ndarray, measurement: xr.Dataset, shows_unreliable: bool
+    axes: Axes,
+    wavelengths: np.ndarray,
+    measurement: xr.Dataset,
+    marker: str,
+    shows_unreliable: bool,
 ) -> None:
     """Draw the PSD (nm⁴) of one measurement where it is reliable, and grey where it is not."""
     density = measurement["psd"].values
     is_reliable = measurement["reliable"].values == 1
     name = PurePath(measurement_name(measurement)).name
+    reliable_look: style.Look = {"marker": marker, "ms": 2.5, "lw": 0.8}
     colour = KIND_COLOURS[str(measurement["kind"].item())]
-    axes.plot(wavelengths, np.where(is_reliable, density, np.nan), color=colour, label=name)
+    reliable_density = np.where(is_reliable, density, np.nan)
+    axes.plot(wavelengths, reliable_density, color=colour, label=name, **reliable_look)
     if shows_unreliable and np.isfinite(density[~is_reliable]).any():
-        look: style.Look = UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
+        look: style.Look = reliable_look | UNRELIABLE_LOOK | {"label": f"{name}, not reliable"}
         axes.plot(wavelengths, np.where(is_reliable, np.nan, density), **look)
 
 
@@ -261,17 +269,17 @@ def _draw_curve(axes: Axes, x: np.ndarray, curve: xr.Dataset, look: style.Look) 
     """Draw the finite values of a curve, and the band between the ends of its intervals, if any."""
     is_finite = np.isfinite(curve["value"].values)
     finite_curve = curve.isel({curve["value"].dims[0]: is_finite})
-    marker = look.get("marker", "o") if is_finite.sum() < MAX_MARKED_POINTS else ""
-    marked: style.Look = look | {"marker": marker, "ms": 2.5}
+    every = max(1, is_finite.sum() // MARKED_POINTS)
+    marked: style.Look = look | {"ms": 2.5, "markevery": every}
     axes.plot(x[is_finite], finite_curve["value"], **marked)
     if "low" in curve:
         panels.draw_band(axes, x[is_finite], finite_curve, look["color"])
 
 
-def _mark_positions(axes: Axes, positions: Sequence[float] | np.ndarray) -> None:
-    """Mark finite positions on the x axis by dashed lines."""
+def _mark_positions(axes: Axes, positions: Sequence[float] | np.ndarray, label: str) -> None:
+    """Mark finite positions on the x axis by dashed lines, and name them."""
     for position in np.asarray(positions, float)[np.isfinite(positions)]:
-        axes.axvline(position, color="0.4", lw=1, ls="--", zorder=0.6)
+        axes.axvline(position, color="0.4", lw=1, ls="--", zorder=0.6, label=label)
 
 
 def _scale(axes: Axes, x_label: str, y_label: str, x: np.ndarray) -> None:
@@ -285,7 +293,7 @@ def _finish_over_range(
 ) -> None:
     """Mark the range of adhesion (nm) of the answer, scale the axes and add the legend."""
     (axes,) = figure.axes
-    _mark_positions(axes, [answer_range])
+    _mark_positions(axes, [answer_range], "range asked for")
     _scale(axes, "range of adhesion (nm)", y_label, ranges)
     style.label_logarithmic(axes.yaxis)
     _add_legend(figure)

@@ -1,6 +1,6 @@
 """Parts of panels that several figures share: maps, curves, edges, artificial wavelengths, fits."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 
+from hardcontact.base.formatting import format_share
 from hardcontact.inference.edges import POOLED
 from hardcontact.report.figures import style
 from hardcontact.report.figures.style import Look
@@ -44,37 +45,42 @@ def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
 
 def draw_tolerance(axes: Axes, tolerance: float) -> None:
     """Shade the ratios of forces that count as unchanged."""
-    axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0, **UNCHANGED_LOOK)
+    label = f"change below {format_share(tolerance)}"
+    axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0, label=label, **UNCHANGED_LOOK)
 
 
 def draw_ratios(axes: Axes, ratio: xr.Dataset, tolerance: float) -> None:
     """Draw the force ratio of each surface against the cutoff (nm), and the tolerance."""
     draw_tolerance(axes, tolerance)
-    for look, curve in style.iterate_surfaces(ratio):
-        draw_bars(axes, curve["cutoff_wavelength"], curve, elinewidth=0.7, **look)
+    for factor, look, curve in style.iterate_dodged(ratio):
+        draw_bars(axes, factor * curve["cutoff_wavelength"], curve, elinewidth=0.7, **look)
     axes.set(xscale="log", yscale="log")
+    axes.margins(x=0.03)
     style.label_logarithmic(axes.xaxis, digits=(1, 2, 5))
 
 
-def draw_edges(axes: Axes, edges: xr.Dataset, labels: xr.DataArray, end: float, arrow: str) -> None:
+def draw_edges(
+    axes: Axes, edges: xr.Dataset, labels: xr.DataArray, arrows: Mapping[str, float]
+) -> None:
     """Draw the edge (nm) of each group with its interval, a row for each surface and for the mean.
 
-    An edge or an end of an interval at `end` (nm) lies there or beyond, as the arrow shows.
+    An edge or an end of an interval at the position (nm) of an arrow lies there or beyond.
     """
     looks = style.looks(labels["surface"].values) | {POOLED: style.POOLED_LOOK}
     for row, (group, look) in enumerate(looks.items()):
         value, low, high = edges[["value", "low", "high"]].sel(group=group).to_array().values
         axes.plot([low, high], [row, row], color=look["color"], lw=1.4)
-        if np.isclose([value, low, high], end).any():
-            axes.plot(end, row, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
-        if not np.isclose(value, end):
+        for arrow, end in arrows.items():
+            if np.isclose([value, low, high], end).any():
+                axes.plot(end, row, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
+        if not np.isclose(value, list(arrows.values())).any():
             axes.plot(value, row, **look)
     axes.set_yticks(range(len(looks)), [*labels.values, "mean of all"])
     axes.set(ylim=(len(looks) - 0.4, -0.6))
 
 
 def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
-    """Draw d ln F / d ln a of each octave, a bar for each surface, with its interval.
+    """Draw d ln F / d ln a of each octave, a bar and a symbol for each surface, with its interval.
 
     ``octave_sensitivity`` (surface, octave) is NaN where a surface has no data. Octaves are hatched
     where ``is_shown`` (surface, octave), if there, is false. ``sphere_share`` (surface, octave), if
@@ -95,9 +101,9 @@ def draw_octaves(axes: Axes, sensitivity: xr.Dataset) -> None:
         if "sphere_share" in sensitivity:
             dark = curve["value"] * sensitivity["sphere_share"].sel(surface=surface)
             axes.bar(positions, dark, widths, align="edge", **SPHERE_SHARE_LOOK)
-        draw_bars(
-            axes, positions * 2 ** (width / 2), curve, fmt="none", ecolor="0.25", elinewidth=0.7
-        )
+        symbol: Look = look | {"mec": "white", "mew": 0.6, "ms": 4}
+        middles = positions * 2 ** (width / 2)
+        draw_bars(axes, middles, curve, ls="none", ecolor="0.25", elinewidth=0.7, **symbol)
     axes.axhline(0, color="0.3", lw=0.6)
     axes.set(xscale="log", xlabel="wavelength (nm)", ylabel="d ln F / d ln a")
     axes.set_xlim(octaves[0], 2 * octaves[-1])

@@ -30,6 +30,7 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 
 MAX_AXIS_MARGIN = 10.0  # factor between the values and the ends of a logarithmic axis
 OPACITY = 0.2  # of bands
+DODGE = 1.03  # factor between the positions of the error bars of surfaces at the same abscissa
 PERCENT = 1e-2
 MICRONEWTON = 1e-6
 MILLIJOULE = 1e-3
@@ -46,7 +47,6 @@ REMOVED_TITLES = {
 POOLED_LOOK: Look = {"color": "black", "marker": "h"}  # of the mean of all surfaces
 PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
 PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
-NOTE_LOOK: Look = {"fontsize": 7, "color": "0.35"}  # text within a panel
 TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis
 #: Maps of pixels become images, in the PDF too.
 PIXEL_LOOK: Look = {"shading": "nearest", "rasterized": True}
@@ -94,6 +94,16 @@ def iterate_surfaces(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
     """Yield colour and marker of each substrate of a dataset, and its selection of the dataset."""
     for surface, look in looks(data["surface"].values).items():
         yield look, data.sel(surface=surface)
+
+
+def iterate_dodged(data: xr.Dataset) -> Iterator[tuple[float, Look, xr.Dataset]]:
+    """Yield as `iterate_surfaces` does, with the factor of positions on a logarithmic axis.
+
+    The factors are a few per cent from one, so that error bars do not hide each other.
+    """
+    middle = (data.sizes["surface"] - 1) / 2
+    for index, (look, curve) in enumerate(iterate_surfaces(data)):
+        yield DODGE ** (index - middle), look, curve
 
 
 def freeze_layout(figure: Figure) -> None:

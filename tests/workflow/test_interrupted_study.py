@@ -1,0 +1,108 @@
+"""A whole small study ends bit-equal after twenty kills, or if each of its writes fails once."""
+
+import multiprocessing
+import os
+import shutil
+import signal
+import time
+
+import pytest
+from comparison import damaged, differences, paths
+from forked_runs import call_main, run_program
+from repository import environment
+
+from hardcontact.base.whole_file import PART
+
+KILLS = 20
+#: Seconds that a test waits at most for the next file.
+PATIENCE = 300
+WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
+RESUME = ["--nolock", *WORDS]  # A killed run leaves Snakemake's lock.
+
+#: Python runs a module of this name when it starts. In each process of a job, the first attempt to
+#: give a file its name, and so to write it, fails as on a full disk.
+FAILING_WRITES = """
+import os
+from pathlib import Path
+
+replace = os.replace
+
+def fail_once(source, target):
+    failed = Path(os.environ["FAILED_WRITES"], str(target).replace("/", "+"))
+    if not failed.exists():
+        failed.touch()
+        raise OSError(28, "No space left on device")
+    replace(source, target)
+
+os.replace = fail_once
+"""
+
+
+@pytest.fixture
+def empty(probe, tmp_path):
+    """Copy the small study without its results."""
+    ignored = shutil.ignore_patterns("results", ".snakemake")
+    return shutil.copytree(probe.parents[1], tmp_path / "empty", ignore=ignored)
+
+
+def differences_from(probe, results):
+    """Return the differences from the study that was left alone."""
+    return [
+        line
+        for folder in (probe, probe.with_name(f"store-{probe.name}"))
+        for line in differences(results / folder.name, folder)
+    ]
+
+
+def kill_after(study, count):
+    """Resume the study in a process group of its own; kill the group after so many more files."""
+
+    def run_as_group():
+        os.setsid()
+        with open(study / "output", "w") as output:
+            call_main(
+                study, "snakemake.cli", ["--nolock", *WORDS], environment(study), output.fileno()
+            )
+
+    count += len(paths(study / "results"))
+    run = multiprocessing.get_context("fork").Process(target=run_as_group)
+    run.start()
+    end = time.monotonic() + PATIENCE
+    while run.is_alive() and len(paths(study / "results")) < count and time.monotonic() < end:
+        time.sleep(0.01)
+    assert run.is_alive(), (study / "output").read_text()
+    os.killpg(run.pid, signal.SIGKILL)
+    run.join()
+    assert "Traceback" not in (study / "output").read_text()
+
+
+@pytest.mark.study
+def test_a_study_that_is_killed_twenty_times_ends_as_one_that_is_not(empty, probe):
+    (empty / "results").mkdir()
+    count = len(paths(probe)) + len(paths(probe.with_name(f"store-{probe.name}")))
+    for _ in range(KILLS):
+        kill_after(empty, count // (KILLS + 1))
+        assert damaged(empty / "results") == []
+    run = run_program(empty, "snakemake.cli", RESUME, environment(empty))
+    assert run.returncode == 0, run.stdout
+    assert differences_from(probe, empty / "results") == []
+    assert not list((empty / "results").rglob(f"{PART}*"))
+
+
+@pytest.mark.system
+def test_a_study_whose_every_write_fails_once_ends_as_one_without_failures(empty, probe, tmp_path):
+    (tmp_path / "failing").mkdir()
+    (tmp_path / "failing/sitecustomize.py").write_text(FAILING_WRITES)
+    (tmp_path / "failed").mkdir()
+    variables = environment(empty)
+    variables["PYTHONPATH"] = f"{tmp_path / 'failing'}{os.pathsep}{variables['PYTHONPATH']}"
+    variables["FAILED_WRITES"] = str(tmp_path / "failed")
+    for _ in range(10):  # some jobs are not tried again in the same run
+        run = run_program(empty, "snakemake.cli", ["--retries", "40", *WORDS], variables)
+        assert "Traceback" not in run.stdout
+        if run.returncode == 0:
+            break
+    assert run.returncode == 0, run.stdout
+    failed = {name.replace("+", "/") for name in os.listdir(tmp_path / "failed")}
+    assert {f"results/{path}" for path in paths(empty / "results")} <= failed
+    assert differences_from(probe, empty / "results") == []

@@ -1,0 +1,77 @@
+"""Check the statements of the paper, resources/paper/claims.csv, before a job removes verdicts."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from hardcontact.config.faults import quote_key, refuse_lines
+from hardcontact.config.tables import Row, parse_number, user_table
+from hardcontact.paper.evaluation import DATASETS, NUMBER_COLUMNS
+from hardcontact.paper.selection import WITHOUT_SCAN
+from hardcontact.paper.verdicts import accepted_range
+
+#: Columns, and the words that each may have; any text where there are none.
+COLUMNS: dict[str, tuple[str, ...]] = {
+    "id": (), "section": (), "statement": (), "unit": (), "rule": (),
+    **dict.fromkeys(NUMBER_COLUMNS, ()),
+    "basis": ("published", "inferred", "assumed"),
+    "dataset": (), "quantity": (), "select": (),
+    "needs": ("", "measured", WITHOUT_SCAN, "construction", "experiment"),
+    "follows_from": (),
+    "replicated": ("", "yes", "samples"),
+    "note": (),
+}  # fmt: skip
+ID = re.compile("[a-z0-9_]+")
+#: Labels by dimension: ``a=x;b=y,z>w``.
+SELECTION = re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?")
+
+
+def refuse_claims(path: str | Path) -> None:
+    """Refuse a faulty table of statements; raise ValueError with a line for each fault."""
+    content = f"a table with the columns {', '.join(COLUMNS)} (workflow/README.md)"
+    table = user_table(path, content)
+    table.require([*COLUMNS], content, COLUMNS)
+    names = set[str]()
+    rows = table.convert(_checked_claim)
+    origins = {row["id"] for row in rows.values()}
+    faults = []
+    for line, row in rows.items():
+        if row["id"] in names:
+            faults.append(f"{path}: line {line}: id: expected each once, found {row['id']} again")
+        if row["follows_from"] and row["follows_from"] not in origins:
+            origin = quote_key(row["follows_from"])
+            faults.append(f"{path}: line {line}: follows_from: expected an id, found {origin}")
+        names.add(row["id"])
+    refuse_lines(faults)
+
+
+def _checked_claim(row: Row) -> Row:
+    """Return a row; raise ValueError with a line for each faulty cell."""
+    refuse_lines(_cell_faults(row))
+    return row
+
+
+def _cell_faults(row: Row) -> Iterator[str]:
+    """Yield what is expected and found in each faulty cell of a row."""
+    for name, pattern in {"id": ID, "quantity": ID, "select": SELECTION}.items():
+        if not pattern.fullmatch(row[name]):
+            accepted = "labels such as surface=uncd;side=small" if name == "select" else "a name"
+            yield f"{name}: expected {accepted}, found {quote_key(row[name])}"
+    for name, words in COLUMNS.items():
+        if words and row[name] not in words:
+            yield f"{name}: expected {_listed(words)}, found {quote_key(row[name])}"
+    if not set(row["dataset"].split("+")) <= {*DATASETS, "paper"}:
+        datasets = _listed((*DATASETS, "paper"))
+        yield f"dataset: expected {datasets}, with + between, found {quote_key(row['dataset'])}"
+    for name in NUMBER_COLUMNS:
+        if row[name] and not abs(parse_number(row[name])) >= 0:
+            yield f"{name}: expected a number, found {quote_key(row[name])}"
+    try:
+        accepted_range(row["rule"], *(parse_number(row[name]) for name in NUMBER_COLUMNS[1:]))
+    except ValueError as error:
+        yield f"rule: expected interval, factor 2, below, above or order, found: {error}"
+
+
+def _listed(words: tuple[str, ...]) -> str:
+    """Return words as a choice, in which nothing is named."""
+    return "one of " + ", ".join(word or "nothing" for word in words)

@@ -1,0 +1,31 @@
+"""The parser of all commands: a faulty command line is refused in one line."""
+
+import difflib
+from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from typing import NoReturn
+
+from hardcontact.config.faults import SIMILARITY
+
+
+class CommandLine(ArgumentParser):
+    """A parser whose options have no short forms, and which knows what a wrong one resembles."""
+
+    def __init__(self, command: str, description: str) -> None:
+        """Take the command, and what its help begins with."""
+        super().__init__(
+            command, description=description, formatter_class=RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )  # fmt: skip
+
+    def error(self, message: str) -> NoReturn:
+        """End the program with one line, which names the option that an unknown one resembles."""
+        line = f"error: {message}{self._question(message)}; {self.prog} --help lists all options"
+        self.exit(2, f"{line}\n")
+
+    def _question(self, message: str) -> str:
+        """Return a question if a message names an unknown option that resembles a known one."""
+        unknown = message.partition("unrecognized arguments: ")[2].partition(" ")[0]
+        option = unknown.partition("=")[0]
+        known = [name for name in self._option_string_actions if name.startswith("--")]
+        similar = difflib.get_close_matches(option, known, 1, SIMILARITY)
+        return f" (did you mean {similar[0]}?)" if similar else ""

@@ -1,0 +1,150 @@
+"""The question as a picture: spectra of all surfaces, and one scan without short or long waves."""
+
+from collections.abc import Sequence
+
+import matplotlib as mpl
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from hardcontact.base.formatting import format_length
+from hardcontact.report.figures import drawing, panels, style
+from hardcontact.report.figures.values import mean_free_heights, published_edge
+from hardcontact.surfaces.filters import filtered_series, interpolate
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+
+REMOVED = {"small": "below", "large": "above"}  # waves of each side of the band
+BAND_LOOK: style.Look = {"color": "0.4", "alpha": 0.2, "lw": 0}
+SCAN_LOOK: style.Look = {"ls": "none", "ms": 3, "mfc": "white", "mew": 0.8}
+ARTIFICIAL_LINE: style.Look = {"ls": (0, (2, 1.2)), "marker": "", "lw": 1.0}
+PROFILE_LOOKS: tuple[style.Look, ...] = (  # no surface has the colours of the last two
+    {"lw": 3.2, "alpha": 0.4},
+    {"lw": 0.9, "color": "#332288"},
+    {"lw": 1.1, "color": "#882255", "ls": "--"},
+)
+SPHERE_LOOK: style.Look = {"color": style.SPHERE_COLOUR, "lw": 1.4, "ls": "-."}
+SCALE_BAR = 500  # nm
+MAP_COLOURS = mpl.colormaps["viridis"].resampled(20)  # few colours halve the SVG
+#: Smaller densities (nm⁴) are zero but for rounding: the spectrum ends there.
+SMALLEST_DENSITY = 1e-12
+SHOWN_DECADES = 14  # of the densities
+
+
+def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
+    band = [published_edge(published_constants, side) for side in ("small", "large")]
+    figure, ((spectra,), maps, (profiles,)) = drawing.create_rows(
+        7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
+    )
+    _draw_spectra(spectra, topography, scales, band)
+    surface = topography.attrs["reference_surface"]
+    scan = topography.sel(surface=surface)
+    heights = filtered_heights(scan, band)
+    _draw_maps(maps, scan, heights)
+    radius, colour = scales.attrs["sphere_radius"], _surface_looks(topography)[surface]["color"]
+    _draw_profiles(profiles, scan, heights, radius, colour)
+    style.legend_above(figure, _legend_handles(topography, band))
+    return figure
+
+
+def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> dict[str, np.ndarray]:
+    """Return the heights (nm) of a scan: whole, without waves below and above a band (nm).
+
+    Waves are those of the scan and its mirror images, on pixels that resolve the short end.
+    """
+    heights = mean_free_heights(scan["example_heights"])
+    stitched = mirror_stitch(HeightMap(heights, scan["scan_size"].item() / len(heights)))
+    pixels = max(stitched.pixels, 2 * int(stitched.size / band[0]) + 4)
+    surface = interpolate(stitched, pixels)
+    maps = {"whole": surface.heights}
+    for side, cutoff in zip(REMOVED, band, strict=True):
+        (filtered,) = filtered_series(surface, side, [cutoff], pixels)
+        maps[f"without waves {REMOVED[side]} {format_length(cutoff)}"] = filtered.heights
+    return {title: values[: pixels // 2, : pixels // 2] for title, values in maps.items()}
+
+
+def _surface_looks(topography: xr.Dataset) -> dict[str, style.Look]:
+    """Return colour and marker of each surface, the sphere included."""
+    sphere = topography.attrs["sphere_surface"]
+    substrates = [name for name in topography["surface"].values if name != sphere]
+    return style.looks(substrates) | {sphere: {"color": style.SPHERE_COLOUR, "marker": "X"}}
+
+
+def _draw_spectra(
+    axes: Axes, topography: xr.Dataset, scales: xr.Dataset, band: Sequence[float]
+) -> None:
+    """Draw the spectra at all scales, dashed where roughness is artificial, and those of scans."""
+    wavelengths = 2 * np.pi / topography["wavevector"]
+    shortest, longest = scales["transition"].sel(side=["small", "large"]).values
+    is_artificial = (wavelengths < shortest) | (wavelengths > longest)
+    for surface, look in _surface_looks(topography).items():
+        spectra = topography.sel(surface=surface)
+        density = spectra["spectrum"].where(spectra["spectrum"] > SMALLEST_DENSITY)
+        line: style.Look = look | {"marker": ""}
+        axes.plot(wavelengths, density.where(~is_artificial), **line)
+        axes.plot(wavelengths, density, **look | ARTIFICIAL_LINE)
+        axes.plot(wavelengths, spectra["psd_isotropic"].mean("scan"), **look | SCAN_LOOK)
+    axes.axvspan(*band, zorder=0, **BAND_LOOK)
+    shown = scales["unfiltered_wavelength"].values
+    axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")
+    axes.set_xlim(shown.min(), shown.max())
+    highest = 10 * topography["spectrum"].max().item()
+    axes.set_ylim(highest / 10**SHOWN_DECADES, highest)
+    style.label_logarithmic(axes.xaxis)
+    panels.shade_artificial(axes, [(0.0, shortest), (longest, np.inf)])
+    style.label_panel(axes, "a", "power spectral densities")
+
+
+def _draw_maps(row: np.ndarray, scan: xr.Dataset, heights: dict[str, np.ndarray]) -> None:
+    """Map the heights on one scale, with a bar of SCALE_BAR and the line of the profiles."""
+    size = scan["scan_size"].item()
+    ends = {"vmin": heights["whole"].min(), "vmax": heights["whole"].max()}
+    for axes, letter, (title, values) in zip(row, "bcd", heights.items(), strict=True):
+        image = axes.imshow(values, cmap=MAP_COLOURS, extent=(0, size, size, 0), **ends)
+        axes.axhline(size / 2, color="white", lw=0.7, ls=":")
+        start = 0.05 * size
+        axes.plot([start, start + SCALE_BAR], [0.93 * size] * 2, color="white", lw=2.5)
+        axes.text(start, 0.9 * size, f"{SCALE_BAR} nm", color="white", fontsize=7, va="bottom")
+        axes.set(xticks=[], yticks=[])
+        style.label_panel(axes, letter, title)
+    row[0].set_ylabel(f"first scan of {scan['label'].item()}")
+    row[0].figure.colorbar(image, ax=row, pad=0.01, shrink=0.9, label="height (nm)")
+
+
+def _draw_profiles(
+    axes: Axes, scan: xr.Dataset, heights: dict[str, np.ndarray], radius: float, colour: str
+) -> None:
+    """Draw the heights along the middle of each map, and the smooth sphere (nm) that touches it."""
+    for look, (title, values) in zip(PROFILE_LOOKS, heights.items(), strict=True):
+        x = (0.5 + np.arange(len(values))) * scan["scan_size"].item() / len(values)
+        line: style.Look = {"color": colour} | look
+        axes.plot(x, values[len(values) // 2], label=title, **line)
+    parabola = (x - x.mean()) ** 2 / (2 * radius)
+    profile = heights["whole"][len(x) // 2]
+    label = f"smooth sphere, radius {format_length(radius)}"
+    axes.plot(x, parabola + (profile - parabola).max(), **SPHERE_LOOK, label=label)
+    axes.set(xlabel="position (nm)", ylabel="height (nm)", xlim=(0, scan["scan_size"].item()))
+    low, high = axes.get_ylim()
+    axes.set_ylim(low - 0.25 * (high - low), high)  # leaves room for the legend
+    axes.legend(loc="lower center", ncols=4, columnspacing=1.2)
+    style.label_panel(axes, "e", "heights along the dotted lines")
+
+
+def _legend_handles(topography: xr.Dataset, band: Sequence[float]) -> list[Artist]:
+    """Return one entry a surface and one for each kind of mark."""
+    labels = topography["label"]
+    short, long = (format_length(end) for end in band)
+    return [
+        *(
+            Line2D([], [], label=labels.sel(surface=surface).item(), **look)
+            for surface, look in _surface_looks(topography).items()
+        ),
+        Patch(label=f"published band, {short} to {long}", **BAND_LOOK),
+        Line2D([], [], color="0.3", marker="o", label="mean of the scans", **SCAN_LOOK),
+        Patch(label="artificial roughness (dashed)", **style.ARTIFICIAL_LOOK),
+    ]
