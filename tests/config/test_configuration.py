@@ -3,7 +3,7 @@
 import datetime
 
 import pytest
-from refusals import assert_says, refusal
+from refusals import NESTED_ALIASES, assert_says, refusal
 from repository import PAPER, ROOT, leaves
 from studies import numbers
 
@@ -58,11 +58,6 @@ def test_only_a_similar_key_is_suggested():
 
 
 # Files
-
-#: Ten lines, each of ten times the line before: 1, 11, 111, ... values, in all 1.23e9.
-NESTED_ALIASES = b"a0: &a0 1\n" + b"".join(
-    b"a%d: &a%d [%s]\n" % (n, n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 10)
-)
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ KEYS = {
     r"account": "slurm_account",
     r"partition": "slurm_partition",
     r"time ?(limit|out)": "runtime",
-    r"memory|oom|node configuration": "mem_mb",
+    r"memory|oom.kill|node configuration": "mem_mb",
 }
 #: What the executor reports: the message of sbatch, or that of an exception, or the state of a job.
 REPORTS = (
