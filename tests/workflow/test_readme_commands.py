@@ -94,7 +94,7 @@ def write_files(folder):
     (folder / "my-psd.csv").write_text("\n".join([head, *rows]))
     for study in ("quick", "store-quick", "paper", "harder"):
         (folder / "results" / study).mkdir(parents=True)
-    for study in ("paper", "harder"):
+    for study in ("quick", "paper", "harder"):
         (folder / "results" / study / "answer.json").write_text(json.dumps(answer()))
 
 

@@ -127,9 +127,9 @@ class InferenceKeys(Keys):
 class SmallScaleKeys(Keys):
     """Masters of small scales."""
 
-    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
+    pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels along a side of the small-scale master, which is two scans long."""
-    transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
+    transition: Length = key("20 nm", "Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500), "Fig. 6a"
@@ -140,11 +140,11 @@ class SmallScaleKeys(Keys):
 class LargeScaleKeys(Keys):
     """Masters of large scales."""
 
-    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
+    pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels along a side of the large-scale master."""
-    tiles: TileCount = key(4, "Determining the Most Relevant Length-scales: 20 µm")
+    tiles: TileCount = key(4, "Most Relevant Length-scales: 20 µm")
     """Stitched scans along a side of the large-scale master."""
-    transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
+    transition: Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
@@ -156,9 +156,9 @@ class LargeScaleKeys(Keys):
 class ScalesKeys(Keys):
     """Scales."""
 
-    range: Range = key("5.6 nm", "Determining the Most Relevant Length-scales")
+    range: Range = key("5.6 nm", "Most Relevant Length-scales")
     """Range of adhesion of masters and of the predicted force."""
-    tolerance: Fraction = key(0.1, "Determining the Most Relevant Length-scales")
+    tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged."""
     realizations: Realizations = 5
     """Masters of each substrate on each side of the band, built on its scans in turn."""
