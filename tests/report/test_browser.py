@@ -10,6 +10,7 @@ from html_page import Page
 from paper_study import CITATION, FRAME, make_figures_page, make_page, open_claims, svg
 from repository import PAPER, ROOT
 
+from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_answer import own_answer
 from hardcontact.report.page import render_page
@@ -110,7 +111,7 @@ USE = """
   let copied;
   Object.defineProperty(window.navigator, "clipboard", {value: {writeText: text => copied = text}});
   const rest = () => new Promise(resolve => setTimeout(resolve, 100));
-  document.querySelector("#statements .tools button").click();
+  document.querySelector("#statements ~ details .tools button").click();
   const folds = [...document.querySelectorAll("details")], folded = folds.at(-1);
   const target = folded.querySelector("td[id]");
   window.location.hash = target.id;
@@ -128,11 +129,11 @@ USE = """
 def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_printer(tmp_path):
     result = run_on_page(page_of("claims"), USE, tmp_path)
     head, row = result["copied"].split("\n")[:2]
-    claim = open_claims().iloc[0]
-    cells = row.split("\t")
-    assert len(cells) == len(head.split("\t")) == 7
-    assert cells[0].startswith(f"{claim['statement']}; {claim['id']}"), cells
-    assert result["opened"] == [False] * (len(result["opened"]) - 1) + [True]
+    statement, place = row.split("\t")[0].split("; ")[:2]
+    claim = open_claims().set_index("id").loc[place.split(" · ")[1]]
+    assert (statement, claim["verdict"]) == (claim["statement"], VERDICTS[0])
+    assert len(row.split("\t")) == len(head.split("\t")) == 6
+    assert result["opened"] == [True] * 4 + [False] * 2 + [True]
     assert result["menu"] == 0 <= result["below"] < 844
     assert all(result["printed"])
 

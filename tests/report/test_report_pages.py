@@ -94,16 +94,20 @@ def test_facts_count_independent_findings_reproduced_without_scans(values, count
     assert claim_facts(evaluated(**values))["without_scan"] == count
 
 
+KINDS = ["independent", "follows", "by construction"]
+
+
 def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     table = all_claims().assign(open_end="")
     page = Page(make_pages(table)["claims"])
-    rows = [row for row in page.rows if len(row) == 7 and row[0].strip() != "statement"]
-    tested_first = table.assign(
-        order=table["verdict"].map(lambda verdict: max(VERDICTS.index(verdict), 3))
-    ).sort_values("order", kind="stable")
-    for cells, claim in zip(rows, tested_first.itertuples(), strict=True):
+    rows = [row for row in page.rows if len(row) == 6 and row[0].strip() != "statement"]
+    independent_first = sorted(
+        claim_facts(table)["claims"].values(),
+        key=lambda row: (VERDICTS.index(row["verdict"]), KINDS.index(row["kind"])),
+    )
+    for cells, claim in zip(rows, independent_first, strict=True):
         row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
-        assert_says(row_text, claim.id, claim.statement, claim.verdict, claim.section)
+        assert_says(row_text, *(claim[name] for name in ("id", "statement", "section", "kind")))
     counts = [row for row in page.rows if len(row) == 4][1:]
     assert [row[0].strip() for row in counts] == list(VERDICTS)
     assert all(row[3].strip() for row in counts)
