@@ -2,27 +2,36 @@
 
 import json
 import re
+import shutil
+import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from refusals import assert_says, refusal
-from repository import run_snakemake
+from repository import PAPER, ROOT, environment, merged, run_snakemake
 from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import Origin, digest, digests, keep_records, record_path
+from hardcontact.base.origin import (
+    Origin,
+    canonical,
+    digest,
+    digests,
+    keep_records,
+    record_path,
+)
 from hardcontact.base.verification import check, traced_records
-from hardcontact.own import new
+from hardcontact.own.verify import verify, verify_arguments
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
 
 
-def make(path, inputs):
+def make(path, inputs, parameters="{}"):
     """Make a file from others, with any content."""
     Path(path).parent.mkdir(exist_ok=True)
     Path(path).write_text(path)
-    keep_records([path], Origin("{}", digests(inputs), []))
+    keep_records([path], Origin(parameters, digests(inputs), []))
 
 
 @pytest.fixture
@@ -77,13 +86,23 @@ def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     assert faults == ["results/table.csv: expected a file of the study, found none"]
 
 
-@pytest.mark.parametrize("path", ["results/notes.txt", "results/table.csv", "store/a.nc"])
+@pytest.mark.parametrize(
+    "path", ["results/notes.txt", "results/table.csv", "store/a.nc", "store/nobody_s.nc"]
+)
 def test_a_file_without_a_record_is_a_fault(study, path):
     (study / path).touch()
     record_path(study / path).unlink(missing_ok=True)
     (study / "results/logs").mkdir()
     (study / "results/logs/make.log").touch()
     assert check("results")[0] == [f"{path}: expected a record of its origin, found none"]
+
+
+def test_a_lost_folder_of_records_is_a_fault(study):
+    make("results/store/b.nc", ["source.txt"])
+    make("results/first/final.nc", ["results/store/b.nc"])
+    shutil.rmtree("results/store/.origin")
+    faults, _ = check("results/first")
+    assert faults == ["results/store/b.nc: expected a record of its origin, found none"]
 
 
 def test_files_made_with_other_versions_are_no_faults_but_said(study):
@@ -95,23 +114,58 @@ def test_files_made_with_other_versions_are_no_faults_but_said(study):
 
 
 def files_of(folder):
-    return {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
+    return {path: path.stat().st_mtime_ns for path in [folder, *folder.rglob("*")]}
+
+
+#: The command on a computer that has no Snakemake.
+VERIFY = """
+import sys
+sys.modules["snakemake"] = None
+from hardcontact.own.new import main
+sys.exit(main())
+"""
 
 
 @pytest.mark.parametrize("faulty", [False, True])
-def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
-    study, monkeypatch, capsys, faulty
-):
+def test_a_command_checks_a_read_only_archive_from_elsewhere_without_snakemake(study, faulty):
+    """Root can write here: the times of the folders show that it did not."""
     make("results/first/final.nc", ["source.txt"])
     make("results/first/table.csv", ["results/first/final.nc"])
     if faulty:
         (study / "results/first/final.nc").write_text("other")
+    folders = [path for path in [study, *study.rglob("*")] if path.is_dir()]
+    for folder in folders:
+        folder.chmod(0o555)
     files = files_of(study)
-    monkeypatch.chdir("/")
-    monkeypatch.setattr(sys, "argv", ["hardcontact", "verify", str(study / "results/first")])
-    assert new.main() == int(faulty)
-    assert "results/first: 2 files checked" in capsys.readouterr().out
+    run = subprocess.run(
+        [sys.executable, "-c", VERIFY, "verify", study / "results/first"],
+        cwd="/", env=environment(ROOT), capture_output=True, text=True,
+    )  # fmt: skip
+    for folder in folders:
+        folder.chmod(0o755)
+    assert run.returncode == int(faulty), run.stderr
+    assert_says(run.stdout, "results/first: 2 files checked")
     assert files_of(study) == files
+
+
+HARDER = {"contact": {"hardness": "30 GPa"}}
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({}, []),
+        (HARDER, ["was made with contact.hardness '30 GPa', here '25 GPa'"]),
+        ({"study": "mine"}, ["parameters were not compared, as there is no config/mine.yaml here"]),
+    ],
+)
+def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes, expected):
+    make("results/paper/configuration.yaml", [], canonical(merged(PAPER, changes)))
+    text, code = verify(verify_arguments(["paper"]))
+    *lines, _ = text.splitlines()
+    assert code == 0 and len(lines) == len(expected)
+    for line, part in zip(lines, expected, strict=True):
+        assert_says(line, "results/paper", part)
 
 
 # The tiny study
