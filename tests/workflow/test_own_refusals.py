@@ -36,3 +36,14 @@ def test_a_faulty_overlay_is_refused_in_the_user_s_units(folder, probe, change, 
     files_before = files_of(folder)
     assert_says(" ".join(errors(quick(folder, "probe", overlays=["bad.yaml"]))), *message_parts)
     assert files_of(folder) == files_before
+
+
+def test_a_run_stops_at_the_lock_of_another_until_it_is_removed(folder, probe):
+    lock = folder / ".snakemake/locks/0.output.lock"
+    lock.parent.mkdir(exist_ok=True)
+    lock.write_text(f"{probe.relative_to(folder) / 'answer.json'}\n")
+    locked = quick(folder, "probe", "answer", overlays=["few.yaml"])
+    assert locked.returncode == 1
+    assert_says(locked.stdout, "cannot be locked", "--unlock")
+    assert quick(folder, "probe", "--unlock", overlays=["few.yaml"]).returncode == 0
+    assert not lock.exists()
