@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from html import escape, unescape
+from importlib.resources import files
 
 import pytest
 
@@ -18,6 +19,8 @@ OPTIONS = [
 ]  # fmt: skip
 needs_browser = pytest.mark.skipif(BROWSER is None, reason="no browser is installed")
 WIDTHS = (390, 1200)
+#: Schemes of colours as the browser counts them.
+SCHEMES = ("dark", "light")
 
 #: Measures each frame when all are loaded, and leaves the measures in the document.
 PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify(
@@ -59,12 +62,36 @@ def run_on_page(html, script, folder):
     return _run_in_browser(page + act, folder)
 
 
+def audit_page(html, folder, scheme):
+    """Return what axe finds at a page with nothing folded, in the scheme of colours `SCHEMES`.
+
+    The result says whether the scheme is dark, how many rules are kept, and the faults.
+    """
+    axe = (files("axe_playwright_python") / "axe.min.js").read_text("utf-8")
+    act = """<script>onload = async () => {
+      document.querySelectorAll("details:not(.zoom)").forEach(fold => { fold.open = true; });
+      const {passes, violations} = await axe.run();
+      const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+      const faults = violations.map(fault => [fault.id, fault.nodes.map(node => node.html)]);
+      const told = {dark, kept: passes.length, faults};
+      document.body.dataset.shown = JSON.stringify(told); }</script>"""
+    # The policy of a page forbids other scripts than its own.
+    page = re.sub("<meta http-equiv.*?>", "", html)
+    page = page.replace("</body>", f"<script>{axe}</script>{act}</body>")
+    return _shown(page, folder, f"--blink-settings=preferredColorScheme={SCHEMES.index(scheme)}")
+
+
 def _run_in_browser(body, folder):
-    """Return the result that the script of a document leaves in it."""
+    """Return the result that the script of a body leaves in it."""
+    return _shown(f'<!DOCTYPE html><meta charset="utf-8"><body>{body}</body>', folder)
+
+
+def _shown(document, folder, *options):
+    """Return the result that a script of a document leaves in it."""
     probe = folder / "probe.html"
-    probe.write_text(f'<!DOCTYPE html><meta charset="utf-8"><body>{body}</body>', "utf-8")
+    probe.write_text(document, "utf-8")
     root_options = ["--no-sandbox"] if os.geteuid() == 0 else []  # which the browser asks of root
-    command = [BROWSER, *OPTIONS, *root_options, f"--user-data-dir={folder / 'profile'}"]
+    command = [BROWSER, *OPTIONS, *options, *root_options, f"--user-data-dir={folder / 'profile'}"]
     run = subprocess.run(
         [*command, probe.as_uri()], capture_output=True, text=True, timeout=120, check=True
     )

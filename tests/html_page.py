@@ -1,5 +1,6 @@
 """A page as a browser sees it: tags, texts, pictures, links and rows of tables."""
 
+import posixpath
 from html.parser import HTMLParser
 
 #: Elements that have no end.
@@ -46,3 +47,21 @@ class Page(HTMLParser):
             for attributes in elements
             if name in attributes
         ]
+
+
+def dead_links(pages, files):
+    """Return the links of pages that lead to no anchor of a page and to none of the other files.
+
+    Pages are given by HTML, and other files alone, by their paths within a study.
+    """
+    anchors = {path: set(Page(html).values("id")) for path, html in pages.items()}
+    dead = []
+    for path, html in pages.items():
+        for link in Page(html).values("href"):
+            name, _, anchor = link.partition("#")
+            target = posixpath.normpath(posixpath.join(posixpath.dirname(path), name))
+            target = target if name else path
+            alive = link.startswith("https:") or target in files
+            if not alive and not (target in anchors and {anchor} <= anchors[target] | {""}):
+                dead.append((path, link))
+    return dead

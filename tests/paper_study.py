@@ -25,8 +25,11 @@ from hardcontact.report.paper_answer import paper_answer
 from hardcontact.report.paper_page import figures_page, paper_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.table1 import table1_rows
+from hardcontact.report.templates import Frame
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+PAGES = yaml.safe_load((ROOT / "workflow/report/pages.yaml").read_text("utf-8"))
+FRAME = Frame("1.2.3", list(PAGES))
 
 
 def claims():
@@ -64,10 +67,11 @@ def open_claims(rows=None, **changed):
     return add_open_ends(claims() if rows is None else rows, [data["edges"], data["sets"]])
 
 
-def answer(rows=None, **changed):
+def answer(rows=None, configuration=PAPER, **changed):
     """Return answer.json of the study, from other claims or datasets if given."""
     table = open_claims(rows, **changed)
-    content = paper_answer(table, datasets() | changed, CONSTANTS, PAPER, CITATION["version"])
+    tables = (CONSTANTS, published_table1())
+    content = paper_answer(table, datasets() | changed, *tables, configuration, CITATION["version"])
     return json.loads(answer_text(content))
 
 
@@ -89,13 +93,13 @@ def captions():
     }
 
 
-def make_page(rows=None, **changed):
+def make_page(rows=None, configuration=PAPER, **changed):
     """The page of the answer."""
-    content = answer(rows, **changed)
-    return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION)
+    content = answer(rows, configuration, **changed)
+    return paper_page(content, open_claims(rows, **changed), figures(), captions(), CITATION, FRAME)
 
 
 def make_figures_page(rows=None):
     """The page of all figures."""
     table1 = table1_rows(datasets()["topography"], published_table1())
-    return figures_page(answer(rows), table1, figures(), captions())
+    return figures_page(answer(rows), table1, figures(), captions(), FRAME)

@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 754,
+    "base": 765,
     "surfaces": 3436,
     "contact": 1385,
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
     "config": 2340,
-    "own": 2045,
-    "report": 3214,
+    "own": 2119,
+    "report": 3382,
     "api": 215,
 }
 NO_CODE = {

@@ -77,6 +77,12 @@ def test_every_wildcard_has_a_constraint():
     assert names_used == CONSTRAINTS.keys() == VALUES.keys()
 
 
+def test_intermediates_of_a_surface_are_in_a_folder_of_its_files():
+    stored = [path for path in INTERMEDIATES.values() if path.startswith(PATTERNS.store)]
+    of_surfaces = [path for path in stored if "{surface}" in path]
+    assert of_surfaces and all("{surface}/{sources}/" in path for path in of_surfaces)
+
+
 def test_wildcards_exclude_other_values():
     for name, value in (
         ("surface", "uncd/study"), ("surface", "bxc"), ("scan", "1a"),

@@ -1,12 +1,13 @@
 """Faulty tables of surfaces are refused in one line, which names the line or the surface."""
 
+import numpy as np
 import pytest
 from refusals import assert_says, refusal
 from repository import ROWS
 from scan_files import scan
 from studies import own_scans, surfaces
 
-from hardcontact.config.selection import surface_table
+from hardcontact.config.selection import source_digests, surface_table
 
 FIRST = ROWS.splitlines()[1]
 HEADER = ROWS.partition("\n")[0]
@@ -44,3 +45,13 @@ def test_a_file_listed_twice_is_refused(tmp_path, project_folder):
     path = scan(tmp_path / "a.nc")
     message = refusal(surfaces, own_scans(path, path), tmp_path)
     assert_says(message, "surfaces.tsv", "path and dataset once", "a.nc")
+
+
+def test_another_scan_of_the_same_name_has_another_folder_in_the_store(tmp_path, project_folder):
+    """The paths of intermediates contain the digest of the files of their surface."""
+    digests = []
+    for pixels in (16, 17):
+        path = scan(tmp_path / "a.nc", np.zeros((pixels, pixels)))
+        digests.append(source_digests(surfaces(own_scans(path), tmp_path)))
+    first, second = digests
+    assert {surface for surface in first if first[surface] != second[surface]} == {"uncd"}

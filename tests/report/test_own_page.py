@@ -28,7 +28,6 @@ from answer_inputs import (
     spectra,
     topography,
 )  # fmt: skip
-from browser import WIDTHS, measure_page, needs_browser, run_on_page
 from html_page import Page
 from intervals import between_multiples
 from matplotlib.text import Text
@@ -41,6 +40,7 @@ from hardcontact.report.figures.listing import OWN_FIGURES
 from hardcontact.report.own_answer import own_answer
 from hardcontact.report.page import render_page
 from hardcontact.report.quantities import answer_text
+from hardcontact.report.templates import Frame
 
 FORCES = "two substitutes, forces"
 LONG = "/scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
@@ -67,7 +67,7 @@ PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 def page_of(own_datasets, own_setting=None):
     """The page of an answer as answer.json has it."""
     answer = json.loads(answer_text(own_answer(own_datasets, own_setting or setting())))
-    return render_page(answer, PICTURES, CITATION)
+    return render_page(answer, PICTURES, CITATION, Frame("1.2.3"))
 
 
 @cache
@@ -328,37 +328,3 @@ def test_figures_are_readable_on_a_phone_and_name_their_surfaces_and_units(name)
     assert min(text.get_fontsize() for text in texts) * points >= MIN_TEXT
     measure_page = " ".join(text.get_text() for text in texts)
     assert all(f"{label} (substitute)" in measure_page for label in LABELS)
-
-
-@needs_browser
-@pytest.mark.system
-@pytest.mark.parametrize("case", CASES)
-def test_page_fits_every_screen_and_shows_its_pictures(case, tmp_path):
-    frames = measure_page(html(case), tmp_path)
-    assert [frame["screen"] for frame in frames] == list(WIDTHS)
-    for frame in frames:
-        assert frame["overflow"] == 0 and frame["requests"] == 0, frame
-        assert frame["smallest"] >= 12, frame
-
-
-#: Sorts the first table by its first column twice, and opens the first figure.
-USE = """
-  const table = document.querySelector(".table table"), sorted = [];
-  for (const _ of [1, 2]) {
-    table.tHead.querySelector("button").click();
-    sorted.push([...table.tBodies[0].rows].map(row => row.cells[0].textContent.trim()));
-  }
-  const figure = document.querySelector(".zoom");
-  figure.querySelector("summary").click();
-  await new Promise(resolve => setTimeout(resolve, 100));
-  return {sorted, width: figure.querySelector("img").clientWidth};
-"""
-
-
-@needs_browser
-@pytest.mark.system
-def test_tables_sort_and_figures_open_at_full_size(tmp_path):
-    result = run_on_page(html("one"), USE, tmp_path)
-    ascending, descending = result["sorted"]
-    assert ascending == sorted(ascending) and descending == ascending[::-1]
-    assert result["width"] >= 1100

@@ -8,10 +8,12 @@ from jsonschema import Draft202012Validator
 from paper_datasets import band, published_table1, scan_size, topography
 from paper_numbers import SUBSTRATES
 from paper_study import answer, claims, datasets
-from repository import ROOT
+from repository import PAPER, ROOT, merged
 
 from hardcontact.base.number import Number
+from hardcontact.config.model import numeric_configuration
 from hardcontact.paper.featured_draws import no_draws
+from hardcontact.report.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_answer import ANSWER_CLAIMS
 from hardcontact.report.quantities import numbers_by_name
 from hardcontact.report.table1 import decimals_of, table1_rows
@@ -59,6 +61,34 @@ def test_the_answer_follows_its_schema_and_has_the_numbers_of_the_claims():
 ])  # fmt: skip
 def test_grids_coarser_than_the_paper_s_are_recognized(grid, effort):
     assert answer(**datasets(**grid))["effort"] == effort
+
+
+@pytest.mark.parametrize(("overlay", "inputs"), [
+    ({"sphere": {"radius": "62.5 um"}}, ["radius of the sphere"]),
+    ({"contact": {"hardness": "30 GPa", "preload": "5 uN"}}, ["hardness", "preload"]),
+    ({"scales": {"range": "4 nm", "sphere_roughness": True}},
+     ["range of adhesion", "sphere on masters"]),
+    ({"adhesion": {"work": "60 mJ/m2"}}, ["work of adhesion"]),
+    ({"study": "again", "seed": 1, "contact": {"count": 6, "hardness": "25000 MPa"}}, []),
+])  # fmt: skip
+def test_a_study_of_other_contacts_names_what_is_not_the_paper_s(overlay, inputs):
+    """Other names, seeds, grids and units are no other contacts."""
+    content = answer(configuration=merged(PAPER, overlay))
+    assert [row["input"] for row in content["changed"]] == inputs
+    assert all(row["study"] == content["contact"][row["input"]] for row in content["changed"])
+    judgements = [
+        row["name"]
+        for row in content["quantities"]
+        if "verdicts_" in row["name"] or "_frequency" in row["name"]
+    ]
+    assert bool(judgements) == (inputs == [])
+
+
+def test_another_coating_is_another_study():
+    contact = paper_contact(numeric_configuration(PAPER))
+    (row,) = changed_inputs(contact, ["steel", *SUBSTRATES[1:]], published_table1())
+    assert row["input"] == "coatings" and "steel" in row["study"] and "steel" not in row["paper"]
+    assert changed_inputs(contact, SUBSTRATES[::-1], published_table1()) == []
 
 
 def test_the_strongest_octaves_come_first():

@@ -17,10 +17,11 @@ from paper_study import (
     make_page,
 )
 from refusals import assert_says
+from repository import PAPER, merged
 
 from hardcontact.base.formatting import format_as_paper
 from hardcontact.paper.selection import LARGER_PIXELS
-from hardcontact.paper.verdicts import UNTESTABLE, summary
+from hardcontact.paper.verdicts import UNTESTABLE, VERDICTS, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.quantities import numbers_by_name
 
@@ -131,6 +132,18 @@ def test_main_findings_repeat_the_claims(page):
         claim = table.loc[claim_id]
         assert (cells[0], cells[-1]) == (claim["statement"], claim["verdict"])
     assert len(ids) >= 10
+
+
+def test_a_study_of_other_contacts_shows_both_values_and_judges_nothing():
+    harder = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+    page = Page(make_page(configuration=harder))
+    words = plain(page.texts["main"][0])
+    assert words.startswith("What changes?")
+    assert ["hardness", "25 GPa", "30 GPa"] in [[plain(cell) for cell in row] for row in page.rows]
+    assert ["finding", "verdict"] not in [[row[0], row[-1]] for row in page.rows]
+    for verdict in VERDICTS:
+        assert f"verdict-{verdict.replace(' ', '-')}" not in page.values("class")
+        assert verdict not in words
 
 
 def test_only_substitutes_are_labelled_as_such(page):

@@ -1,17 +1,21 @@
 """Pages of the report are complete, and texts are escaped."""
 
+import re
+import subprocess
 from importlib.metadata import version
 
 import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from html_page import Page
+from html_page import Page, dead_links
+from paper_study import FRAME, PAGES, make_figures_page, make_page, open_claims
 from paper_study import claims as all_claims
 from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS, summary
+from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.report_pages import chapter, claim_facts, pages
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
@@ -45,11 +49,11 @@ def evaluated(**values):
     return table
 
 
-def make_pages(table=None, **texts):
+def make_pages(table=None, changed=(), **texts):
     """The pages."""
     configuration = PAPER | {"inference": {"confidence": 0.8}}
     table = evaluated() if table is None else table
-    return pages(table, texts, configuration, {"numpy": "1", "a<b": "1<2"})
+    return pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
 def test_facts_are_the_claims_with_their_numbers_as_printed():
@@ -93,8 +97,11 @@ def test_facts_count_independent_findings_reproduced_without_scans(values, count
 def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     table = all_claims().assign(open_end="")
     page = Page(make_pages(table)["claims"])
-    rows = [row for row in page.rows if len(row) == 7][1:]
-    for cells, claim in zip(rows, table.itertuples(), strict=True):
+    rows = [row for row in page.rows if len(row) == 7 and row[0].strip() != "statement"]
+    tested_first = table.assign(
+        order=table["verdict"].map(lambda verdict: max(VERDICTS.index(verdict), 3))
+    ).sort_values("order", kind="stable")
+    for cells, claim in zip(rows, tested_first.itertuples(), strict=True):
         row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
         assert_says(row_text, claim.id, claim.statement, claim.verdict, claim.section)
     counts = [row for row in page.rows if len(row) == 4][1:]
@@ -112,7 +119,7 @@ def test_claims_are_text_not_markup(column):
 CHAPTER = """# Where the study departs <from> the paper
 
 1. **First.** See [the rules](resources/paper/README.md) and [the paper](https://doi.org/10.1/x).
-2. **Second.** 1 < 2.
+2. **Second.** 1 < 2. See [ends](methods.md#ends); 250 µm, but `--radius 250 µm`.
 
 ## Substitute scans
 
@@ -122,15 +129,14 @@ CHAPTER = """# Where the study departs <from> the paper
 """
 
 
-def test_a_chapter_is_a_page_without_links_into_the_repository():
+def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository():
     page = make_pages(departures=CHAPTER)["departures"]
     parsed_page = Page(page)
     assert parsed_page.texts["h1"] == ["Where the study departs <from> the paper"]
     assert len(parsed_page.texts["li"]) == 2 and "1 &lt; 2" in page and "See the rules and" in page
-    away = [
-        link["href"] for link in parsed_page.attributes["a"] if not link["href"].startswith("#")
-    ]
-    assert away == ["https://doi.org/10.1/x"]
+    text = chapter(CHAPTER, ["methods", "claims"]).html
+    assert Page(text).values("href") == ["https://doi.org/10.1/x", "methods.html#ends"]
+    assert "250\N{NO-BREAK SPACE}µm, but <code>--radius 250 µm" in text
     rows = [[cell.strip() for cell in row] for row in parsed_page.rows]
     assert rows == [["surface", "made from"], ["UNCD", "scans"]]
     assert [cell["data-label"] for cell in parsed_page.attributes["td"]] == ["surface", "made from"]
@@ -139,6 +145,48 @@ def test_a_chapter_is_a_page_without_links_into_the_repository():
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(chapter, text), "expected", "'# '", "found")
+
+
+def test_anchors_are_those_of_github():
+    """Links of documents lead to the same anchors there and on pages."""
+    (section,) = chapter("# Title\n\n## What's C_iso(q), and a well-known *edge*?\n").sections
+    assert section[0] == "whats-c_isoq-and-a-well-known-edge"
+
+
+def all_pages():
+    """Every page of a study, by its path."""
+    texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "workflow/report").glob("*.md")}
+    report = make_pages(open_claims(), **texts) | {"figures": make_figures_page()}
+    report_pages = {f"report/{name}.html": page for name, page in report.items()}
+    return report_pages | {"answer.html": make_page()}
+
+
+def test_every_page_links_to_all_others_and_no_link_is_dead():
+    study_pages = all_pages()
+    files = {"answer.json", "claims.csv", *(f"figures/{name}.pdf" for name in PAPER_FIGURES)}
+    assert dead_links(study_pages, files) == []
+    assert set(study_pages) == {"answer.html", *(f"report/{name}.html" for name in PAGES)}
+    for path, html in study_pages.items():
+        menu = re.search('<nav class="menu".*?</nav>', html, re.DOTALL)[0]
+        assert menu.count("<a ") == len(PAGES) and menu.count('aria-current="page"') == 1, path
+
+
+def test_pages_name_the_version_and_the_commit():
+    words = ["git", "rev-parse", "HEAD"]
+    head = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False).stdout
+    (foot,) = Page(make_page()).texts["footer"]
+    program, _, commit = foot.partition(", commit ")
+    assert program == "hardcontact 1.2.3"
+    assert head.startswith(commit.removesuffix("-dirty")) and bool(head) == bool(commit)
+
+
+def test_a_dead_link_is_found():
+    study_pages = {"answer.html": '<a href="report/a.html#b"></a>', "report/a.html": '<a href="c">'}
+    study_pages["report/a.html"] += '</a><a href="../answer.html"></a>'
+    assert dead_links(study_pages, {"c"}) == [
+        ("answer.html", "report/a.html#b"),
+        ("report/a.html", "c"),
+    ]
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
@@ -151,7 +199,16 @@ def test_every_chapter_has_a_title_and_unique_anchors(path):
 def test_parameters_are_the_whole_configuration_and_every_version():
     versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
     configuration = PAPER | {"store": "a<b>&c"}
-    page = Page(pages(evaluated(), {}, configuration, versions)["parameters"])
+    page = Page(pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
     assert yaml.safe_load(page.texts["pre"][0]) == configuration
     cells = [[cell.strip() for cell in row] for row in page.rows]
     assert cells[1:] == [[name, number] for name, number in versions.items()]
+
+
+def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
+    changed = [{"input": "hardness", "paper": "25 GPa", "study": "30 GPa"}]
+    page = Page(make_pages(changed=changed)["claims"])
+    assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
+    (row,) = [row for row in page.rows if "first" in row[0]]
+    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm"
+    assert not [text for text in page.values("class") if text.startswith("verdict-")]

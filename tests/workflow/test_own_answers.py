@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 import yaml
 from comparison import undescribed
-from html_page import Page
+from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
 from own_studies import RANGE, WORK, numbers, quantities, quick
 from refusals import assert_says
@@ -56,6 +56,9 @@ def assert_honest(results, fitted=False):
                 assert_bounded(edges.sel(surface=name, side=side))
     assert quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
+    made = {path.relative_to(results).as_posix() for path in results.rglob("*.*")}
+    html = (results / "answer.html").read_text("utf-8")
+    assert dead_links({"answer.html": html}, made - {"answer.html"}) == []
     files = {path.name for path in results.iterdir()}
     assert not files & {"claims.csv", "sets.nc", "report"}
 

@@ -144,6 +144,21 @@ def test_a_read_only_folder_is_named(copy):
     assert_says(line, f"{RESULTS}: expected a folder to write to, found")
 
 
+VERIFY = "import sys; from hardcontact.own.new import main; sys.exit(main())"
+
+
+def test_verify_writes_nothing_and_needs_no_snakemake(copy, tmp_path):
+    (tmp_path / "snakemake.py").write_text("raise ImportError")
+    paths = os.pathsep.join([str(tmp_path), str(ROOT / "workflow")])
+    with read_only(copy):
+        run = subprocess.run(
+            [sys.executable, "-B", "-c", VERIFY, "verify", copy / RESULTS],
+            env=environment(ROOT) | {"PYTHONPATH": paths}, capture_output=True, text=True,
+        )  # fmt: skip
+    assert_says(run.stdout, f"{RESULTS}: ", "files checked, 0 faults, 0 inputs not at hand")
+    assert run.returncode == 0 and run.stderr == ""
+
+
 # Altered files
 
 

@@ -2,8 +2,10 @@
 
 import pytest
 import yaml
+from forked_runs import run_program
 from own_studies import quick
 from refusals import assert_says
+from repository import environment
 
 pytestmark = pytest.mark.study
 
@@ -42,8 +44,10 @@ def test_a_run_stops_at_the_lock_of_another_until_it_is_removed(folder, probe):
     lock = folder / ".snakemake/locks/0.output.lock"
     lock.parent.mkdir(exist_ok=True)
     lock.write_text(f"{probe.relative_to(folder) / 'answer.json'}\n")
-    locked = quick(folder, "probe", "answer", overlays=["few.yaml"])
+    words = ["answer", "--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
+    locked = run_program(folder, "snakemake.cli", words, environment(folder))
     assert locked.returncode == 1
     assert_says(locked.stdout, "cannot be locked", "--unlock")
-    assert quick(folder, "probe", "--unlock", overlays=["few.yaml"]).returncode == 0
+    words.insert(0, "--unlock")
+    assert run_program(folder, "snakemake.cli", words, environment(folder)).returncode == 0
     assert not lock.exists()

@@ -6,6 +6,7 @@ and `snakemake` with `-n`, as its runs take minutes; installation is what .ci/ru
 """
 
 import importlib.util
+import json
 import os
 import re
 import subprocess
@@ -15,6 +16,7 @@ import numpy as np
 import pytest
 from forked_runs import forked, run_program
 from own_studies import rough, spm
+from paper_study import answer
 from repository import ROOT, copy_repository, environment, plan
 from scan_files import container, scan
 
@@ -75,7 +77,7 @@ def overlays(text):
 
 
 def write_files(folder):
-    """Write the scans and tables that the commands read."""
+    """Write the scans, tables and answers that the commands read."""
     scans = folder / "scans"
     scans.mkdir()
     for number, name in enumerate(("coating-10um.di", "bare-1.spm", "bare-2.spm", "coated-1.spm")):
@@ -90,8 +92,10 @@ def write_files(folder):
     rows = [f"{wave},nm,{wave**4 / 1e3},nm4" for wave in waves]
     head = "wavelength,wavelength_unit,c_iso,c_iso_unit"
     (folder / "my-psd.csv").write_text("\n".join([head, *rows]))
-    for study in ("quick", "store-quick"):
+    for study in ("quick", "store-quick", "paper", "harder"):
         (folder / "results" / study).mkdir(parents=True)
+    for study in ("quick", "paper", "harder"):
+        (folder / "results" / study / "answer.json").write_text(json.dumps(answer()))
 
 
 def calls(folder, typed):

@@ -3,9 +3,13 @@
 import re
 
 import pytest
+from html_page import Page
 from repository import ROOT
 
 README = ROOT / "README.md"
+PAGE_TO_LOOK_AT = ROOT / "resources/readme/answer.html"
+NUMBER = r"(\d+(?:\.\d+)?)"
+INTERVAL = re.compile(rf"{NUMBER} \[{NUMBER}, {NUMBER}\]")
 TEXTS = [
     README,
     *sorted((ROOT / "workflow/report").glob("*.md")),
@@ -33,3 +37,21 @@ def test_files_named_in_the_documentation_exist(path):
 
 def test_the_readme_is_short():
     assert len(README.read_text().splitlines()) <= 110
+
+
+def is_rounded(printed, number):
+    """Whether a text is a number with fewer decimals."""
+    decimals = len(printed.partition(".")[2])
+    return abs(float(printed) - float(number)) <= 0.501 * 10**-decimals
+
+
+def test_the_page_to_look_at_has_the_numbers_of_the_readme():
+    """After a change of results, copy the answer of the full study there and correct README.md."""
+    page = Page(PAGE_TO_LOOK_AT.read_text("utf-8"))
+    text = " ".join([*page.texts["p"], *(cell for row in page.rows for cell in row)])
+    shown = INTERVAL.findall(text.replace("\N{NO-BREAK SPACE}", " "))
+    printed = INTERVAL.findall(README.read_text("utf-8"))
+    assert len(printed) >= 10
+    for numbers in printed:
+        assert any(all(map(is_rounded, numbers, found)) for found in shown), numbers
+    assert PAGE_TO_LOOK_AT.stat().st_size <= 1_000_000

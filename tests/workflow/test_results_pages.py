@@ -5,7 +5,7 @@ import json
 import pandas as pd
 import pytest
 from browser import measure_page, needs_browser
-from html_page import Page
+from html_page import Page, dead_links
 from jsonschema import Draft202012Validator
 from paper_numbers import SUBSTRATES
 from repository import ROOT, run_snakemake
@@ -55,6 +55,12 @@ def test_the_answer_is_short_and_no_figure_or_page_is_missing(results):
     pages = {path.stem: path.read_text() for path in (results / "report").glob("*.html")}
     assert set(pages) == set(PAGES)
     assert "study: tiny" in pages["parameters"] and "numpy" in pages["parameters"]
+
+
+def test_no_link_is_dead(results):
+    files = {path.relative_to(results).as_posix(): path for path in results.rglob("*.*")}
+    html = {name: path.read_text("utf-8") for name, path in files.items() if path.suffix == ".html"}
+    assert dead_links(html, files.keys() - html.keys()) == []
 
 
 @needs_browser

@@ -20,6 +20,7 @@ rule answer_paper:
             for page in PAGES
             if page not in ("figures", "claims", "parameters")
         ],
+        pages="workflow/report/pages.yaml",
         captions="workflow/report/figures.yaml",
         citation="CITATION.cff",
         environment=PINS[0],

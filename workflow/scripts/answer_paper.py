@@ -15,6 +15,7 @@ from hardcontact.report.paper_page import figures_page, paper_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.report_pages import pages
 from hardcontact.report.table1 import table1_rows
+from hardcontact.report.templates import Frame
 
 DATASETS = (
     "topography", "scales", "edges", "sensitivity", "sets", "features", "scan_size",
@@ -26,14 +27,20 @@ with job(snakemake) as job:
     claims = add_open_ends(claims, [datasets["edges"], datasets["sets"]])
     constants = published.constants(job.input.published_constants)
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    answer = paper_answer(claims, datasets, constants, job.parameters, citation["version"])
+    published_table1 = published.table1(job.input.published_table1)
+    answer = paper_answer(
+        claims, datasets, constants, published_table1, job.parameters, citation["version"]
+    )
     job.write_text(answer_text(answer), "json")
-    table1 = table1_rows(datasets["topography"], published.table1(job.input.published_table1))
+    table1 = table1_rows(datasets["topography"], published_table1)
     figures = {path.stem: path.read_bytes() for path in map(Path, job.input.figures)}
     captions = {name: caption(name, job.parameters) for name in figures}
-    job.write_text(paper_page(answer, claims, figures, captions, citation), "page")
-    job.write_text(figures_page(answer, table1, figures, captions), "figures")
+    listed = yaml.safe_load(Path(job.input.pages).read_text("utf-8"))
+    frame = Frame(answer["version"], [*listed])
+    job.write_text(paper_page(answer, claims, figures, captions, citation, frame), "page")
+    job.write_text(figures_page(answer, table1, figures, captions, frame), "figures")
     chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}
     versions = read_pins(job.input.environment)
-    for name, page in pages(claims, chapters, job.parameters, versions).items():
+    report = pages(claims, answer["changed"], chapters, job.parameters, versions, frame)
+    for name, page in report.items():
         job.write_text(page, name)

@@ -13,6 +13,7 @@ from hardcontact.report.figures.own_figures import write_figures
 from hardcontact.report.own_answer import own_answer
 from hardcontact.report.page import render_page
 from hardcontact.report.quantities import answer_text
+from hardcontact.report.templates import Frame
 
 with job(snakemake) as job:
     paths = {name: getattr(job.input, name, None) for name in Datasets._fields}
@@ -24,5 +25,6 @@ with job(snakemake) as job:
     answer = own_answer(datasets, setting)
     job.write_text(answer_text(answer), "json")
     figures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
+    frame = Frame(answer["version"])
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    job.write_text(render_page(answer, figures, citation), "page")
+    job.write_text(render_page(answer, figures, citation, frame), "page")

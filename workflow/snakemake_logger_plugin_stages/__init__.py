@@ -18,7 +18,7 @@ from snakemake.common import NOTHING_TO_BE_DONE_MSG
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
-from snakemake_logger_plugin_stages.command_line import effort, error_line
+from snakemake_logger_plugin_stages.command_line import cost_column, error_line
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
 #: The logger of a study's own messages.
@@ -97,7 +97,7 @@ class LogHandler(LogHandlerBase):
 
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show the number of planned jobs and about the time that they take."""
-        stages = read_stages(effort())
+        stages = read_stages(cost_column())
         self._planned = {**jobs}
         self._total = self._planned.pop("total")
         self._stages = {rule: stage_of(rule, stages) for rule in self._planned}

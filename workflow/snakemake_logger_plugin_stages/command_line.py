@@ -16,11 +16,12 @@ def _options() -> Namespace:
     return parser.parse_known_args(sys.argv[1:])[0]
 
 
-def effort() -> str:
-    """Return the column of costs for the command line: "quick" for a first answer, else "full"."""
+def cost_column() -> str:
+    """Return the column of costs: of a first answer, of own surfaces or of the paper."""
     options = _options()
-    is_quick = "config/quick.yaml" in options.configfile or "effort=quick" in options.config
-    return "quick" if is_quick else "full"
+    if "config/quick.yaml" in options.configfile or "effort=quick" in options.config:
+        return "quick"
+    return "own" if _has_own_surfaces() else "full"
 
 
 def error_line(exception: str, message: str) -> str:

@@ -19,11 +19,11 @@ class Stage(NamedTuple):
     name: str
 
 
-def read_stages(effort: str) -> dict[str, Stage]:
-    """Return the stage of each rule, with its cost in a "quick" or a "full" study."""
+def read_stages(column: str) -> dict[str, Stage]:
+    """Return the stage of each rule, with its cost in a "quick", "own" or "full" study."""
     with open(TABLE, newline="") as file:
         rows = csv.DictReader(file, delimiter="\t")
-        return {row["rule"]: Stage(float(row[effort]), row["name"]) for row in rows}
+        return {row["rule"]: Stage(float(row[column]), row["name"]) for row in rows}
 
 
 def name_in_table(rule: str, stages: dict[str, Stage]) -> str:

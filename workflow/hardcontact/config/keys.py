@@ -86,7 +86,7 @@ class ScanKeys(Keys):
     """Pixels under a mask in a file of Gwyddion: `keep` their heights, or `exclude` them as
     undefined."""
     levelling: Literal["plane", "lines", "quadratic"] = "plane"
-    """What is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
+    """Form that is removed from measured scans: a `plane`, streaks and offsets of `lines` and a
     `plane`, or a `quadratic` polynomial."""
 
 
@@ -112,7 +112,7 @@ class AdhesionKeys(Keys):
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
         "Fig. 4, and beyond on both sides",
     )
-    """Ranges of adhesion ρ at which forces are computed, and interpolated between them."""
+    """Ranges of adhesion ρ at which forces are computed; between them forces are interpolated."""
 
 
 class InferenceKeys(Keys):
@@ -127,9 +127,9 @@ class InferenceKeys(Keys):
 class SmallScaleKeys(Keys):
     """Masters of small scales."""
 
-    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
+    pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels along a side of the small-scale master, which is two scans long."""
-    transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
+    transition: Length = key("20 nm", "Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500), "Fig. 6a"
@@ -140,11 +140,11 @@ class SmallScaleKeys(Keys):
 class LargeScaleKeys(Keys):
     """Masters of large scales."""
 
-    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
+    pixels: Pixels = key(8192, "Most Relevant Length-scales")
     """Pixels along a side of the large-scale master."""
-    tiles: TileCount = key(4, "Determining the Most Relevant Length-scales: 20 µm")
+    tiles: TileCount = key(4, "Most Relevant Length-scales: 20 µm")
     """Stitched scans along a side of the large-scale master."""
-    transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
+    transition: Length = key("1000 nm", "Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
@@ -156,16 +156,16 @@ class LargeScaleKeys(Keys):
 class ScalesKeys(Keys):
     """Scales."""
 
-    range: Range = key("5.6 nm", "Determining the Most Relevant Length-scales")
+    range: Range = key("5.6 nm", "Most Relevant Length-scales")
     """Range of adhesion of masters and of the predicted force."""
-    tolerance: Fraction = key(0.1, "Determining the Most Relevant Length-scales")
+    tolerance: Fraction = key(0.1, "Most Relevant Length-scales")
     """Relative change up to which a force counts as unchanged."""
     realizations: Realizations = 5
     """Masters of each substrate on each side of the band, built on its scans in turn."""
     whole_surfaces: Realizations = 10
     """Surfaces of each substitute as large as large-scale masters, not mirrored, for octaves."""
     sphere_roughness: bool = key(False, "not stated")
-    """Whether the sphere on masters has the roughness of its first scan; own scans add it."""
+    """Whether the paper's sphere is rough on masters, like its first scan; a scanned own one is."""
     small: SmallScaleKeys = SmallScaleKeys()
     large: LargeScaleKeys = LargeScaleKeys()
 
@@ -174,7 +174,7 @@ class ElasticKeys(Keys):
     """Elastic contact."""
 
     contacts: ContactCount = 2
-    """Contacts solved on each scan, sampled at random; each takes about a second."""
+    """Contacts solved on each scan, sampled at random."""
 
 
 class IndentKeys(Keys):
@@ -221,7 +221,7 @@ class SetsKeys(Keys):
     pool: Annotated[int, Field(ge=2, le=10000)] = 60
     """Scans of each substrate from which sets are sampled."""
     rms_heights: Annotated[int, Field(ge=4, le=50)] = 7
-    """Rms heights at which forces on the pool are computed, and interpolated between."""
+    """Rms heights at which forces on the pool are computed; other forces are interpolated."""
     count: Count = 10
     """Contacts along a side of the array."""
     realizations: Realizations = 20
@@ -251,7 +251,7 @@ class StudyKeys(Keys):
     scans: Annotated[list[int], Field(min_length=1), or_word("all")] = key("all")
     """Numbers of the scans used, such as `[1, 2]`, or `all`."""
     published: Literal["paper", "none"] = "paper"
-    """What the study is compared with: the `paper`, or `none` for own surfaces."""
+    """Publication that the study is compared with: the `paper`, or `none` for own surfaces."""
     forces: FilePath = "none"
     """With `published: none`: table of forces measured on these surfaces, or `none`."""
     given: list[Literal["radius", "hardness", "preload", "range", "work"]] = []

@@ -44,7 +44,7 @@ from hardcontact.own.request import (
 
 
 def main() -> int:
-    """Carry out the command line: `new`, `predict` or `verify`; return the exit code."""
+    """Carry out the command line: `new`, `predict`, `verify`, `compare`; return the exit code."""
     try:
         # A terminal would obey control characters, and tables are written in UTF-8.
         refuse_lines(
@@ -62,6 +62,10 @@ def main() -> int:
             words, code = verify(verify_arguments(sys.argv[2:]))
             print(words, flush=True)
             return code
+        elif sys.argv[1:2] == ["compare"]:
+            from hardcontact.own.compare import compare, compare_arguments
+
+            print(compare(compare_arguments(sys.argv[2:])))
         else:
             print(new_study(parse_arguments(sys.argv[1:])))
         sys.stdout.flush()

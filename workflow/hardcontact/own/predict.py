@@ -2,10 +2,9 @@
 
 import json
 import math
-import os
 import sys
 from argparse import Namespace
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -13,13 +12,13 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity, known_digits
 from hardcontact.base.number import Number, plain
-from hardcontact.base.whole_file import whole_file
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.command_line import CommandLine
+from hardcontact.own.output import output_faults, write_output
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
@@ -97,7 +96,8 @@ def predict(arguments: Namespace) -> str:
     cautions = [*implausible_quantities(quantities)]
     if wide and not faults:
         faults.append("; ".join([f"--{wide}", *cautions]))
-    faults += _output_faults(arguments)
+    outputs = {name: getattr(arguments, name) for name in WRITERS}
+    faults += output_faults(outputs, {arguments.file: "that of the surface"}, arguments.overwrite)
     reader = partial(
         own_spectrum,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
@@ -142,42 +142,13 @@ def predict(arguments: Namespace) -> str:
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *user_spectrum.notes]
     report = _report(numbers, texts, notes, user_spectrum.scans, arguments)
     for name, write in WRITERS.items():
-        path = getattr(arguments, name)
+        path = outputs[name]
         if path == "-":
             sys.stderr.writelines(f"{line}\n" for line in notes)
             report = write(numbers)
         elif path is not None:
-            _write(path, write(numbers) + "\n")
+            write_output(path, write(numbers) + "\n")
     return report
-
-
-def _output_faults(arguments: Namespace) -> Iterator[str]:
-    """Yield a line for each file of numbers that cannot be written, or would replace another."""
-    taken = {os.path.realpath(arguments.file): "another file than that of the surface"}
-    for name in WRITERS:
-        path = getattr(arguments, name)
-        if path is None:
-            continue
-        place = path if path == "-" else os.path.realpath(path)
-        if place in taken:
-            yield f"--{name}: expected {taken[place]}, found {path}"
-        elif path != "-" and (not Path(place).parent.is_dir() or Path(place).is_dir()):
-            yield f"--{name}: expected a file in a folder that exists, found {path}"
-        elif Path(place).is_file() and not arguments.overwrite:
-            yield (
-                f"--{name}: expected a new file, found {path}: take another name, or add "
-                "--overwrite"
-            )
-        taken[place] = f"another file than that of --{name}"
-
-
-def _write(path: str, text: str) -> None:
-    """Write a file whole; pipes and devices take the text as it comes."""
-    if Path(path).exists() and not Path(path).is_file():
-        Path(path).write_text(text, "utf-8")
-        return
-    with whole_file(os.path.realpath(path)) as temporary:
-        Path(temporary).write_text(text, "utf-8")
 
 
 def _json(numbers: Mapping[str, Number]) -> str:

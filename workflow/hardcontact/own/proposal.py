@@ -44,7 +44,7 @@ FINEST_PIXEL_SIZE = 0.15
 #: Numbers of contacts along a side of the array. Even ones fall evenly on the quarters of a scan.
 CONTACTS_PER_SIDE = (20, 16, 12, 10, 8, 6, 4)
 #: Seconds that the contacts of one filtered surface may take. Chosen: the 150 filtered surfaces of
-#: a scan at full effort then take 5 of the 20 minutes of processor time.
+#: a scan at full effort then take 5 minutes of processor time at most.
 CONTACT_SECONDS = 2.0
 #: Seconds for a contact pixel in an image of the cell, and for a tile in the window (measured).
 SECONDS_A_PIXEL = 4e-7
@@ -68,7 +68,7 @@ class Effort(NamedTuple):
     ranges: int  #: of adhesion
 
 
-#: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
+#: A minute of processor time, for one scan of 512 x 512 pixels; and a third of it.
 FULL_EFFORT = Effort(
     pixels=4096, cutoffs=14, realizations=5, slow_realizations=3, contacts_per_side=20, ranges=12
 )

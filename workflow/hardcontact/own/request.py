@@ -67,9 +67,11 @@ def parse_arguments(arguments: Sequence[str]) -> Namespace:
     parser = CommandLine("hardcontact", USAGE)
     parser.add_argument("--version", action="version", version=version("hardcontact"))
     parser.add_argument(
-        "command", choices=["new", "predict", "verify"], metavar="{new,predict,verify}",
+        "command", choices=["new", "predict", "verify", "compare"],
+        metavar="{new,predict,verify,compare}",
         help="new: make a study of own surfaces; predict: a force from a spectrum, see "
-        "hardcontact predict --help; verify: check the files of a finished study",
+        "hardcontact predict --help; verify: check the files of a finished study; compare: the "
+        "numbers of two studies",
     )  # fmt: skip
     parser.add_argument(
         "name", metavar="NAME", help="name of the study; results go to results/NAME/"

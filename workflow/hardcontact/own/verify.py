@@ -36,11 +36,11 @@ def verify(arguments: Namespace) -> tuple[str, int]:
     os.chdir(folder.parents[1])
     results = folder.relative_to(folder.parents[1])
     faults, summary = check(results)
-    lines = [*faults, *_other_parameters(results), *summary]
+    lines = [*faults, *_other_keys(results), *summary]
     return "\n".join(lines), 1 if faults else 0
 
 
-def _other_parameters(results: Path) -> Iterator[str]:
+def _other_keys(results: Path) -> Iterator[str]:
     """Yield a line for each key that has another value now, in this repository's `config` folder.
 
     The overlay of a study has its name; values of the command line are in no file.

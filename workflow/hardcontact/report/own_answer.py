@@ -86,6 +86,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             fit=fit_text if len(surfaces) > 1 else "",
         ),
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
+        "changed": [],
         "assumed": list(setting.of_paper),
         "chosen": chosen,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],

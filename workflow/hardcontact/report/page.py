@@ -5,7 +5,7 @@ from typing import Any
 
 from hardcontact.report.artificial import NEARLY_ALL
 from hardcontact.report.quantities import numbers_by_name
-from hardcontact.report.templates import rendered
+from hardcontact.report.templates import Frame, rendered
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE
 
 
@@ -13,6 +13,7 @@ def render_page(
     answer: Mapping[str, Any],
     figures: Mapping[str, bytes],
     citation: Mapping[str, Any],
+    frame: Frame,
     **facts: Any,
 ) -> str:
     """Return the page as HTML from the content of answer.json and the SVG of each figure.
@@ -25,6 +26,8 @@ def render_page(
     ]
     return rendered(
         "answer.html",
+        frame,
+        "answer",
         answer=answer,
         numbers=numbers_by_name(answer),
         surfaces=surfaces,

@@ -9,11 +9,13 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.base.statistics import bounds
+from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.verdicts import interval_with_sets, open_end, summary
+from hardcontact.report.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.quantities import all_quantities, number_of
 from hardcontact.report.report_pages import claim_facts
@@ -52,30 +54,30 @@ def paper_answer(
     claims: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
+    table1: pd.DataFrame,
     configuration: Mapping[str, Any],
     version: str,
 ) -> dict[str, Any]:
     """Return the content of answer.json: a head, notes in words, and all numbers.
 
-    `claims` comes from `verdicts.add_open_ends`, `constants` from `published.constants`. The
+    `claims` comes from `verdicts.add_open_ends`, `constants` and `table1` from `published`. The
     datasets are `topography`, `scales`, `edges`, `sensitivity`, `sets`, `features`, and
     `scan_size` from resources/validation.
     """
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
     numbers, surfaces, labels = facts["numbers"], facts["surfaces"], facts["labels"]
+    contact = paper_contact(numeric_configuration(configuration))
+    changed = changed_inputs(contact, list(surfaces), table1)
+    judgements = [] if changed else _judgements(claims)
     return {
         "study": configuration["study"],
         "version": version,
         "effort": "quick" if facts["coarse"] else configuration["effort"],
         "kind": "paper",
-        "headline": rendered_lines("paper_headline.txt", **facts),
-        "contact": {
-            "sphere": facts["sphere"],
-            "radius of the sphere": configuration["sphere"]["radius"],
-            "hardness": configuration["contact"]["hardness"],
-            "preload": configuration["contact"]["preload"],
-        },
+        "headline": rendered_lines("paper_headline.txt", changed=changed, **facts),
+        "contact": contact,
+        "changed": changed,
         "assumed": [],
         "chosen": [],
         "surfaces": [
@@ -84,7 +86,7 @@ def paper_answer(
         ],
         "notes": _notes(topography, facts),
         "quantities": all_quantities(
-            numbers.values(), {name: surfaces[name].values() for name in surfaces}
+            [*numbers.values(), *judgements], {name: surfaces[name].values() for name in surfaces}
         ),
     }
 
@@ -102,7 +104,6 @@ def _facts(
         "numbers": numbers,
         "surfaces": {name: surface_numbers(name, datasets) for name in substrates},
         "labels": labels,
-        "sphere": labels[topography.attrs["sphere_surface"]],
         "decisive": labels[_decisive_surface(datasets["sets"])],
         "featured": datasets["features"].attrs["label"],
         "coarse": is_coarse(numbers),
@@ -145,6 +146,14 @@ def study_numbers(
     yield from _fit_samples(datasets, constants)
     yield from _feature_numbers(datasets["features"], datasets["sets"].attrs["confidence"])
     yield from _settings(datasets, constants)
+
+
+def _judgements(claims: pd.DataFrame) -> Iterator[Number]:
+    """Yield the share of sets in which each claim holds, and how often each verdict was reached."""
+    frequencies = claims.dropna(subset="computed").set_index("id")["frequency"]
+    for name, claim in ANSWER_CLAIMS.items():
+        if claim in frequencies:
+            yield Number(f"{name}_frequency", frequencies[claim])
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
         yield Number(name, row["claims"])
@@ -159,7 +168,7 @@ def _edge_source(scales: xr.Dataset, side: str, edge: float) -> str:
 
 
 def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> list[Number]:
-    """Return the computed and the published number of a claim, and its frequency over sets."""
+    """Return the computed and the published number of a claim."""
     edge = name.removeprefix("first_")
     source = "computed"
     if edge in EDGE_SIDES:
@@ -172,7 +181,6 @@ def _claim_numbers(name: str, row: Any, datasets: Mapping[str, xr.Dataset]) -> l
     return [
         Number(name, row.computed, row.unit, row.low, row.high, status, source),
         Number(f"{name}_published", row.published, row.unit, source="published"),
-        Number(f"{name}_frequency", row.frequency),
     ]
 
 

@@ -10,7 +10,7 @@ from hardcontact.report.figures.listing import PAPER_FIGURES, Caption, describe_
 from hardcontact.report.page import render_page
 from hardcontact.report.paper_answer import ANSWER_CLAIMS
 from hardcontact.report.report_pages import claim_facts
-from hardcontact.report.templates import rendered
+from hardcontact.report.templates import Frame, rendered
 
 
 def paper_page(
@@ -19,6 +19,7 @@ def paper_page(
     figures: Mapping[str, bytes],
     captions: Mapping[str, Caption],
     citation: Mapping[str, Any],
+    frame: Frame,
 ) -> str:
     """Return the page of the paper's study.
 
@@ -28,6 +29,7 @@ def paper_page(
         answer,
         figures,
         citation,
+        frame,
         answer_claims=ANSWER_CLAIMS,
         captions=captions,
         **claim_facts(claims),
@@ -39,11 +41,14 @@ def figures_page(
     table1: Sequence[Sequence[str]],
     figures: Mapping[str, bytes],
     captions: Mapping[str, Caption],
+    frame: Frame,
 ) -> str:
     """Return the page of all figures of the paper's study, and of Table 1 from `table1_rows`."""
     chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
     return rendered(
         "figures.html",
+        frame,
+        "figures",
         notes=answer["notes"],
         surfaces=answer["surfaces"],
         table1=table1,

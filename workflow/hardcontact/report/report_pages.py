@@ -15,7 +15,10 @@ from hardcontact.base.formatting import format_as_paper, is_boundless
 from hardcontact.paper.selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, REPRODUCED_SHARE, summary
 from hardcontact.report.quantities import NO_INTERVAL
-from hardcontact.report.templates import rendered
+from hardcontact.report.templates import Frame, rendered, unbroken
+
+#: A link of Markdown within the repository: its words, the document without `.md`, and the anchor.
+LINK = re.compile(r"\[([^\]]+)\]\((?!https?:)([^)#]+?)(?:\.md)?(#[^)]*)?\)")
 
 
 class Chapter(NamedTuple):
@@ -28,20 +31,32 @@ class Chapter(NamedTuple):
 
 def pages(
     claims: pd.DataFrame,
+    changed: Sequence[Mapping[str, str]],
     texts: Mapping[str, str],
     configuration: Mapping[str, Any],
     versions: Mapping[str, str],
+    frame: Frame,
 ) -> dict[str, str]:
     """Return the HTML of the pages by their names: `claims`, each text, and `parameters`.
 
-    `claims` comes from `verdicts.add_open_ends`; `texts` are chapters in Markdown, by name.
+    `claims` comes from `verdicts.add_open_ends`, `changed` from `changed_inputs`; `texts` are
+    chapters in Markdown, by name.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
+    facts = claim_facts(claims)
+    chapters = {name: chapter(text, frame.pages) for name, text in texts.items()}
     return {
-        "claims": rendered("claims.html", confidence=confidence, **claim_facts(claims)),
-        **{name: rendered("chapter.html", chapter=chapter(text)) for name, text in texts.items()},
-        "parameters": rendered("parameters.html", parameters=parameters, versions=versions),
+        "claims": rendered(
+            "claims.html", frame, "claims", confidence=confidence, changed=changed, **facts
+        ),
+        **{
+            name: rendered("chapter.html", frame, name, chapter=page)
+            for name, page in chapters.items()
+        },
+        "parameters": rendered(
+            "parameters.html", frame, "parameters", parameters=parameters, versions=versions
+        ),
     }
 
 
@@ -100,29 +115,43 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
     return f"{format_as_paper(low, unit)} to {format_as_paper(high, unit)}"
 
 
-def chapter(text: str) -> Chapter:
+def chapter(text: str, pages: Sequence[str] = ()) -> Chapter:
     """Return a chapter in Markdown as HTML, with anchors at its headings.
 
-    Links into the repository become plain text, because they do not work from a page. Raises
-    ValueError if the text does not begin with a title, ``# ...``.
+    Links to documents that are pages lead there, others into the repository become plain text.
+    Raises ValueError if the text does not begin with a title, ``# ...``.
     """
     heading, _, body = text.partition("\n")
     if not heading.startswith("# "):
         raise ValueError(f"expected a text that begins with '# ' and a title, found {heading!r}")
-    unlinked = re.sub(r"\[([^\]]+)\]\((?!https?:)[^)]+\)", r"\1", body)
     markdown = MarkdownIt("commonmark").enable("table")
-    tokens = markdown.parse(unlinked)
+    tokens = markdown.parse(LINK.sub(lambda link: _page_link(link, pages), body))
+    _keep_units(tokens)
     _label_cells(tokens)
     sections = _set_anchors(tokens)
     return Chapter(heading[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
 
 
+def _page_link(link: re.Match[str], pages: Sequence[str]) -> str:
+    """Return a link to a page in place of one to its document, the words of any other link."""
+    words, document, anchor = link.groups(default="")
+    return f"[{words}]({document}.html{anchor})" if document in pages else words
+
+
+def _keep_units(tokens: Sequence[Token]) -> None:
+    """Keep numbers and their units on a line, except in code."""
+    for token in tokens:
+        for part in token.children or []:
+            if part.type == "text":
+                part.content = unbroken(part.content)
+
+
 def _set_anchors(tokens: Sequence[Token]) -> list[tuple[str, str]]:
-    """Set the anchor of each heading; return the anchors and headings."""
+    """Set the anchor of each heading, as GitHub does; return the anchors and headings."""
     sections = []
     for token, content in pairwise(tokens):
         if token.type == "heading_open":
-            anchor = re.sub(r"\W+", "-", content.content.lower()).strip("-")
+            anchor = re.sub(r"[^\w\- ]", "", content.content.lower()).replace(" ", "-")
             token.attrSet("id", anchor)
             sections.append((anchor, content.content))
     return sections

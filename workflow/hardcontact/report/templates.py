@@ -4,8 +4,10 @@ import base64
 import hashlib
 import math
 import re
+import subprocess
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from hardcontact.base.formatting import format_share
 from hardcontact.report import quantities
@@ -13,12 +15,22 @@ from hardcontact.report.figures.listing import caption
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
 
-#: A space between a number and its interval, or between either and its unit.
-BEFORE_UNIT = re.compile(r"(?<=\d) (?=\[)|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²|[GM]?Pa|%)(?!\w))")
+#: A space before or within an interval, before a unit, or beside ±.
+NO_BREAK = re.compile(
+    r"(?<=\d) (?=[\[±])|(?<=\d,) (?=[-−.\d]+\])"
+    r"|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²|[GM]?Pa|%)(?![A-Za-z]))|(?<=±) "
+)
 
 
-def rendered(template: str, **facts: Any) -> str:
-    """Return a page as one HTML document that needs no network.
+class Frame(NamedTuple):
+    """What stands around every page of a study."""
+
+    version: str  #: Of this program.
+    pages: Sequence[str] = ()  #: Names of the pages in the folder `report`, in their order.
+
+
+def rendered(template: str, frame: Frame, page: str, **facts: Any) -> str:
+    """Return a page, by its name, as one HTML document that needs no network.
 
     The template is a file of workflow/report/templates. The facts are the names that it uses.
     Raises jinja2.UndefinedError if one is missing. Everything that a template prints is escaped.
@@ -28,9 +40,12 @@ def rendered(template: str, **facts: Any) -> str:
     from markupsafe import Markup
 
     script = _file("page.js")
-    page = _environment().get_template(template)
+    source = _environment().get_template(template)
     return str(
-        page.render(
+        source.render(
+            frame=frame,
+            page=page,
+            commit=_commit(),
             style=Markup(_file("style.css")),
             script=Markup(script),
             policy=_policy(script),
@@ -65,7 +80,7 @@ def _environment() -> Any:
         "printed": quantities.printed, "words": quantities.in_words, "rounded": quantities.rounded,
         "bare": quantities.bare,
         "percent": format_share, "share_of_decades": _share_of_decades,
-        "unbroken": _unbroken, "base64": _base64,
+        "unbroken": unbroken, "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption
     environment.tests["known"] = math.isfinite
@@ -74,6 +89,16 @@ def _environment() -> Any:
 
 def _file(name: str) -> str:
     return (FOLDER / name).read_text("utf-8")
+
+
+def _commit() -> str:
+    """Return the commit of the code that makes a page, empty outside of a git repository."""
+    command = ["git", "describe", "--always", "--exclude=*", "--dirty"]
+    try:
+        run = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, check=False)
+    except FileNotFoundError:  # git is not installed
+        return ""
+    return run.stdout.strip()
 
 
 def _policy(script: str) -> str:
@@ -89,10 +114,10 @@ def _share_of_decades(value: float, low: float, high: float) -> float:
     return min(max(share, 0.0), 1.0)
 
 
-def _unbroken(text: Any) -> str:
+def unbroken(text: Any) -> str:
     """Return a text whose lines do not break between a number and its unit."""
-    unbroken = BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", str(text))
-    return type(text)(unbroken) if hasattr(text, "__html__") else unbroken  # stays escaped
+    joined = NO_BREAK.sub("\N{NO-BREAK SPACE}", str(text))
+    return type(text)(joined) if hasattr(text, "__html__") else joined  # stays escaped
 
 
 def _base64(data: bytes) -> str:

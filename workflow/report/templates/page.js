@@ -1,18 +1,55 @@
-// Tables sort, search and copy. The page works without it.
+// Tables sort, search and copy; figures close, folds open for links and for the printer. The page works without it.
 "use strict";
 
-const text = cell => cell.textContent.trim().replace(/\s+/g, " ");
-const value = cell => cell.dataset.value ?? text(cell);
+const PREFIXES = {p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, M: 1e6, G: 1e9};
+const UNIT = /\d\]? ([pnµmMG]?)(?:m|N|J\/m²|Pa)(?![A-Za-z])/;
 
-function sort(table, column, heading) {
+// The text of a cell, with a mark before each further line.
+function text(cell) {
+  const copy = cell.cloneNode(true);
+  copy.querySelectorAll("small").forEach(line => line.before("; "));
+  return copy.textContent.trim().replace(/\s+/g, " ").replace(/^; /, "");
+}
+
+// The first number of a text, in the unit without prefix.
+function number(words) {
+  const digits = words.match(/[−-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?/);
+  return digits ? Number(digits[0].replace("−", "-")) * (PREFIXES[words.match(UNIT)?.[1]] ?? 1) : NaN;
+}
+
+// How rows compare by a column: numbers before what is none, words before empty cells.
+function comparison(rows, column, direction) {
+  const cells = rows.map(row => row.cells[column]), known = cells.some(cell => "value" in cell.dataset);
+  const numeric = known || cells.every(cell => cell.className === "number" || /^$|^[<>≈]? ?[−-]?\d/.test(text(cell)));
+  const keys = new Map(rows.map(row => [row, text(row.cells[column])]));
+  if (!numeric) return (a, b) => (keys.get(a) === "") - (keys.get(b) === "")
+    || direction * keys.get(a).localeCompare(keys.get(b), "en", {numeric: true});
+  rows.forEach(row => keys.set(row, known ? parseFloat(row.cells[column].dataset.value) : number(keys.get(row))));
+  return (a, b) => Number.isNaN(keys.get(a)) - Number.isNaN(keys.get(b)) || direction * (keys.get(a) - keys.get(b));
+}
+
+// Whether a row adds to the row before it.
+const follows = row => row.cells[0].className === "follows";
+
+// Rows in their groups, which stay together: those that follow, or that have the same first cell one after the other.
+function grouped(rows) {
+  const groups = [];
+  rows.forEach((row, index) => {
+    const continues = follows(row) || index && text(row.cells[0]) === text(rows[index - 1].cells[0]);
+    if (continues) groups.at(-1).push(row);
+    else groups.push([row]);
+  });
+  return groups;
+}
+
+function sort(table, groups, column, heading) {
   const ascending = heading.getAttribute("aria-sort") !== "ascending";
   table.querySelectorAll("th").forEach(cell => cell.removeAttribute("aria-sort"));
   heading.setAttribute("aria-sort", ascending ? "ascending" : "descending");
-  const rows = [...table.tBodies[0].rows], key = row => value(row.cells[column]);
-  const numbers = rows.every(row => !Number.isNaN(Number(key(row))));
-  const order = numbers ? (a, b) => key(a) - key(b) : (a, b) => key(a).localeCompare(key(b));
-  rows.sort((a, b) => (key(a) === "") - (key(b) === "") || (ascending ? 1 : -1) * order(a, b));
-  table.tBodies[0].append(...rows);
+  const compare = comparison(groups.flat(), column, ascending ? 1 : -1);
+  groups.forEach(rows => rows.sort((a, b) => follows(a) || follows(b) ? 0 : compare(a, b)));
+  groups.sort((a, b) => compare(a[0], b[0]));
+  table.tBodies[0].append(...groups.flat());
 }
 
 function button(name, act) {
@@ -23,11 +60,13 @@ function button(name, act) {
 
 document.querySelectorAll(".table table").forEach(table => {
   const tools = document.createElement("div"), headings = [...table.tHead.rows[0].cells];
+  const groups = grouped([...table.tBodies[0].rows]);
   tools.className = "tools";
   headings.forEach((heading, column) =>
-    heading.replaceChildren(button(text(heading), () => sort(table, column, heading))));
+    heading.replaceChildren(button(text(heading), () => sort(table, groups, column, heading))));
   if (table.tBodies[0].rows.length > 20) {
     const search = Object.assign(document.createElement("input"), {type: "search", placeholder: "Search"});
+    search.setAttribute("aria-label", `Search ${text(table.caption)}`);
     search.oninput = () => [...table.tBodies[0].rows].forEach(row => {
       row.hidden = !text(row).toLowerCase().includes(search.value.toLowerCase());
     });
@@ -38,3 +77,30 @@ document.querySelectorAll(".table table").forEach(table => {
     shown().map(row => [...row.cells].map(text).join("\t")).join("\n"))));
   table.before(tools);
 });
+
+function closeFigures() {
+  document.querySelectorAll(".zoom[open]").forEach(figure => { figure.open = false; });
+}
+
+addEventListener("keydown", event => { if (event.key === "Escape") closeFigures(); });
+
+// A link to something folded opens its folds.
+function reveal() {
+  const target = document.getElementById(location.hash.slice(1));
+  for (let fold = target?.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+  target?.scrollIntoView();
+}
+
+// The menu shows the name of this page, though narrow screens show few names at once.
+document.querySelector(".menu b")?.scrollIntoView({block: "nearest", inline: "center"});
+addEventListener("hashchange", reveal);
+reveal();
+
+// Printed pages have nothing folded, and each figure in its place.
+let folded = [];
+addEventListener("beforeprint", () => {
+  closeFigures();
+  folded = [...document.querySelectorAll("details:not(.zoom, [open])")];
+  folded.forEach(fold => { fold.open = true; });
+});
+addEventListener("afterprint", () => folded.forEach(fold => { fold.open = false; }));

@@ -1,0 +1,139 @@
+"""`hardcontact compare` says which inputs and which numbers of two studies differ."""
+
+import json
+from copy import deepcopy
+
+import pytest
+from html_page import Page
+from paper_study import answer
+from refusals import assert_says, refusal
+from repository import PAPER, merged
+
+from hardcontact.base.number import Number
+from hardcontact.own.compare import compare, compare_arguments
+from hardcontact.report.study_comparison import ComparedNumber, compare_answers
+
+HARDER = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return answer()
+
+
+@pytest.fixture
+def written(tmp_path, monkeypatch, paper):
+    """Write the answers of both studies below results; return this folder."""
+    monkeypatch.chdir(tmp_path)
+    for name, content in {"paper": paper, "harder": answer(configuration=HARDER)}.items():
+        (tmp_path / "results" / name).mkdir(parents=True)
+        (tmp_path / "results" / name / "answer.json").write_text(json.dumps(content), "utf-8")
+    return tmp_path / "results"
+
+
+def printed(*words):
+    return compare(compare_arguments([str(word) for word in words]))
+
+
+def scaled(content, factor, name, surface=""):
+    """Return an answer in which the value of one quantity is multiplied by a factor."""
+    moved = deepcopy(content)
+    (row,) = [
+        row for row in moved["quantities"] if (row["surface"], row["name"]) == (surface, name)
+    ]
+    row["value"] *= factor
+    return moved
+
+
+def own(study, label):
+    """Return the answer of a study of one own surface, with a single number."""
+    number = {"surface": label, **Number("force_mean", 1e-6, "N", 0.9e-6, 1.1e-6)._asdict()}
+    return {
+        "study": study, "kind": "own surfaces", "contact": {"hardness": "25 GPa"},
+        "surfaces": [{"name": label, "label": label}], "quantities": [number],
+    }  # fmt: skip
+
+
+def test_a_study_is_equal_to_itself(paper):
+    comparison = compare_answers(paper, paper)
+    assert comparison.inputs == []
+    assert {row.agreement for row in comparison.numbers} == {"equal"}
+    assert {row.surface for row in comparison.numbers} >= {"", "UNCD", "MCD"}
+
+
+@pytest.mark.parametrize(
+    ("factor", "name", "surface", "changes"),
+    [
+        (1 + 1e-10, "octave_1_sensitivity", "", []),
+        (1.01, "octave_1_sensitivity", "", [("", "different", 1.01)]),
+        (1.01, "short_edge", "mcd", [("MCD", "same", 1.01)]),
+    ],
+)
+def test_a_number_that_moves_is_named(paper, factor, name, surface, changes):
+    """Processors move numbers by 1e-10; a number without an interval differs by any change."""
+    rows = compare_answers(paper, scaled(paper, factor, name, surface)).numbers
+    moved = [
+        (row.surface, row.agreement, pytest.approx(row.change.value))
+        for row in rows
+        if row.agreement != "equal"
+    ]
+    assert moved == changes
+
+
+@pytest.mark.parametrize(("first", "second", "agreement"), [
+    (Number("n", 5, low=4, high=6), Number("n", 7, low=5.9, high=8), "same"),
+    (Number("n", 5, low=4, high=6), Number("n", 7, low=6.1, high=8), "different"),
+    (Number("n", 5, low=4, high=6), Number("n", 5.5), "same"),
+    (Number("n", 5, status="open_above"), Number("n", 7), "same"),
+    (Number("n", 5, status="open_above"), Number("n", 4), "different"),
+    (Number("n", 5, low=4, high=6, status="interval_open_high"), Number("n", 7), "same"),
+    (Number("n", 5, status="no_interval"), Number("n", 7), "same"),
+    (Number("n", float("nan"), high=6), Number("n", 7), "different"),
+    (Number("n", float("nan"), status="no_band"), Number("n", 7), "unknown"),
+])  # fmt: skip
+def test_numbers_are_the_same_if_their_intervals_overlap(first, second, agreement):
+    for pair in ((first, second), (second, first)):
+        assert ComparedNumber("", "n", *pair).agreement == agreement
+
+
+def test_the_table_begins_with_the_inputs_that_differ(written):
+    lines = printed(written / "paper", "harder").splitlines()
+    assert [line.split() for line in lines[:2]] == [
+        ["input", "paper", "harder"], ["hardness", "25", "GPa", "30", "GPa"],
+    ]  # fmt: skip
+    assert lines[2].startswith("number")
+    assert "0 differ" in lines[-1]
+    assert all("equal" in line for line in lines[3:])
+    assert {path.name for path in written.rglob("*")} == {"paper", "harder", "answer.json"}
+
+
+def test_the_page_has_the_bands_and_the_numbers_of_both(written):
+    page = written / "both.html"
+    words = [written / "paper", written / "harder/answer.json", "--html", page]
+    printed(*words)
+    parsed = Page(page.read_text("utf-8"))
+    assert ["hardness", "25 GPa", "30 GPa"] in [
+        [cell.replace("\N{NO-BREAK SPACE}", " ").strip() for cell in row] for row in parsed.rows
+    ]
+    labels = [text for text in parsed.texts["span"] if "MCD" in text]
+    assert [label.split(",")[0].strip() for label in labels] == ["paper", "harder"]
+    assert_says(refusal(printed, *words), "--html: expected a new file", "--overwrite")
+    printed(*words, "--overwrite")
+
+
+def test_single_surfaces_of_two_own_studies_are_compared_whatever_their_names():
+    comparison = compare_answers(own("a", "bare"), own("b", "coated"))
+    assert [row.agreement for row in comparison.numbers] == ["equal"]
+    assert [(row.name, row.first, row.second) for row in comparison.inputs] == [
+        ("surfaces", "bare", "coated")
+    ]
+
+
+def test_what_cannot_be_compared_is_refused_in_a_line(written):
+    message = refusal(printed, written / "paper", written)
+    assert message.count("\n") == 0
+    assert_says(message, "results/answer.json", "snakemake answer")
+    (written / "answer.json").write_text("[]")
+    assert_says(refusal(printed, written, "paper"), "expected the answer of a study")
+    (written / "answer.json").write_text(json.dumps(own("mine", "bare")))
+    assert_says(refusal(printed, "paper", written), "mine: expected", "found own surfaces")

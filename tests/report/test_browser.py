@@ -1,0 +1,153 @@
+"""Pages in a browser: no fault of accessibility, every screen, tables, folds and figures in use."""
+
+import json
+from functools import cache
+
+import pytest
+from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
+from browser import SCHEMES, WIDTHS, audit_page, measure_page, needs_browser, run_on_page
+from html_page import Page
+from paper_study import CITATION, FRAME, make_figures_page, make_page, open_claims, svg
+from repository import PAPER, ROOT
+
+from hardcontact.report.figures.listing import OWN_FIGURES
+from hardcontact.report.own_answer import own_answer
+from hardcontact.report.page import render_page
+from hardcontact.report.quantities import answer_text
+from hardcontact.report.report_pages import pages
+from hardcontact.report.templates import Frame
+
+pytestmark = [needs_browser, pytest.mark.study]
+#: Words of cells in the order of their numbers, the last without any.
+LENGTHS = ["<5 nm", "43 [40, 50] nm", "250 nm to 1 mm", "1.8 µm", "0.5 mm", ""]
+
+
+def own_page(own_datasets):
+    """The page of own surfaces."""
+    answer = json.loads(answer_text(own_answer(own_datasets, setting())))
+    return render_page(answer, dict.fromkeys(OWN_FIGURES, svg("#bbb")), CITATION, Frame("1.2.3"))
+
+
+@cache
+def page_of(name):
+    """A page by its name: few claims, with every verdict, are enough."""
+    if name == "answer":
+        return make_page()
+    if name == "own":
+        return own_page(datasets(2, topography=topography(2, "substitute"), fit=fit(2)))
+    if name == "own, with a long name":
+        paths = spectra()["path"].astype(object) + "-very-long-name" * 9
+        return own_page(datasets(edges=open_edges(), spectra=spectra().assign(path=paths)))
+    texts = {"theory": (ROOT / "workflow/report/theory.md").read_text("utf-8")}
+    lengths = {f"scan {number}": text for number, text in enumerate(LENGTHS[::-1])}
+    return pages(open_claims()[:14], texts, PAPER, lengths, FRAME)[name]
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("name", ["answer", "own", "claims", "theory"])
+def test_axe_finds_no_fault(name, scheme, tmp_path):
+    found = audit_page(page_of(name), tmp_path, scheme)
+    assert found["faults"] == [] and found["kept"] > 20
+    assert found["dark"] == (scheme == "dark")
+
+
+def test_axe_finds_what_is_wrong(tmp_path):
+    page = page_of("theory").replace("<h1>", '<img src="data:,"><h1 style="color: #ccc">')
+    faults = dict(audit_page(page, tmp_path, "light")["faults"])
+    assert {"image-alt", "color-contrast"} <= set(faults)
+
+
+@pytest.mark.parametrize("name", ["own", "own, with a long name", "claims", "parameters"])
+def test_page_fits_every_screen(name, tmp_path):
+    frames = measure_page(page_of(name), tmp_path)
+    assert [frame["screen"] for frame in frames] == list(WIDTHS)
+    for frame in frames:
+        assert frame["overflow"] == 0 and frame["requests"] == 0, frame
+        assert frame["smallest"] >= 12, frame
+
+
+#: Returns a column of the first table after each of two clicks on its heading.
+SORT = """
+  const table = document.querySelector(".table table");
+  return [1, 2].map(() => {
+    table.tHead.querySelectorAll("button")[%d].click();
+    return [...table.tBodies[0].rows].map(row => row.cells[%d].textContent);
+  });
+"""
+
+
+def test_tables_sort_numbers_by_their_size(tmp_path):
+    ascending, descending = run_on_page(page_of("parameters"), SORT % (1, 1), tmp_path)
+    assert [text.replace("\N{NO-BREAK SPACE}", " ") for text in ascending] == LENGTHS
+    assert descending[-1] == "" and descending[:-1] == ascending[-2::-1]
+
+
+def test_sorted_rows_of_a_surface_stay_together(tmp_path):
+    for surfaces in run_on_page(page_of("own"), SORT % (2, 0), tmp_path):
+        changes = [
+            name for name, before in zip(surfaces, ["", *surfaces], strict=False) if name != before
+        ]
+        assert len(changes) == len(set(surfaces)) == 2
+
+
+def test_sorted_rows_stay_below_the_row_that_they_add_to(tmp_path):
+    """In Table 1 rows of computed numbers follow that of the published ones."""
+    page = make_figures_page()
+    quantities = [row[0].strip() for row in Page(page).rows[1:]]
+    for sorted_quantities in run_on_page(page, SORT % (1, 0), tmp_path):
+        assert sorted_quantities != quantities
+        assert groups_of(sorted_quantities) == groups_of(quantities)
+
+
+def groups_of(quantities):
+    """The groups of rows of Table 1."""
+    text = "\n".join(quantities).replace("\ncomputed", "; computed")
+    return set(text.split("\n"))
+
+
+#: Copies the first table of claims, follows a link to a folded row, and prints.
+USE = """
+  let copied;
+  Object.defineProperty(window.navigator, "clipboard", {value: {writeText: text => copied = text}});
+  const rest = () => new Promise(resolve => setTimeout(resolve, 100));
+  document.querySelector("#statements .tools button").click();
+  const folds = [...document.querySelectorAll("details")], folded = folds.at(-1);
+  const target = folded.querySelector("td[id]");
+  window.location.hash = target.id;
+  await rest();
+  const menu = document.querySelector(".menu").getBoundingClientRect();
+  const result = {copied, opened: folds.map(fold => fold.open),
+    below: target.getBoundingClientRect().top - menu.bottom, menu: menu.top};
+  window.dispatchEvent(new window.Event("beforeprint"));
+  result.printed = folds.map(fold => fold.open);
+  window.dispatchEvent(new window.Event("afterprint"));
+  return result;
+"""
+
+
+def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_printer(tmp_path):
+    result = run_on_page(page_of("claims"), USE, tmp_path)
+    head, row = result["copied"].split("\n")[:2]
+    claim = open_claims().iloc[0]
+    cells = row.split("\t")
+    assert len(cells) == len(head.split("\t")) == 7
+    assert cells[0].startswith(f"{claim['statement']}; {claim['id']}"), cells
+    assert result["opened"] == [False] * (len(result["opened"]) - 1) + [True]
+    assert result["menu"] == 0 <= result["below"] < 844
+    assert all(result["printed"])
+
+
+#: Opens the first figure, then presses Escape.
+OPEN = """
+  const figure = document.querySelector(".zoom");
+  figure.querySelector("summary").click();
+  await new Promise(resolve => setTimeout(resolve, 100));
+  const width = figure.querySelector("img").clientWidth;
+  window.dispatchEvent(new window.KeyboardEvent("keydown", {key: "Escape"}));
+  return {width, open: figure.open};
+"""
+
+
+def test_figures_open_at_full_size_and_close_on_escape(tmp_path):
+    result = run_on_page(page_of("own"), OPEN, tmp_path)
+    assert result["width"] >= 1100 and not result["open"]

@@ -1,0 +1,86 @@
+"""The command `hardcontact compare`: the numbers of two studies side by side."""
+
+import json
+import os
+from argparse import Namespace
+from collections.abc import Sequence
+from functools import partial
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.own.command_line import CommandLine
+from hardcontact.own.output import output_faults, write_output
+from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
+from hardcontact.report.templates import Frame, rendered, rendered_lines
+
+ANSWER = "answer.json"
+
+
+def compare_arguments(arguments: Sequence[str]) -> Namespace:
+    """Return the parsed command line, without the command; a wrong one ends the program."""
+    description = "Print the inputs and the numbers of two studies side by side."
+    parser = CommandLine("hardcontact compare", description)
+    for name in ("first", "second"):
+        parser.add_argument(name, metavar=name.upper(), help=f"results of a study, or its {ANSWER}")
+    parser.add_argument("--html", metavar="FILE", help="write a page, too; - for stdout")
+    parser.add_argument("--overwrite", action="store_true", help="replace the page")
+    return parser.parse_args(arguments)
+
+
+def compare(arguments: Namespace) -> str:
+    """Return the comparison as text, and write the page that was asked for.
+
+    A page named - replaces the text. Raises ValueError with a line for each problem.
+    """
+    paths = [_answer_path(path) for path in (arguments.first, arguments.second)]
+    inputs = dict.fromkeys(paths, "those compared")
+    faults = [*output_faults({"html": arguments.html}, inputs, arguments.overwrite)]
+    _, *answers = refuse_all(
+        [partial(refuse_lines, faults), *(partial(_read_answer, path) for path in paths)]
+    )
+    names = [answer["study"] for answer in answers]
+    if names[0] == names[1]:
+        names = [arguments.first, arguments.second]
+    facts = {"studies": names, "digits": EQUAL_DIGITS, **compare_answers(*answers)._asdict()}
+    if arguments.html is not None:
+        page = rendered("compare.html", Frame(version("hardcontact")), "comparison", **facts)
+        if arguments.html == "-":
+            return page
+        write_output(arguments.html, page)
+    return "\n".join(_aligned(rendered_lines("compare.txt", **facts)))
+
+
+def _answer_path(path: str) -> str:
+    """Return the path of answer.json in the results of a study, or the path of a file itself."""
+    named = os.path.join("results", path)
+    folder = path if os.path.isdir(path) or not os.path.isdir(named) else named
+    return folder if os.path.isfile(folder) else os.path.join(folder, ANSWER)
+
+
+def _read_answer(path: str) -> dict[str, Any]:
+    """Return the content of answer.json; raise ValueError with one line if there is none."""
+    if not Path(path).is_file():
+        raise ValueError(
+            f"{path}: expected the answer of a finished study, found none: `snakemake answer` "
+            "makes it, with --configfile for any study but the paper's"
+        )
+    try:
+        answer: dict[str, Any] = json.loads(Path(path).read_text("utf-8"))
+        answer["kind"], answer["quantities"]
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{path}: expected the answer of a study, found another file") from error
+    return answer
+
+
+def _aligned(lines: Sequence[str]) -> list[str]:
+    """Return lines whose cells, separated by |, stand below each other."""
+    rows = [line.split("|") for line in lines]
+    columns = max(map(len, rows))
+    padded = [row + [""] * (columns - len(row)) for row in rows]
+    widths = [
+        max((len(row[column]) for row in rows if len(row) > column + 1), default=0)
+        for column in range(columns)
+    ]
+    return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in padded]

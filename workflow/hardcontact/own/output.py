@@ -1,0 +1,40 @@
+"""Files that commands write: none replaces an input, or another file unasked."""
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from hardcontact.base.whole_file import whole_file
+
+
+def output_faults(
+    outputs: Mapping[str, str | None], inputs: Mapping[str, str], overwrite: bool
+) -> Iterator[str]:
+    """Yield a line for each output, by option, that cannot be written or would replace a file.
+
+    `inputs` are words for files by their paths. An output may be None, or - for the terminal.
+    """
+    taken = {os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()}
+    for option, path in outputs.items():
+        if path is None:
+            continue
+        place = path if path == "-" else os.path.realpath(path)
+        if place in taken:
+            yield f"--{option}: expected {taken[place]}, found {path}"
+        elif path != "-" and (not Path(place).parent.is_dir() or Path(place).is_dir()):
+            yield f"--{option}: expected a file in a folder that exists, found {path}"
+        elif Path(place).is_file() and not overwrite:
+            yield (
+                f"--{option}: expected a new file, found {path}: take another name, or add "
+                "--overwrite"
+            )
+        taken[place] = f"another file than that of --{option}"
+
+
+def write_output(path: str, text: str) -> None:
+    """Write a file whole; pipes and devices take the text as it comes."""
+    if Path(path).exists() and not Path(path).is_file():
+        Path(path).write_text(text, "utf-8")
+        return
+    with whole_file(os.path.realpath(path)) as temporary:
+        Path(temporary).write_text(text, "utf-8")

@@ -1,0 +1,41 @@
+"""Inputs of a study of the paper that are not the paper's: such a study asks what changes."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import pandas as pd
+
+from hardcontact.config.configuration import contact_words
+from hardcontact.config.model import Study
+
+#: The name of `scales.sphere_roughness` among the inputs of contacts.
+SPHERE_ON_MASTERS = "sphere on masters"
+
+
+def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
+    """Return what contacts of a study of the paper are computed for, as printed."""
+    sphere = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
+    return contact_words(configuration) | {SPHERE_ON_MASTERS: sphere}
+
+
+def changed_inputs(
+    contact: Mapping[str, str], substrates: Sequence[str], table1: pd.DataFrame
+) -> list[dict[str, str]]:
+    """Return the inputs that differ from the paper's, each with both values.
+
+    The contact is that of `paper_contact`; the paper's surfaces are those of Table 1. Other names,
+    grids and repetitions are no other inputs.
+    """
+    paper_inputs = paper_contact(Study().model_dump(warnings=False))
+    paper_inputs["coatings"] = _listed(table1["surface"])
+    inputs = {**contact, "coatings": _listed(substrates)}
+    return [
+        {"input": name, "paper": paper_value, "study": inputs[name]}
+        for name, paper_value in paper_inputs.items()
+        if inputs[name] != paper_value
+    ]
+
+
+def _listed(surfaces: Sequence[str] | pd.Series) -> str:
+    """Return the ids of surfaces in words, in alphabetical order."""
+    return ", ".join(sorted(set(surfaces)))

@@ -1,0 +1,141 @@
+"""The numbers of two studies side by side, from their answer.json."""
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from hardcontact.base.number import Number
+from hardcontact.report.quantities import NO_INTERVAL, numbers_by_name
+
+#: Digits to which equal numbers agree. Processors with other kernels move numbers by up to 1.7e-10.
+EQUAL_DIGITS = 8
+#: Sources of numbers that are inputs of a study, not results.
+INPUT_SOURCES = ("given", "assumed", "file")
+
+
+class ChangedInput(NamedTuple):
+    """An input that differs: its name, and the values of both studies, texts or Numbers."""
+
+    surface: str  #: Label; empty for the whole study.
+    name: str
+    first: Any
+    second: Any
+
+
+class ComparedNumber(NamedTuple):
+    """A result that both studies have."""
+
+    surface: str  #: Label; empty for the whole study.
+    name: str
+    first: Number
+    second: Number
+
+    @property
+    def change(self) -> Number:
+        """The `ratio` second / first; if it is not positive, the `difference` second - first."""
+        first, second = self.first.value, self.second.value
+        if first * second > 0:
+            return Number("ratio", second / first)
+        return Number("difference", second - first, self.first.unit)
+
+    @property
+    def agreement(self) -> str:
+        """Whether both are "equal", "same" within their intervals, or "different".
+
+        A number without an interval is its own interval. "unknown": one of them is not known.
+        """
+        if is_equal(self.first, self.second):
+            return "equal"
+        if not (is_known(self.first) and is_known(self.second)):
+            return "unknown"
+        low, high = zip(interval(self.first), interval(self.second), strict=True)
+        return "same" if max(low) <= min(high) else "different"
+
+
+class Comparison(NamedTuple):
+    """Two studies of one kind, compared."""
+
+    inputs: list[ChangedInput]
+    numbers: list[ComparedNumber]
+
+
+def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comparison:
+    """Return the inputs that differ between two answers, and the results that both have.
+
+    Single surfaces are compared whatever their names are. Published numbers are left out. Raises
+    ValueError if one study is the paper's kind and one of own surfaces.
+    """
+    if first["kind"] != second["kind"]:
+        raise ValueError(
+            f"{second['study']}: expected a study of the kind of {first['study']}, "
+            f"{first['kind']}, found {second['kind']}"
+        )
+    pairs = [
+        ComparedNumber(label, name, numbers[0][name], numbers[1][name])
+        for label, *numbers in _paired_numbers(first, second)
+        for name in numbers[0]
+        if name in numbers[1] and numbers[0][name].source != "published"
+        if is_known(numbers[0][name]) or is_known(numbers[1][name])
+    ]
+    given = [pair for pair in pairs if pair.first.source in INPUT_SOURCES]
+    inputs = [
+        ChangedInput(*pair)
+        for pair in given
+        if pair.name.replace("_", " ") not in first["contact"] and pair.agreement != "equal"
+    ]
+    results = [pair for pair in pairs if pair.first.source not in INPUT_SOURCES]
+    return Comparison([*_changed_contact(first, second), *inputs], results)
+
+
+def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[ChangedInput]:
+    """Yield the inputs of contacts, and the surfaces, that differ between two answers."""
+    texts = [
+        {**answer["contact"], "surfaces": ", ".join(row["label"] for row in answer["surfaces"])}
+        for answer in (first, second)
+    ]
+    for name in texts[0]:
+        values = texts[0][name], texts[1].get(name, "")
+        if values[0] != values[1]:
+            yield ChangedInput("", name, *values)
+
+
+def _paired_numbers(
+    first: Mapping[str, Any], second: Mapping[str, Any]
+) -> Iterator[tuple[str, dict[str, Number], dict[str, Number]]]:
+    """Yield the numbers of whole studies, then those of each surface below its label."""
+    yield "", numbers_by_name(first), numbers_by_name(second)
+    surfaces = [
+        {surface["name"]: surface["label"] for surface in answer["surfaces"]}
+        for answer in (first, second)
+    ]
+    pairs = [(name, name) for name in surfaces[0] if name in surfaces[1]]
+    if len(surfaces[0]) == len(surfaces[1]) == 1:
+        pairs = [(*surfaces[0], *surfaces[1])]
+    for name, other_name in pairs:
+        yield surfaces[0][name], numbers_by_name(first, name), numbers_by_name(second, other_name)
+
+
+def is_equal(first: Number, second: Number) -> bool:
+    """Return whether values, ends and status of two numbers are equal, to EQUAL_DIGITS."""
+    values = np.array([[number.value, number.low, number.high] for number in (first, second)])
+    is_close = np.isclose(values[0], values[1], rtol=10.0**-EQUAL_DIGITS, atol=0, equal_nan=True)
+    return bool(is_close.all()) and first.status == second.status
+
+
+def is_known(number: Number) -> bool:
+    """Return whether the value of a number or an end of its interval is known."""
+    return any(map(math.isfinite, (number.value, number.low, number.high)))
+
+
+def interval(number: Number) -> tuple[float, float]:
+    """Return the ends between which a known number lies: its value if it has no interval."""
+    low, high = number.low, number.high
+    if math.isnan(low) and math.isnan(high):
+        low = high = number.value
+    if math.isnan(low) or number.status in ("open_below", "interval_open_low", *NO_INTERVAL):
+        low = -math.inf
+    if math.isnan(high) or number.status in ("open_above", "interval_open_high", *NO_INTERVAL):
+        high = math.inf
+    return low, high
