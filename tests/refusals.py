@@ -2,6 +2,11 @@
 
 import pytest
 
+#: Ten lines, each of ten times the line before: 1, 11, 111, ... values, in all 1.23e9.
+NESTED_ALIASES = b"a0: &a0 1\n" + b"".join(
+    b"a%d: &a%d [%s]\n" % (n, n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 10)
+)
+
 
 def refusal(call, *arguments):
     """Return the message of a call that refuses its input; each line has "expected"."""

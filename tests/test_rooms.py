@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
-    "config": 2340,
+    "config": 2364,
     "own": 2119,
     "report": 3382,
     "api": 215,

@@ -3,7 +3,7 @@
 import datetime
 
 import pytest
-from refusals import assert_says, refusal
+from refusals import NESTED_ALIASES, assert_says, refusal
 from repository import PAPER, ROOT, leaves
 from studies import numbers
 
@@ -17,6 +17,9 @@ from hardcontact.config.model import Study
 @pytest.mark.parametrize(
     ("key", "value", "message_parts"),
     [
+        ("study", "lock.txt", ["study:", "without .txt at the end", "'lock.txt'"]),
+        ("study", "my ", ["study:", "letters", "'my '"]),
+        ("study", "store", ["store:", "apart from results/store", "results/store"]),
         ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
         ("hardness", "3 GPa", ["found hardness (did you mean contact: {hardness: ...}?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
@@ -41,6 +44,15 @@ def test_a_faulty_value_is_refused_with_its_key(key, value, message_parts):
     assert_says(refusal(numbers, key, value), "config key ", "expected", *message_parts)
 
 
+@pytest.mark.parametrize("link", ["results", "results/paper", "results/store"])
+def test_a_link_to_a_missing_folder_is_refused(tmp_path, monkeypatch, link):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / link).parent.mkdir(exist_ok=True)
+    (tmp_path / link).symlink_to("nowhere")
+    (line,) = refusal(numbers, "seed", 1).splitlines()
+    assert_says(line, "study and store", f"found {link}, a link to nowhere, which is missing")
+
+
 def test_only_a_similar_key_is_suggested():
     assert "did you mean" not in refusal(numbers, "colour", 1)
 
@@ -62,6 +74,7 @@ def test_only_a_similar_key_is_suggested():
         (b"a: 2026-13-45", "month"),
         (b"a: " + b"9" * 5000, "4300 digits"),
         (b"a: " + b"[" * 50_000, "maximum recursion depth"),
+        pytest.param(NESTED_ALIASES, "1.23e+09 values, with aliases", id="nested aliases"),
         (b"a: !!python/object/apply:os.mkdir [made]", "line 1"),
         (None, "Is a directory"),
     ],
@@ -73,6 +86,14 @@ def test_a_file_that_is_no_configuration_is_refused(tmp_path, content, message_p
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
     assert_says(message, message_part)
     assert len(message.splitlines()) == 1 and len(message) < len(str(path)) + 200
+
+
+def test_a_file_too_large_for_a_configuration_is_not_read(tmp_path):
+    path = tmp_path / "a.yaml"
+    with open(path, "wb") as file:
+        file.truncate(200_000_000)
+    message = refusal(configuration.refuse_unreadable, path)
+    assert_says(message, "at most 1 MB, found 200,000,000 bytes")
 
 
 def test_a_missing_configuration_is_named(tmp_path):

@@ -1,12 +1,15 @@
 """The refusals of a run before its first job."""
 
 import logging
+import os
+import subprocess
+import sys
 from copy import deepcopy
 from types import SimpleNamespace
 
 import pytest
-from refusals import assert_says
-from repository import PAPER, ROOT, TINY, snakemake
+from refusals import NESTED_ALIASES, assert_says
+from repository import PAPER, ROOT, TINY, environment, snakemake
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
@@ -135,3 +138,18 @@ def test_a_bad_file_is_refused_in_one_line(repository):
     assert_says(error, "bad.yaml: expected YAML")
     assert run.returncode != 0 and "Traceback" not in run.stdout and "rule " not in run.stdout
     assert not (repository / "results").exists() and not (repository / "made").exists()
+
+
+@pytest.mark.study
+def test_nested_aliases_are_refused_before_they_fill_the_memory(repository, tmp_path):
+    (repository / "nested.yaml").write_bytes(NESTED_ALIASES)
+    with open(tmp_path / "log", "w+") as log:
+        run = subprocess.Popen(
+            [sys.executable, "-m", "snakemake", "-n", "--configfile", "nested.yaml"],
+            cwd=repository, env=environment(repository), stdout=log, stderr=log,
+        )  # fmt: skip
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        log.seek(0)
+        assert_says(log.readlines()[-1], "error: nested.yaml: expected YAML", "aliases expanded")
+    assert run.returncode == 1 and usage.ru_maxrss < 300_000  # KB

@@ -134,6 +134,14 @@ def test_a_file_that_is_no_table_of_forces_is_refused_in_one_line(tmp_path, cont
     assert len(message.splitlines()) == 1
 
 
+def test_a_table_of_200_mb_is_not_read(tmp_path):
+    path = tmp_path / "my.csv"
+    with open(path, "wb") as file:
+        file.truncate(200_000_000)
+    message = refusal(measured_forces, path, SURFACES, RADIUS)
+    assert_says(message, "my.csv", "of at most 10 MB, found 200 MB")
+
+
 # Descriptions of substitutes
 
 

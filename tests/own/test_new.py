@@ -228,6 +228,8 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
 REFUSED = [
     ([NAME], ["expected files"]),
     (["my coat", "one.nc"], ["NAME: expected a name of up to 94 letters", "'my coat'"]),
+    (["mine ", "one.nc"], ["NAME: expected a name", "found 'mine '"]),
+    (["lock.txt", "one.nc"], ["NAME: expected a name", "without .txt at the end"]),
     ([f"{NAME}-quick", "one.nc"], ["NAME: expected a name without the end -quick"]),
     (["store", "one.nc", "--overwrite"], ["found store"]),
     (["kept", "one.nc"], ["results/kept-quick: expected none"]),

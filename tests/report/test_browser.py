@@ -40,7 +40,7 @@ def page_of(name):
         return own_page(datasets(edges=open_edges(), spectra=spectra().assign(path=paths)))
     texts = {"theory": (ROOT / "workflow/report/theory.md").read_text("utf-8")}
     lengths = {f"scan {number}": text for number, text in enumerate(LENGTHS[::-1])}
-    return pages(open_claims()[:14], texts, PAPER, lengths, FRAME)[name]
+    return pages(open_claims()[:14], [], texts, PAPER, lengths, FRAME)[name]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)

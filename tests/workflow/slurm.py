@@ -39,11 +39,18 @@ SchedulerParameters=batch_sched_delay=0
 # Jobs that have ended can be asked about until the end.
 MinJobAge=3600
 KillWait=2
+# Memory is measured each second.
+JobAcctGatherType=jobacct_gather/linux
+JobAcctGatherFrequency=task=1
+JobAcctGatherParams=OverMemoryKill
+# What no node of a partition can give is refused at once.
+EnforcePartLimits=ALL
 # A busy machine answers late.
 MessageTimeout=90
 SlurmdTimeout=0
 NodeName={host} NodeAddr=127.0.0.1 CPUs={cpus} RealMemory={memory}
 PartitionName=study Nodes={host} Default=YES
+PartitionName=members Nodes={host} AllowAccounts=members
 """
 
 
@@ -107,10 +114,12 @@ def configure(folder):
     for name in ("state", "spool"):
         (folder / name).mkdir()
     os.environ["SLURM_CONF"] = str(path)
-    # The executor starts the steps of a job without this variable.
+    # The executor starts the steps of a job without this variable. STEP_DELAY makes a job last.
     srun = folder / "bin/srun"
     srun.parent.mkdir()
-    srun.write_text(f'#!/bin/sh\nSLURM_CONF={path} exec {shutil.which("srun")} "$@"\n')
+    srun.write_text(
+        f'#!/bin/sh\nsleep ${{STEP_DELAY:-0}}\nSLURM_CONF={path} exec {shutil.which("srun")} "$@"\n'
+    )
     srun.chmod(0o755)
     os.environ["PATH"] = f"{srun.parent}:{os.environ['PATH']}"
 
@@ -169,15 +178,19 @@ def computing(study):
     return ""
 
 
+def start_run(study, log, *words, **variables):
+    """Start a run of the tiny study through SLURM, with words and variables of its command."""
+    command = [sys.executable, "-m", "snakemake", *words, "--workflow-profile", PROFILE]
+    with open(log, "w") as out:
+        return subprocess.Popen(
+            [*command, "--configfile", TINY, *LOCAL_OPTIONS],
+            cwd=study, env=environment(study) | variables, stdout=out, stderr=subprocess.STDOUT,
+        )  # fmt: skip
+
+
 def run_and_cancel(study, log, targets):
     """Run targets of the tiny study through SLURM and cancel one job; return its number."""
-    command = [sys.executable, "-m", "snakemake", *targets, "--verbose"]
-    command += ["--workflow-profile", PROFILE]
-    with open(log, "w") as out:
-        run = subprocess.Popen(
-            [*command, "--configfile", TINY, *LOCAL_OPTIONS],
-            cwd=study, env=environment(study), stdout=out, stderr=subprocess.STDOUT,
-        )  # fmt: skip
+    run = start_run(study, log, *targets, "--verbose")
     try:
         job = until(lambda: run.poll() is not None or computing(study), "a job to cancel", LIMIT)
         assert run.poll() is None, f"ended before a job could be cancelled: {log.read_text()}"

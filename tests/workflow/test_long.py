@@ -1,6 +1,7 @@
 """Tests that take long or install something: real scans, and a cluster on this machine."""
 
 import os
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -10,27 +11,66 @@ import slurm
 import xarray as xr
 from comparison import differences
 from own_studies import SHARED, make_study, numbers, quantities
+from refusals import assert_says
 from repository import copy_repository
 
 pytestmark = pytest.mark.system
 
 
-def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(finished, tmp_path, monkeypatch):
-    """Forces on masters of one surface are computed as without SLURM."""
+#: A fault of a job: options and variables of the command, a part of SLURM's message, and the key
+#: that mends it.
+FAULTS = [
+    ("--default-resources slurm_partition=nowhere", {}, "Invalid partition", "slurm_partition"),
+    ("--default-resources slurm_partition=members slurm_account=nobody", {}, "Invalid account",
+     "slurm_account"),
+    ("--set-resources filter_masters:runtime=1", {"STEP_DELAY": "100"}, "DUE TO TIME LIMIT",
+     "runtime"),
+    ("--set-resources filter_masters:mem_mb=60", {}, "exceeded memory limit", "mem_mb"),
+]  # fmt: skip
+
+
+@pytest.fixture
+def cluster(monkeypatch):
+    """Run a SLURM on this machine."""
     folders = [str(Path(sys.executable).parent), os.environ["PATH"], "/usr/sbin", "/sbin"]
     monkeypatch.setenv("PATH", os.pathsep.join(folders))
     monkeypatch.setenv("SLURM_CONF", "")
     if reason := slurm.obstacle():
         pytest.skip(reason)
+    with tempfile.TemporaryDirectory(prefix="slurm-") as name:
+        folder = Path(name)
+        folder.chmod(0o755)  # munged wants others to reach its socket
+        with slurm.slurm(folder):
+            yield
+
+
+def test_a_job_that_slurm_refuses_or_ends_has_one_line_with_the_remedy(
+    cluster, finished_copy, tmp_path
+):
+    filtered = [*(finished_copy / "results/store-tiny/filtered/scales").rglob("*.nc")]
+    runs = []
+    for number, (fault, target) in enumerate(zip(FAULTS, filtered, strict=False)):
+        target.unlink()
+        words = [target.relative_to(finished_copy), *fault[0].split(), "--retries", "0"]
+        # A run that ends removes empty folders of logs, in which others begin theirs.
+        words += ["--slurm-logdir", tmp_path / f"logs-{number}"]
+        runs.append(slurm.start_run(finished_copy, tmp_path / f"{number}", *words, **fault[1]))
+    codes = [run.wait(slurm.LIMIT) for run in runs]
+    assert codes == [1] * len(FAULTS)
+    for number, (_, _, reason, key) in enumerate(FAULTS):
+        text = (tmp_path / f"{number}").read_text()
+        (line,) = [line for line in text.splitlines() if "filter_masters" in line]
+        assert_says(line, "SLURM job cutoffs_filter_masters: ", reason, f"change {key}")
+        assert not re.search("sacct|Error|Traceback", text), text
+
+
+def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(cluster, finished, tmp_path):
+    """Forces on masters of one surface are computed as without SLURM."""
     filtered = (finished / "results/store-tiny/filtered/scales").rglob("uncd/**/*.nc")
     targets = [path.relative_to(finished).as_posix() for path in filtered]
     study, log = copy_repository(tmp_path / "study"), tmp_path / "log"
-    with tempfile.TemporaryDirectory(prefix="slurm-") as folder:
-        cluster = Path(folder)
-        cluster.chmod(0o755)  # munged wants others to reach its socket
-        with slurm.slurm(cluster):
-            cancelled = slurm.run_and_cancel(study, log, targets)
-            slurm.check_recovery(cancelled, log.read_text())
+    cancelled = slurm.run_and_cancel(study, log, targets)
+    slurm.check_recovery(cancelled, log.read_text())
     lines = differences(study / "results", finished / "results")
     assert all((study / target).is_file() for target in targets)
     assert [line for line in lines if not line.endswith(": missing")] == []

@@ -129,6 +129,7 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys, tmp_path, has_
     if has_log:
         log.touch()
     failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": [str(log)]}
+    failed |= {"rule_msg": None, "indent": False}
     repeated_error = {"event": LogEvent.ERROR, "exception": "CalledProcessError"}
     errors = [
         (logging.ERROR, "snakemake.logging", "Error", failed),
@@ -193,6 +194,20 @@ def test_messages_of_the_study_and_warnings_are_shown(capsys):
     assert show(capsys, records) == ["open answer.html", "disk is nearly full"]
 
 
+def test_a_job_that_a_cluster_ends_is_shown_by_the_study_alone(capsys):
+    """Snakemake reports each rule of the job, and its plugin what sacct did not answer."""
+    plan = info("long list", LogEvent.RUN_INFO, stats={"stitch": 1, "total": 1})
+    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": [], "indent": False}
+    records = [
+        (logging.ERROR, STUDY_LOGGER, "SLURM job stitch: TIMEOUT", {}),
+        (logging.ERROR, "snakemake.logging", "", failed | {"rule_msg": "SLURM-job '1' failed"}),
+        (logging.ERROR, "snakemake.logging", "", {"event": LogEvent.GROUP_ERROR}),
+        (logging.ERROR, "snakemake.logging", "", failed | {"rule_msg": None, "indent": True}),
+        (logging.WARNING, "snakemake.logging", "No account was given, not able via sacct", {}),
+    ]
+    assert show(capsys, [plan, *records])[1:] == ["SLURM job stitch: TIMEOUT"]
+
+
 @pytest.mark.parametrize("setting", ["dryrun", "verbose", "quiet"])
 def test_options_show_the_whole_log(capsys, setting):
     lines = show(capsys, [info("Select jobs to execute...")], **{setting: True})
@@ -223,6 +238,6 @@ def test_misplaced_arguments_are_refused_with_a_remedy(
     capsys, monkeypatch, project_folder, words, message
 ):
     monkeypatch.setattr(sys, "argv", ["snakemake", *words])
-    error = {"event": LogEvent.ERROR, "exception": "ValueError"}
-    lines = show(capsys, [(logging.ERROR, "snakemake.logging", "Traceback", error)])
-    assert lines == [f"error: {message}"]
+    with pytest.raises(SystemExit) as caught:
+        show(capsys, [])
+    assert str(caught.value) == f"error: {message}"

@@ -13,16 +13,22 @@ from collections import Counter
 from collections.abc import Mapping
 from datetime import timedelta
 from logging import WARNING, LogRecord
+from pathlib import Path
+from typing import Any
 
 from snakemake.common import NOTHING_TO_BE_DONE_MSG
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
-from snakemake_logger_plugin_stages.command_line import cost_column, error_line
+from snakemake_logger_plugin_stages.cluster import log_reasons
+from snakemake_logger_plugin_stages.command_line import cost_column, error_line, refuse_faults
 from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
+from snakemake_logger_plugin_stages.home import provide_home
 
 #: The logger of a study's own messages.
 STUDY_LOGGER = "snakemake.logging.study"
+#: The home of a user without one.
+HOME = Path(".snakemake/home")
 #: Seconds without a line after which a line reports the progress: nobody waits longer in doubt.
 MAX_SILENCE_SECONDS = 30
 #: Share of a run in whose time the table of costs weighs as much as the finished jobs.
@@ -30,6 +36,16 @@ PRIOR_SHARE = 0.2
 #: Exceptions, and the end of a message, that repeat the failure of a job.
 JOB_EXCEPTIONS = ("CalledProcessError", "RuleException")
 INCOMPLETE_MESSAGE = "At least one job did not complete successfully."
+#: Begins of messages of the executor for SLURM: guesses of an account, failures of sacct,
+#: and an error that the line of the job repeats.
+EXECUTOR_MESSAGES = (
+    "No SLURM account given",
+    "No account was given",
+    "Unable to guess SLURM account",
+    "Both 'sacctmgr' and 'sshare'",
+    "Failed to retrieve jobstep reason",
+    "Exception in run_job",
+)
 
 
 class LogHandler(LogHandlerBase):
@@ -42,7 +58,10 @@ class LogHandler(LogHandlerBase):
     needs_rulegraph = False
 
     def __post_init__(self) -> None:
-        """Prepare to show a run."""
+        """Prepare to show a run, before Snakemake reads any file."""
+        provide_home(HOME)
+        refuse_faults()
+        log_reasons()
         settings = self.common_settings
         self._own_log = bool(settings.dryrun or settings.verbose or settings.quiet)
         self._stream = sys.stdout if settings.stdout else sys.stderr
@@ -74,8 +93,9 @@ class LogHandler(LogHandlerBase):
         elif event == LogEvent.JOB_FINISHED:
             self._finish(self._rules[fields["job_id"]])
         elif event == LogEvent.JOB_ERROR:
-            logs = ", ".join(filter(os.path.isfile, fields["log"]))
-            self._say(f"Error in rule {fields['rule_name']}" + f": see {logs}" * bool(logs))
+            self._show_failure(fields)
+        elif event == LogEvent.GROUP_ERROR or record.getMessage().startswith(EXECUTOR_MESSAGES):
+            pass
         elif (
             record.levelno >= WARNING
             or record.name == STUDY_LOGGER
@@ -86,6 +106,12 @@ class LogHandler(LogHandlerBase):
     def _say(self, text: str) -> None:
         self._last_line = time.monotonic()
         print(text, file=self._stream, flush=True)
+
+    def _show_failure(self, fields: Mapping[str, Any]) -> None:
+        """Show a job that failed, unless the study has shown why the cluster ended it."""
+        if not fields["rule_msg"] and not fields["indent"]:
+            logs = ", ".join(filter(os.path.isfile, fields["log"]))
+            self._say(f"Error in rule {fields['rule_name']}" + f": see {logs}" * bool(logs))
 
     def _show_error(self, record: LogRecord, exception: str) -> None:
         """Show an error in one line, unless it repeats the failure of a job, which has a line."""

@@ -25,9 +25,7 @@ def cost_column() -> str:
 
 
 def error_line(exception: str, message: str) -> str:
-    """Return a line for each fault before the first job, or an empty text for other errors."""
-    if faults := _faults():
-        return "\n".join(f"error: {fault}" for fault in faults)
+    """Return the line of an error before the first job, or an empty text for other errors."""
     if exception == "MissingRuleException":
         return _missing_target(message.partition("produce ")[2].partition(" ")[0])
     return f"error: {message.strip().splitlines()[-1]}" if message.startswith("Traceback") else ""
@@ -54,8 +52,11 @@ def _has_own_surfaces() -> bool:
     return any(overlay.get("published") == "none" for overlay in overlays)
 
 
-def _faults() -> list[str]:
-    """Return the faults of the configuration; Snakemake names neither file, line nor key."""
+def refuse_faults() -> None:
+    """End a run with a line for each fault of its configuration.
+
+    Snakemake names neither file, line nor key, and copies nested aliases until memory is full.
+    """
     from hardcontact.config.configuration import refuse_unreadable
     from hardcontact.config.faults import refuse_all
 
@@ -65,8 +66,7 @@ def _faults() -> list[str]:
     try:
         refuse_all(checks)
     except ValueError as error:
-        return str(error).splitlines()
-    return []
+        sys.exit("\n".join(f"error: {fault}" for fault in str(error).splitlines()))
 
 
 def _refuse_pair(word: str) -> None:

@@ -1,5 +1,6 @@
 """Configurations as trees of keys, and what follows from their keys: contacts, also in words."""
 
+import os
 from collections.abc import Mapping
 from functools import reduce
 from operator import getitem
@@ -21,6 +22,10 @@ from hardcontact.config.model import (
 )
 from hardcontact.contact.contact import Contact
 
+#: The most bytes and values of a configuration: a hundred times those of the paper's.
+MAX_SIZE = 1_000_000
+MAX_VALUES = 100_000
+
 
 def read_yaml(path: str) -> Any:
     """Return a YAML file of the project, by its path from the top folder."""
@@ -28,7 +33,18 @@ def read_yaml(path: str) -> Any:
 
 
 class _EachKeyOnce(yaml.SafeLoader):
-    """Refuses a repeated key, since YAML itself would use only the last value."""
+    """Refuses a repeated key, since YAML itself would use only the last value, and nested aliases.
+
+    A few lines of nested aliases fill the memory of the first program that copies their values.
+    """
+
+    def get_single_node(self) -> Any:
+        """Return the root of a document."""
+        root = super().get_single_node()
+        size = _expanded_size(root, {})
+        if size > MAX_VALUES:
+            raise yaml.YAMLError(f"{size:.3g} values, with aliases expanded")
+        return root
 
     def construct_mapping(self, node: Any, deep: bool = False) -> dict[Any, Any]:
         """Return the mapping of a node."""
@@ -42,12 +58,25 @@ class _EachKeyOnce(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
+def _expanded_size(node: Any, sizes: dict[int, int]) -> int:
+    """Return the number of values of a node of YAML if each alias in it were written out."""
+    if id(node) not in sizes:
+        sizes[id(node)] = 1  # An alias that holds itself adds nothing.
+        children = node.value if isinstance(node, yaml.CollectionNode) else []
+        pairs = [child if isinstance(child, tuple) else (child,) for child in children]
+        sizes[id(node)] += sum(_expanded_size(item, sizes) for pair in pairs for item in pair)
+    return sizes[id(node)]
+
+
 def refuse_unreadable(path: str | Path) -> None:
     """Refuse a file that is not YAML with keys at its top; raise ValueError with one line."""
     if not Path(path).exists():
         raise ValueError(
             f"{path}: expected a YAML file, found none (targets stand before --configfile)"
         )
+    size = os.stat(path).st_size
+    if size > MAX_SIZE:
+        raise ValueError(f"{path}: expected a configuration of at most 1 MB, found {size:,} bytes")
     try:
         content = yaml.load(Path(path).read_bytes().decode("utf-8"), _EachKeyOnce)
         reason = quote_key(content) if content is not None else "nothing"

@@ -109,9 +109,10 @@ UNIT = Matching(
     "none|(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm)(?:,(?:m|mm|[uµ]m|nm|Å|A|angstrom|pm))?",
     "none, m, mm, um, nm, angstrom or pm, or two of these, such as mm,nm",
 )
+#: The project's own files in the folder of results are texts.
 STUDY_NAME = Matching(
-    "[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
-    "a name of up to 100 letters, digits, dots, dashes and underscores",
+    r"(?!.*\.txt$)[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
+    "a name of up to 100 letters, digits, dots, dashes and underscores, without .txt at the end",
 )
 StudyName = Annotated[str, STUDY_NAME]
 Folder = Annotated[

@@ -68,6 +68,11 @@ class Study(StudyKeys):
         if store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent):
             accepted = "a folder in results or outside of the project"
             faults.append(key_fault("store", accepted, self.store))
+        paths = Path(folder), Path(self.store)
+        for link in dict.fromkeys(part for path in paths for part in (path, *path.parents)):
+            if link.is_symlink() and not link.exists():
+                found = f"{link}, a link to {link.readlink()}, which is missing"
+                faults.append(key_fault("study and store", "folders, or links to folders", found))
         return faults
 
     def _paper_faults(self) -> list[str]:

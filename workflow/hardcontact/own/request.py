@@ -22,9 +22,7 @@ ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
-RESERVED_NAMES = (
-    "config", "constraints.txt", "environment.txt", "paper", "quick", "store", "surfaces"
-)  # fmt: skip
+RESERVED_NAMES = ("config", "paper", "quick", "store", "surfaces")
 #: Ids that surfaces cannot have: they stand for the mean over surfaces and for a smooth sphere.
 RESERVED_IDS = ("pooled", "smooth")
 USAGE = """\
@@ -186,7 +184,8 @@ def name_faults(arguments: Namespace) -> Iterator[str]:
     name = arguments.name
     try:
         # The quick study beside it must have a name, too.
-        STUDY_NAME.check(f"{name}{QUICK_SUFFIX}")
+        for study in (name, f"{name}{QUICK_SUFFIX}"):
+            STUDY_NAME.check(study)
     except ValueError:
         accepted = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_SUFFIX)))
         yield f"NAME: expected {accepted}, no blanks, found {name!r}"

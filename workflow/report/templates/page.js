@@ -20,7 +20,7 @@ function number(words) {
 // How rows compare by a column: numbers before what is none, words before empty cells.
 function comparison(rows, column, direction) {
   const cells = rows.map(row => row.cells[column]), known = cells.some(cell => "value" in cell.dataset);
-  const numeric = known || cells.every(cell => cell.className === "number" || /^$|^[<>≈]? ?[−-]?\d/.test(text(cell)));
+  const numeric = known || cells.every(cell => cell.className === "number" || /^$|^[<>≈×+]? ?[−-]?\d/.test(text(cell)));
   const keys = new Map(rows.map(row => [row, text(row.cells[column])]));
   if (!numeric) return (a, b) => (keys.get(a) === "") - (keys.get(b) === "")
     || direction * keys.get(a).localeCompare(keys.get(b), "en", {numeric: true});
