@@ -2,12 +2,13 @@
 
 import json
 import re
+import shutil
 import sys
 from pathlib import Path
 
 import pytest
 from refusals import assert_says, refusal
-from repository import run_snakemake
+from repository import PAPER, merged, run_snakemake
 from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
@@ -18,9 +19,10 @@ from hardcontact.base.origin import (
     digests,
     keep_records,
     record_path,
-)  # fmt: skip
+)
 from hardcontact.base.verification import check, traced_records
 from hardcontact.own import new
+from hardcontact.own.verify import verify, verify_arguments
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
 
@@ -84,13 +86,23 @@ def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
     assert faults == ["results/table.csv: expected a file of the study, found none"]
 
 
-@pytest.mark.parametrize("path", ["results/notes.txt", "results/table.csv", "store/a.nc"])
+@pytest.mark.parametrize(
+    "path", ["results/notes.txt", "results/table.csv", "store/a.nc", "store/nobody_s.nc"]
+)
 def test_a_file_without_a_record_is_a_fault(study, path):
     (study / path).touch()
     record_path(study / path).unlink(missing_ok=True)
     (study / "results/logs").mkdir()
     (study / "results/logs/make.log").touch()
     assert check("results")[0] == [f"{path}: expected a record of its origin, found none"]
+
+
+def test_a_lost_folder_of_records_is_a_fault(study):
+    make("results/store/b.nc", ["source.txt"])
+    make("results/first/final.nc", ["results/store/b.nc"])
+    shutil.rmtree("results/store/.origin")
+    faults, _ = check("results/first")
+    assert faults == ["results/store/b.nc: expected a record of its origin, found none"]
 
 
 def test_files_made_with_other_versions_are_no_faults_but_said(study):
@@ -110,7 +122,7 @@ def test_files_made_with_other_parameters_are_no_faults_but_said(study):
 
 
 def files_of(folder):
-    return {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
+    return {path: path.stat().st_mtime_ns for path in [folder, *folder.rglob("*")]}
 
 
 @pytest.mark.parametrize("faulty", [False, True])
@@ -127,6 +139,26 @@ def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
     assert new.main() == int(faulty)
     assert "results/first: 2 files checked" in capsys.readouterr().out
     assert files_of(study) == files
+
+
+HARDER = {"contact": {"hardness": "30 GPa"}}
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({}, []),
+        (HARDER, ["was made with contact.hardness '30 GPa', here '25 GPa'"]),
+        ({"study": "mine"}, ["parameters were not compared, as there is no config/mine.yaml here"]),
+    ],
+)
+def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes, expected):
+    make("results/paper/configuration.yaml", [], canonical(merged(PAPER, changes)))
+    text, code = verify(verify_arguments(["paper"]))
+    *lines, _ = text.splitlines()
+    assert code == 0 and len(lines) == len(expected)
+    for line, part in zip(lines, expected, strict=True):
+        assert_says(line, "results/paper", part)
 
 
 # The tiny study

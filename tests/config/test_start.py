@@ -15,6 +15,7 @@ from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
 
 from hardcontact.config import start
+from hardcontact.config.configuration import apply_effort
 
 
 def refusal_line(call, *arguments):
@@ -94,9 +95,9 @@ def test_a_quick_study_has_its_own_folders():
     harder = {"study": "harder", "contact": PAPER["contact"] | {"hardness": "30 GPa"}}
     quick = {"quick": {"contact": {"count": 6}}}
     for overlays, study in (({}, "own-quick"), (harder, "harder-quick")):
-        configured = start.apply_effort(own_configuration | quick | overlays)
+        configured = apply_effort(own_configuration | quick | overlays)
         assert (configured["study"], configured["store"]) == (study, "results/own-store-quick")
-        assert start.apply_effort(configured) == configured
+        assert apply_effort(configured) == configured
         assert configured["contact"]["count"] == 6
 
 

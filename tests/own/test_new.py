@@ -11,10 +11,9 @@ from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.config import checks
-from hardcontact.config.configuration import quantities_of_paper, set_keys
+from hardcontact.config.configuration import apply_effort, quantities_of_paper, set_keys
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
-from hardcontact.config.start import apply_effort
 from hardcontact.own import new, request
 from hardcontact.own.new import overlay_text, values_by_key
 from hardcontact.own.predict import predict, predict_arguments

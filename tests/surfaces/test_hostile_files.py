@@ -134,6 +134,7 @@ HOSTILE = {
     "empty": (lambda path: path.write_bytes(b""), "1 to 1073741824 bytes"),
     "folder": (os.mkdir, "found a folder"),
     "pipe": (os.mkfifo, "no regular file"),
+    "device": (lambda path: path.symlink_to("/dev/zero"), "no regular file"),
     "huge": (huge, "1 to 1073741824 bytes"),
     "picture": (lambda path: path.write_bytes(b"P5\n2 2\n9\n" + bytes(4)), "a picture, whose grey"),
     "model": (lambda path: path.write_text("#VRML 2.0\n1 2 3 0 0 0\n"), "a model of triangles"),

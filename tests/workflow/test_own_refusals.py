@@ -2,8 +2,10 @@
 
 import pytest
 import yaml
+from forked_runs import run_program
 from own_studies import quick
 from refusals import assert_says
+from repository import environment
 
 pytestmark = pytest.mark.study
 
@@ -36,3 +38,16 @@ def test_a_faulty_overlay_is_refused_in_the_user_s_units(folder, probe, change, 
     files_before = files_of(folder)
     assert_says(" ".join(errors(quick(folder, "probe", overlays=["bad.yaml"]))), *message_parts)
     assert files_of(folder) == files_before
+
+
+def test_a_run_stops_at_the_lock_of_another_until_it_is_removed(folder, probe):
+    lock = folder / ".snakemake/locks/0.output.lock"
+    lock.parent.mkdir(exist_ok=True)
+    lock.write_text(f"{probe.relative_to(folder) / 'answer.json'}\n")
+    words = ["answer", "--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
+    locked = run_program(folder, "snakemake.cli", words, environment(folder))
+    assert locked.returncode == 1
+    assert_says(locked.stdout, "cannot be locked", "--unlock")
+    words.insert(0, "--unlock")
+    assert run_program(folder, "snakemake.cli", words, environment(folder)).returncode == 0
+    assert not lock.exists()

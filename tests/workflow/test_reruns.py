@@ -168,6 +168,11 @@ def test_rewritten_files_of_the_same_meaning_make_nothing(dry):
     assert dry(change=said_otherwise) == []
 
 
+def test_pins_of_tools_are_inputs_of_no_job(graph):
+    inputs = set().union(*graph.inputs.values())
+    assert "results/lock.txt" in inputs and not any(path.startswith("tests/") for path in inputs)
+
+
 def lose_metadata(folder):
     """Remove what Snakemake remembers of a run, as a copy of the results alone does."""
     (folder / ".snakemake").unlink()

@@ -164,6 +164,7 @@ def test_the_costs_are_those_of_such_a_study(monkeypatch, project_folder, words,
         ("claim", [], "a target of README.md"),
         ("fig7", [], "fig6"),
         ("fig6", ["--configfile", "config/crn.yaml"], "answer, which makes all figures"),
+        ("claims", ["--configfile", "config/crn.yaml"], "a target of own surfaces (answer"),
     ],
 )
 def test_a_target_that_no_rule_makes_is_refused_in_one_line(

@@ -5,11 +5,11 @@ Nothing is written, and no workflow is needed.
 
 import json
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
-from hardcontact.base.origin import RECORDS, Record, digest, read_record
-from hardcontact.base.packages import installed_version
+from hardcontact.base.origin import RECORDS, Record, digest, read_record, record_path
+from hardcontact.base.packages import PINS, installed_version
 
 #: Folders of a study whose files describe runs: no record describes them.
 RUN_FOLDERS = ("logs", "benchmarks")
@@ -47,11 +47,10 @@ def check(folder: str | Path) -> tuple[list[str], list[str]]:
     inputs = {path for record in records.values() for path in record["input_digests"]}
     current = {path: digest(path) for path in inputs | records.keys() if Path(path).is_file()}
     absent = inputs - current.keys()
-    unrecorded = sorted(_unrecorded(folder, inputs & current.keys()) - records.keys())
     faults = [
         *_output_faults(folder, records, current),
         *_input_faults(records, current),
-        *(f"{path}: expected a record of its origin, found none" for path in unrecorded),
+        *_unrecorded_faults(folder, current),
     ]
     return faults, [
         *_other_versions(records),
@@ -84,16 +83,24 @@ def _input_faults(records: Mapping[str, Record], current: Mapping[str, str]) -> 
             yield f"{path}: does not match its input {', '.join(changed)}"
 
 
-def _unrecorded(folder: str | Path, inputs: set[str]) -> set[str]:
-    """Return files that should have a record: the study's, and inputs beside recorded files."""
-    files = {
-        path.as_posix()
+def _unrecorded_faults(folder: str | Path, traced: Iterable[str]) -> Iterator[str]:
+    """Yield a line for each file without a record, in the study or beside recorded files."""
+    study_files = (
+        path
         for path in Path(folder).rglob("*")
-        if path.is_file()
-        and RECORDS not in path.parts
-        and path.relative_to(folder).parts[0] not in RUN_FOLDERS
-    }
-    return files | {path for path in inputs if (Path(path).parent / RECORDS).is_dir()}
+        if RECORDS not in path.parts and path.relative_to(folder).parts[0] not in RUN_FOLDERS
+    )
+    folders = {Path(path).parent for path in traced if _is_made(path)}
+    store_files = (path for part in folders for path in part.iterdir())
+    for path in sorted({*study_files, *store_files}):
+        if path.is_file() and not record_path(path).is_file():
+            yield f"{path.as_posix()}: expected a record of its origin, found none"
+
+
+def _is_made(path: str) -> bool:
+    """Return whether a job made a file, also if all records in its folder are lost."""
+    in_results = path.startswith("results/") and path not in PINS
+    return in_results or record_path(path).parent.is_dir()
 
 
 def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:

@@ -12,7 +12,14 @@ import yaml
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, Study, quantity_type
+from hardcontact.config.model import (
+    CONTACT_QUANTITIES,
+    NONE,
+    QUICK_SUFFIX,
+    SMOOTH_SPHERE,
+    Study,
+    quantity_type,
+)
 from hardcontact.contact.contact import Contact
 
 #: The most bytes and values of a configuration: a hundred times those of the paper's.
@@ -84,6 +91,43 @@ def refuse_unreadable(path: str | Path) -> None:
 def get_key(tree: Mapping[str, Any], key: str) -> Any:
     """Return the value of a key, with dots between its parts, in a tree of keys."""
     return reduce(getitem, key.split("."), tree)
+
+
+def key_values(tree: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Return the values of a tree of keys, by keys with dots between their parts."""
+    values = dict[str, Any]()
+    for key, value in tree.items():
+        if isinstance(value, Mapping):
+            values |= key_values(value, f"{prefix}{key}.")
+        else:
+            values[prefix + key] = value
+    return values
+
+
+def merge(config: Mapping[str, Any], overlay: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a configuration with the values of an overlay, merged at any depth as by Snakemake."""
+    merged = dict(config)
+    for key, value in overlay.items():
+        section = merged.get(key)
+        if isinstance(section, Mapping) and isinstance(value, Mapping):
+            value = merge(section, value)
+        merged[key] = value
+    return merged
+
+
+def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the configuration; with `effort: quick` the keys under `quick` replace others.
+
+    Names of the study and of its store then end with QUICK_SUFFIX: a quick study of an overlay
+    never replaces that of another one.
+    """
+    quick = config.get("quick")
+    if config.get("effort") != "quick" or not isinstance(quick, dict):
+        return dict(config)
+    merged = merge(config, quick)
+    for name in ("study", "store"):
+        merged[name] = str(merged[name]).removesuffix(QUICK_SUFFIX) + QUICK_SUFFIX
+    return merged
 
 
 def combines_bodies(configuration: Mapping[str, Any]) -> bool:

@@ -5,7 +5,6 @@ import os
 import sys
 import tempfile
 from collections.abc import Mapping
-from copy import deepcopy
 from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
@@ -13,16 +12,22 @@ from typing import Any, NoReturn
 import yaml
 from snakemake.io import strip_wildcard_constraints
 from snakemake.settings.types import ExecMode
-from snakemake.utils import min_version, update_config
+from snakemake.utils import min_version
 
 from hardcontact.base import published
 from hardcontact.base.code import LIBRARY
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.base.packages import refuse_other_versions, write_pins
-from hardcontact.config.configuration import get_key, read_yaml, refuse_unreadable
+from hardcontact.config.configuration import (
+    apply_effort,
+    get_key,
+    merge,
+    read_yaml,
+    refuse_unreadable,
+)
 from hardcontact.config.endings import end_at_interrupt
 from hardcontact.config.faults import key_fields, refuse_all, shorten
-from hardcontact.config.model import NONE, QUICK_SUFFIX, Study, numeric_configuration
+from hardcontact.config.model import NONE, Study, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.reruns import plan_by_records
 from hardcontact.config.selection import Selection, selected_scans, source_digests, surface_table
@@ -105,21 +110,6 @@ def finished_configuration(config: Mapping[str, Any]) -> str:
     return path
 
 
-def apply_effort(config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration; with `effort: quick` the keys under `quick` replace others.
-
-    Names of the study and of its store then end with QUICK_SUFFIX: a quick study of an overlay
-    never replaces that of another one.
-    """
-    merged = deepcopy(dict(config))
-    quick = merged.get("quick")
-    if merged.get("effort") == "quick" and isinstance(quick, dict):
-        update_config(merged, deepcopy(quick))
-        for name in ("study", "store"):
-            merged[name] = str(merged[name]).removesuffix(QUICK_SUFFIX) + QUICK_SUFFIX
-    return merged
-
-
 def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
     """Complete the configuration that Snakemake merged; return it with quantities as numbers.
 
@@ -134,8 +124,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
             _refuse_grids_of_paper(workflow, config)
         command_line = workflow.config_settings.config
         nested = {key: item for key, item in command_line.items() if not isinstance(item, str)}
-        update_config(config, yaml_values(nested))
-        config.update(apply_effort(config))
+        config.update(apply_effort(merge(config, yaml_values(nested))))
         overwrite = yaml_values(config.pop("overwrite", False))
         numbers = numeric_configuration(config)
         if _plans_the_run(workflow) and overwrite is not True:
@@ -160,9 +149,9 @@ def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
 def _refuse_unnamed(config: Mapping[str, Any]) -> None:
     """Refuse other values for a study whose name is the project's own."""
     name = config["study"]
-    own = deepcopy(read_yaml("config/config.yaml"))
+    own = read_yaml("config/config.yaml")
     if name == "quick":
-        update_config(own, read_yaml("config/quick.yaml"))
+        own = merge(own, read_yaml("config/quick.yaml"))
     if name != own["study"]:
         return
     numbers, asked_numbers = numeric_configuration(own), numeric_configuration(config)

@@ -1,11 +1,17 @@
 """`hardcontact verify`: the check of the files of a finished study, wherever they are kept."""
 
+import json
 import os
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from hardcontact.base.code import LIBRARY
+from hardcontact.base.origin import canonical, read_record
 from hardcontact.base.verification import check
+from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
+from hardcontact.config.faults import shorten
+from hardcontact.config.model import QUICK_SUFFIX
 from hardcontact.own.command_line import CommandLine
 
 
@@ -28,5 +34,30 @@ def verify(arguments: Namespace) -> tuple[str, int]:
         raise ValueError(f"{arguments.folder}: expected the results of a study, found none")
     # Records name files from the folder that has `results`.
     os.chdir(folder.parents[1])
-    faults, summary = check(folder.relative_to(folder.parents[1]))
-    return "\n".join([*faults, *summary]), 1 if faults else 0
+    results = folder.relative_to(folder.parents[1])
+    faults, summary = check(results)
+    lines = [*faults, *_other_keys(results), *summary]
+    return "\n".join(lines), 1 if faults else 0
+
+
+def _other_keys(results: Path) -> Iterator[str]:
+    """Yield a line for each key that has another value now, in this repository's `config` folder.
+
+    The overlay of a study has its name; values of the command line are in no file.
+    """
+    record = read_record(results / "configuration.yaml")
+    if record is None:
+        return
+    recorded = json.loads(record["parameters"])
+    current = read_yaml("config/config.yaml")
+    if recorded["study"] != current["study"]:
+        overlay = f"config/{recorded['study'].removesuffix(QUICK_SUFFIX)}.yaml"
+        if not (LIBRARY.parents[1] / overlay).is_file():
+            yield f"{results}: parameters were not compared, as there is no {overlay} here"
+            return
+        current = merge(current, read_yaml(overlay))
+    current = key_values(apply_effort(current | {"effort": recorded["effort"]}))
+    for key, value in key_values(recorded).items():
+        if canonical(value) != canonical(current.get(key)):
+            now = shorten(current[key]) if key in current else "no value"
+            yield f"{results} was made with {key} {shorten(value)}, here {now}"
