@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 765,
+    "base": 753,
     "surfaces": 3436,
     "contact": 1385,
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
     "config": 2364,
-    "own": 2119,
+    "own": 2118,
     "report": 3382,
     "api": 215,
 }

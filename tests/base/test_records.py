@@ -113,14 +113,6 @@ def test_files_made_with_other_versions_are_no_faults_but_said(study):
     assert versions.startswith("1 files, such as results/table.csv, were made with scipy 0.")
 
 
-def test_files_made_with_other_parameters_are_no_faults_but_said(study):
-    for name, tolerance in (("edges", 0.1), ("scaling", 0.1), ("sensitivity", 0.2)):
-        make(f"results/{name}.nc", ["store/a.nc"], canonical({"tolerance": tolerance, "scan": 1}))
-    faults, (parameters, _) = check("results")
-    assert faults == []
-    assert_says(parameters, "tolerance:", "0.1 (results/edges.nc), 0.2 (results/sensitivity.nc)")
-
-
 def files_of(folder):
     return {path: path.stat().st_mtime_ns for path in [folder, *folder.rglob("*")]}
 

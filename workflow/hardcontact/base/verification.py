@@ -54,7 +54,6 @@ def check(folder: str | Path) -> tuple[list[str], list[str]]:
     ]
     return faults, [
         *_other_versions(records),
-        *_other_parameters(folder, records),
         f"{folder}: {len(records)} files checked, {len(faults)} faults, "
         f"{len(absent)} inputs not at hand",
     ]
@@ -113,17 +112,3 @@ def _other_versions(records: Mapping[str, Record]) -> Iterator[str]:
                 paths_by_version[versions].append(path)
     for versions, paths in paths_by_version.items():
         yield f"{len(paths)} files, such as {paths[0]}, were made with {versions}"
-
-
-def _other_parameters(folder: str | Path, records: Mapping[str, Record]) -> Iterator[str]:
-    """Yield a line for each quantity among the parameters that differs between a study's files."""
-    paths_by_value = defaultdict[str, dict[float, list[str]]](lambda: defaultdict(list))
-    for path, record in sorted(records.items()):
-        if Path(path).is_relative_to(folder):
-            for name, value in json.loads(record["parameters"]).items():
-                if isinstance(value, float):
-                    paths_by_value[name][value].append(path)
-    for name, paths in paths_by_value.items():
-        if len(paths) > 1:
-            values = ", ".join(f"{value:g} ({made[0]})" for value, made in paths.items())
-            yield f"{name}: expected one value for all files, found {values}"
