@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2364,
     "own": 2118,
-    "report": 3382,
+    "report": 3387,
     "api": 215,
 }
 NO_CODE = {
