@@ -104,6 +104,7 @@ def _facts(
         "numbers": numbers,
         "surfaces": {name: surface_numbers(name, datasets) for name in substrates},
         "labels": labels,
+        "is_substitute": bool((topography["basis"] == "substitute").any()),
         "decisive": labels[_decisive_surface(datasets["sets"])],
         "featured": datasets["features"].attrs["label"],
         "coarse": is_coarse(numbers),

@@ -97,7 +97,9 @@ def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
     interval = (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     computed_text = format_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
-    if is_boundless(row["computed"], *interval, unit):
+    if row["low"] == row["high"]:
+        computed_text = format_as_paper(row["computed"], unit)
+    elif is_boundless(row["computed"], *interval, unit):
         computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['no_interval']})"
     return {
         "published_text": format_as_paper(row["published"], unit),

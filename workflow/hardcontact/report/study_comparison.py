@@ -95,8 +95,8 @@ def _changed_contact(first: Mapping[str, Any], second: Mapping[str, Any]) -> Ite
         {**answer["contact"], "surfaces": ", ".join(row["label"] for row in answer["surfaces"])}
         for answer in (first, second)
     ]
-    for name in texts[0]:
-        values = texts[0][name], texts[1].get(name, "")
+    for name in {**texts[0], **texts[1]}:
+        values = texts[0].get(name, ""), texts[1].get(name, "")
         if values[0] != values[1]:
             yield ChangedInput("", name, *values)
 
