@@ -3,6 +3,7 @@
 import re
 import subprocess
 from importlib.metadata import version
+from xml.etree import ElementTree
 
 import numpy as np
 import pandas as pd
@@ -146,6 +147,14 @@ def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository()
     assert [cell["data-label"] for cell in parsed_page.attributes["td"]] == ["surface", "made from"]
 
 
+def test_a_formula_is_mathml():
+    html = chapter("# Title\n\nThe mean is\n\n$$\n\\frac{1}{\\rho} < x\n$$\n").html
+    formula = ElementTree.fromstring(re.search("<math.*?</math>", html)[0])
+    assert formula.attrib == {"display": "block"}
+    assert ["".join(part.itertext()) for part in formula.find(".//{*}mfrac")] == ["1", "ρ"]
+    assert "".join(formula.itertext()) == "1ρ<x"
+
+
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(chapter, text), "expected", "'# '", "found")
@@ -198,6 +207,15 @@ def test_every_chapter_has_a_title_and_unique_anchors(path):
     page = chapter(path.read_text())
     anchors = [anchor for anchor, _ in page.sections]
     assert page.title and len(anchors) == len(set(anchors))
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
+def test_every_formula_of_a_chapter_is_mathml(path):
+    """An unknown command would keep its backslash."""
+    text = path.read_text("utf-8")
+    formulas = re.findall("<math.*?</math>", chapter(text).html)
+    assert 2 * len(formulas) == text.count("$$")
+    assert not [formula for formula in formulas if "\\" in formula or "<merror" in formula]
 
 
 def test_parameters_are_the_whole_configuration_and_every_version():

@@ -10,6 +10,7 @@ import pandas as pd
 import yaml
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
+from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from hardcontact.base.formatting import format_as_paper, is_boundless
 from hardcontact.paper.selection import LARGER_PIXELS, WITHOUT_SCAN
@@ -118,7 +119,7 @@ def _print_accepted_range(low: float, high: float, unit: str) -> str:
 
 
 def chapter(text: str, pages: Sequence[str] = ()) -> Chapter:
-    """Return a chapter in Markdown as HTML, with anchors at its headings.
+    """Return a chapter in Markdown as HTML, with anchors at its headings and formulas as MathML.
 
     Links to documents that are pages lead there, others into the repository become plain text.
     Raises ValueError if the text does not begin with a title, ``# ...``.
@@ -127,11 +128,19 @@ def chapter(text: str, pages: Sequence[str] = ()) -> Chapter:
     if not heading.startswith("# "):
         raise ValueError(f"expected a text that begins with '# ' and a title, found {heading!r}")
     markdown = MarkdownIt("commonmark").enable("table")
+    markdown.use(dollarmath_plugin, allow_space=False, allow_digits=False, renderer=_mathml)
     tokens = markdown.parse(LINK.sub(lambda link: _page_link(link, pages), body))
     _keep_units(tokens)
     _label_cells(tokens)
     sections = _set_anchors(tokens)
     return Chapter(heading[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
+
+
+def _mathml(formula: str, options: Mapping[str, bool]) -> str:
+    """Return a formula in LaTeX as MathML; `options` says whether it has a line of its own."""
+    from latex2mathml.converter import convert  # here, because it takes long to load
+
+    return convert(formula, display="block" if options["display_mode"] else "inline")
 
 
 def _page_link(link: re.Match[str], pages: Sequence[str]) -> str:
