@@ -120,7 +120,8 @@ def _named_values(text: str) -> set[str]:
 def plan_by_records(workflow: Any) -> None:
     """Make records decide which files are made again, in place of times and Snakemake's metadata.
 
-    The only trigger is a change of parameters: `_recorded_change` finds all changes.
+    The only trigger is a change of parameters: `_recorded_change` finds all changes. Private parts
+    of the pinned Snakemake are replaced: test an upgrade with `tests/workflow/test_reruns.py`.
     """
     type(workflow).rerun_triggers = frozenset({RerunTrigger.PARAMS})
     workflow.log_provenance_info = lambda: None  # It advises to trust times.
