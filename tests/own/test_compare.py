@@ -65,12 +65,12 @@ def test_a_study_is_equal_to_itself(paper):
     ("factor", "name", "surface", "changes"),
     [
         (1 + 1e-10, "octave_1_sensitivity", "", []),
-        (1.01, "octave_1_sensitivity", "", [("", "different", 1.01)]),
+        (1.01, "octave_1_sensitivity", "", [("", "no_interval", 1.01)]),
         (1.01, "short_edge", "mcd", [("MCD", "same", 1.01)]),
     ],
 )
 def test_a_number_that_moves_is_named(paper, factor, name, surface, changes):
-    """Processors move numbers by 1e-10; a number without an interval differs by any change."""
+    """Processors move numbers by 1e-10; a number without an interval has nothing to differ by."""
     rows = compare_answers(paper, scaled(paper, factor, name, surface)).numbers
     moved = [
         (row.surface, row.agreement, pytest.approx(row.change.value))

@@ -104,5 +104,6 @@ def test_a_study_whose_every_write_fails_once_ends_as_one_without_failures(empty
             break
     assert run.returncode == 0, run.stdout
     failed = {name.replace("+", "/") for name in os.listdir(tmp_path / "failed")}
-    assert {f"results/{path}" for path in paths(empty / "results")} <= failed
+    made = {f"results/{path}" for path in paths(empty / "results") if len(path.parts) > 1}
+    assert made <= failed  # The planning process writes the lists of pins.
     assert differences_from(probe, empty / "results") == []

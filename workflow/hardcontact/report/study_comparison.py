@@ -44,12 +44,14 @@ class ComparedNumber(NamedTuple):
     def agreement(self) -> str:
         """Whether both are "equal", "same" within their intervals, or "different".
 
-        A number without an interval is its own interval. "unknown": one of them is not known.
+        "no_interval": neither has one. "unknown": one of them is not known.
         """
         if is_equal(self.first, self.second):
             return "equal"
         if not (is_known(self.first) and is_known(self.second)):
             return "unknown"
+        if is_bare(self.first) and is_bare(self.second):
+            return "no_interval"
         low, high = zip(interval(self.first), interval(self.second), strict=True)
         return "same" if max(low) <= min(high) else "different"
 
@@ -127,6 +129,11 @@ def is_equal(first: Number, second: Number) -> bool:
 def is_known(number: Number) -> bool:
     """Return whether the value of a number or an end of its interval is known."""
     return any(map(math.isfinite, (number.value, number.low, number.high)))
+
+
+def is_bare(number: Number) -> bool:
+    """Return whether a number has neither an interval nor a bound."""
+    return math.isnan(number.low) and math.isnan(number.high) and number.status in ("", "known")
 
 
 def interval(number: Number) -> tuple[float, float]:
