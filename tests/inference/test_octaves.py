@@ -12,14 +12,14 @@ from hardcontact.inference.octaves import (
     BAND_PARTS,
     FACTORS,
     STEP,
+    band_force_dataset,
     band_parts,
     band_ratios,
-    bands_of_surface,
+    octave_force_dataset,
     octave_forces,
     octave_limits,
-    octaves,
-    octaves_of_surface,
-    sensitivities,
+    octave_sensitivities,
+    split_octaves,
 )
 from hardcontact.inference.scan_parts import ScanParts
 
@@ -59,7 +59,7 @@ def test_octaves_end_within_the_waves_of_a_map():
 def test_each_wave_is_in_one_octave_with_its_shorter_limit():
     surface = wavy(160.0, 256.0, 1280.0)
     limits = [80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0]
-    waves = np.array([octave.heights.copy() for octave in octaves(surface, limits)])
+    waves = np.array([octave.heights.copy() for octave in split_octaves(surface, limits)])
     rms = waves.std(axis=(1, 2))
     np.testing.assert_allclose(rms, [0, 1, 0, 0, np.sqrt(0.5)], atol=1e-6)
     np.testing.assert_allclose(waves.sum(axis=0), surface.heights, atol=1e-5)
@@ -106,7 +106,7 @@ def test_the_central_difference_converges(monkeypatch):
 def test_the_sensitivity_of_a_power_is_its_exponent():
     # Forces that are powers of the rms height of one wave, on three maps of different size.
     maps = [
-        octaves_of_surface(
+        octave_force_dataset(
             height_map(scale * wavy(160.0).heights, PIXEL_SIZE),
             [80.0, 160.0, 320.0],
             lambda surface: np.full((1, 1), surface.heights.std() ** -1.5),
@@ -114,7 +114,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
         for scale in (1.0, 2.0, 3.0)
     ]
     forces = xr.concat(maps, "map").octave_force
-    result = sensitivities(forces, whole_parts(3), 0.95)
+    result = octave_sensitivities(forces, whole_parts(3), 0.95)
     exponent = -1.5 * np.arctanh(STEP) / STEP
     np.testing.assert_allclose(result.octave_sensitivity, [0.0, exponent], atol=1e-6)
     assert result.octave.values.tolist() == [80.0, 160.0]
@@ -123,7 +123,7 @@ def test_the_sensitivity_of_a_power_is_its_exponent():
 def test_ratios_of_a_band_are_relative_to_the_force_with_all_roughness():
     bands = {"published": (200.0, 600.0), "found": (100.0, 2561.0)}
     maps = [
-        bands_of_surface(
+        band_force_dataset(
             height_map(scale * wavy(160.0, 512.0, 1280.0).heights, PIXEL_SIZE),
             bands,
             lambda surface: np.full((1, 1), surface.heights.var()),

@@ -7,7 +7,7 @@ from hardcontact.base.job import job
 from hardcontact.contact.all_surfaces import with_names
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.mean_forces import fewest_places
-from hardcontact.inference.octaves import all_band_ratios, all_sensitivities
+from hardcontact.inference.octaves import band_ratios_by_surface, sensitivities_by_surface
 
 with job(snakemake) as job:
     params = job.parameters
@@ -16,12 +16,12 @@ with job(snakemake) as job:
     bands = dict(zip(params["bands"], map(read, job.input.bands), strict=True))
     places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
-    results = [all_sensitivities(maps, radius, rho, places, confidence)]
+    results = [sensitivities_by_surface(maps, radius, rho, places, confidence)]
     measured_maps = {name: forces for name, forces in maps.items() if "scan_octave_force" in forces}
     if measured_maps:
         results.append(all_hindcasts(measured_maps, params["tolerance"], confidence))
     if bands:  # Measured scans are too small for the long waves of the band.
-        results.append(all_band_ratios(bands, radius, rho, confidence))
+        results.append(band_ratios_by_surface(bands, radius, rho, confidence))
     job.write(
         with_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
         title="change of the pull-off force with the amplitude of each octave of wavelengths",

@@ -14,7 +14,7 @@ from hardcontact.inference.hindcast import (
     last_octave,
     pixel_forces,
 )
-from hardcontact.inference.octaves import forces_with, octave_limits, octaves_of_surface
+from hardcontact.inference.octaves import forces_with, octave_force_dataset, octave_limits
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 
@@ -26,7 +26,7 @@ with job(snakemake) as job:
     forces = forces_with(contact, sphere)
     # A stitched scan is twice as long as the scan, whose mirror images add no longer waves.
     limits = octave_limits(2 * stitched.pixel_size, stitched.size / 2)
-    octaves = octaves_of_surface(stitched, limits, forces)
+    octave_forces = octave_force_dataset(stitched, limits, forces)
     spectrum = read(job.input.spectrum)
     measurements = spectrum.isel(measurement=params["measurements"])
     sizes = [stitched.size / 2, *measurements["size"].values[1:]]
@@ -54,7 +54,7 @@ with job(snakemake) as job:
         forces,
     )
     job.write(
-        xr.merge([octaves, hindcast, pixel_forces(stitched, sphere, contact)])
+        xr.merge([octave_forces, hindcast, pixel_forces(stitched, sphere, contact)])
         .expand_dims(map=[params["scan"]])
         .assign_attrs(map_size=stitched.size / 2),
         title="pull-off forces of one scan with each octave amplified, or the last replaced",

@@ -5,7 +5,7 @@ from hardcontact.base.dataset import read, stack
 from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import pooled_band
-from hardcontact.inference.octaves import bands_of_surface, forces_with
+from hardcontact.inference.octaves import band_force_dataset, forces_with
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with job(snakemake) as job:
@@ -21,7 +21,7 @@ with job(snakemake) as job:
     surfaces = {}
     for number in progress(realizations, len(realizations), "surfaces"):
         surface = make_surface(number)
-        surfaces[(number,)] = bands_of_surface(surface, bands, forces)
+        surfaces[(number,)] = band_force_dataset(surface, bands, forces)
     job.write(
         stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),
         title=f"pull-off forces of {params['surface']} with a part of the roughness",

@@ -74,7 +74,7 @@ def octave_limits(shortest: float, longest: float) -> Floats:
     return OCTAVE_LIMITS[(OCTAVE_LIMITS > shortest) & (OCTAVE_LIMITS <= longest)]
 
 
-def octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
+def split_octaves(surface: HeightMap, limits: Sequence[float] | Floats) -> Iterator[HeightMap]:
     """Yield the waves of a periodic surface from each limit (nm, ascending) to the next.
 
     The next octave overwrites the heights.
@@ -101,11 +101,11 @@ def octave_forces(
         return forces(amplified)
 
     return np.array(
-        [[force(octave, factor) for factor in FACTORS] for octave in octaves(surface, limits)]
+        [[force(octave, factor) for factor in FACTORS] for octave in split_octaves(surface, limits)]
     )
 
 
-def octaves_of_surface(
+def octave_force_dataset(
     surface: HeightMap, limits: Sequence[float] | Floats, forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return ``octave_force`` (octave, factor, contact_y, contact_x) in N at 1 J/m²."""
@@ -119,9 +119,9 @@ def octaves_of_surface(
     )
 
 
-def middles_within(octaves: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
+def middles_within(octave_starts: Floats, shortest: float, longest: float) -> NDArray[np.bool_]:
     """Return the mask of octaves (by their shortest wavelengths) whose middle is in a band (nm)."""
-    middle = np.sqrt(2) * octaves
+    middle = np.sqrt(2) * octave_starts
     return np.asarray((shortest < middle) & (middle < longest))
 
 
@@ -131,10 +131,10 @@ def strongest_octaves(sensitivity: xr.Dataset) -> Iterator[Number]:
     ``octave_1`` is the shortest wavelength of the strongest octave, ``octave_1_sensitivity`` its
     ``octave_sensitivity`` (octave). Octaves with NaN do not count.
     """
-    known = sensitivity.dropna("octave", subset=["octave_sensitivity"])
-    strongest = np.argsort(-np.abs(known["octave_sensitivity"].values))[:OCTAVES_NAMED]
+    finite = sensitivity.dropna("octave", subset=["octave_sensitivity"])
+    strongest = np.argsort(-np.abs(finite["octave_sensitivity"].values))[:OCTAVES_NAMED]
     for rank, index in enumerate(strongest, start=1):
-        octave = known.isel(octave=index)
+        octave = finite.isel(octave=index)
         low, high = octave.get("octave_sensitivity_interval", (np.nan, np.nan))
         value = float(octave["octave_sensitivity"])
         yield Number(f"octave_{rank}", float(octave["octave"]), "nm")
@@ -170,7 +170,7 @@ def _parts_of_maps(
     return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), places)
 
 
-def all_sensitivities(
+def sensitivities_by_surface(
     maps: Mapping[str, xr.Dataset],
     radius: float,
     rho: float,
@@ -185,12 +185,12 @@ def all_sensitivities(
     surfaces = {}
     for surface, forces in maps.items():
         scan_parts = _parts_of_maps(forces, radius, rho, places.get(surface, np.inf))
-        sensitivity = sensitivities(forces["octave_force"], scan_parts, confidence)
+        sensitivity = octave_sensitivities(forces["octave_force"], scan_parts, confidence)
         surfaces[(surface,)] = sensitivity.assign(map_size=((), forces.attrs["map_size"], NM))
     return stack(surfaces, ["surface"]).sortby("octave")
 
 
-def all_band_ratios(
+def band_ratios_by_surface(
     bands: Mapping[str, xr.Dataset], radius: float, rho: float, confidence: float
 ) -> xr.Dataset:
     """Return ``band_force_ratio`` (surface, band, band_part) and ``band_end`` (band, side)."""
@@ -202,13 +202,13 @@ def all_band_ratios(
     return stack(surfaces, ["surface"]).assign(band_end=ends)
 
 
-def sensitivities(
+def octave_sensitivities(
     octave_force: xr.DataArray, scan_parts: ScanParts, confidence: float
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (octave), d ln F / d ln a, from forces on all maps.
 
-    `octave_force` (map, octave, factor, contact_y, contact_x) comes from `octaves_of_surface`. The
-    derivative is the central difference of the logarithms of the mean forces.
+    `octave_force` (map, octave, factor, contact_y, contact_x) is that of `octave_force_dataset`.
+    The derivative is the central difference of the logarithms of the mean forces.
     """
     weak, strong = (octave_force.sel(factor=factor, drop=True) for factor in FACTORS)
     log_ratio, half = log_force_ratio(strong, weak, scan_parts, confidence)
@@ -229,10 +229,10 @@ def band_parts(
 
     A band has the wavelengths (nm) from its first to below its second.
     """
-    cutoffs = [cutoff for ends in bands for cutoff in ends]
-    filtered = filtered_series(surface, "small", cutoffs, surface.pixels)
-    waves = (part.heights.copy() for part in filtered)
-    for without_shorter, longer in zip(waves, waves, strict=True):
+    for shortest, longest in bands:
+        series = filtered_series(surface, "small", [shortest, longest], surface.pixels)
+        without_shorter = next(series).heights.copy()
+        longer = next(series).heights
         heights = (without_shorter - longer, without_shorter, surface.heights - longer)
         yield {
             name: replace(surface, heights=part_heights)
@@ -240,7 +240,7 @@ def band_parts(
         }
 
 
-def bands_of_surface(
+def band_force_dataset(
     surface: HeightMap, bands: Mapping[str, tuple[float, float]], forces: ForcesOnSurface
 ) -> xr.Dataset:
     """Return the forces on a surface with all roughness, and with parts of it, for some bands.
@@ -265,7 +265,7 @@ def bands_of_surface(
 def band_ratios(forces: xr.Dataset, scan_parts: ScanParts, confidence: float) -> xr.Dataset:
     """Return ``band_force_ratio`` (band, band_part), relative to the force with all roughness.
 
-    `forces` come from `bands_of_surface`, over (map, ...).
+    `forces` come from `band_force_dataset`, over (map, ...).
     """
     log_ratio, half = log_force_ratio(forces["band_force"], forces["force"], scan_parts, confidence)
     interval = np.exp(np.stack([log_ratio - half, log_ratio + half], axis=-1))

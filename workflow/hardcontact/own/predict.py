@@ -7,6 +7,7 @@ from argparse import Namespace
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 import pandas as pd
 
@@ -19,9 +20,10 @@ from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.command_line import CommandLine
 from hardcontact.own.output import output_faults, write_output
-from hardcontact.own.own_spectrum import own_spectrum
+from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
 from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.request import (
+    QuantityOption,
     add_shared_options,
     implausible_quantities,
     one_pixel_touches,
@@ -30,7 +32,7 @@ from hardcontact.own.request import (
 from hardcontact.own.rough_sphere import add_sphere
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.both_bodies import sphere_share
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.scan_heights import TAKE_CARE
 from hardcontact.theory.prediction import prediction
 from hardcontact.theory.validity import MAX_NEGLIGIBLE_CHANGE, tabor, wide_contact_message
@@ -78,12 +80,29 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     return parser.parse_args(arguments)
 
 
+class Inputs(NamedTuple):
+    """The inputs of a prediction, read from the command line and from the files that it names."""
+
+    quantities: dict[str, QuantityOption]  #: By name.
+    contact: Contact
+    spectrum: OwnSpectrum  #: Of both bodies if the sphere is rough.
+    notes: list[str]  #: Those that begin with TAKE_CARE are cautions.
+
+
 def predict(arguments: Namespace) -> str:
     """Return the prediction in words, and write the requested files of numbers.
 
     The content of a file named - replaces the words. Raises ValueError with a line for each
     problem.
     """
+    inputs = read_inputs(arguments)
+    numbers = compute_numbers(inputs, arguments)
+    report = _report(inputs, numbers, arguments)
+    return write_numbers(numbers, inputs.notes, arguments) or report
+
+
+def read_inputs(arguments: Namespace) -> Inputs:
+    """Return the inputs of a prediction. Raises ValueError with a line for each problem."""
     quantities, faults = parse_quantities(arguments)
     contact = Contact(
         radius=quantities["radius"].number,
@@ -92,12 +111,25 @@ def predict(arguments: Namespace) -> str:
         preload=quantities["preload"].number,
         hardness=quantities["hardness"].number,
     )
-    wide = wide_contact_message(contact)
     cautions = [*implausible_quantities(quantities)]
+    wide = wide_contact_message(contact)
     if wide and not faults:
         faults.append("; ".join([f"--{wide}", *cautions]))
     outputs = {name: getattr(arguments, name) for name in WRITERS}
     faults += output_faults(outputs, {arguments.file: "that of the surface"}, arguments.overwrite)
+    readers = _spectrum_readers(arguments, quantities)
+    _, spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
+    for sphere_spectrum in sphere_spectra:
+        spectrum = add_sphere(spectrum, sphere_spectrum)
+    cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
+    notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
+    return Inputs(quantities, contact, spectrum, notes)
+
+
+def _spectrum_readers(
+    arguments: Namespace, quantities: Mapping[str, QuantityOption]
+) -> list[Callable[[], OwnSpectrum]]:
+    """Return the functions that read the spectrum of the surface, and that of a rough sphere."""
     reader = partial(
         own_spectrum,
         tip_radius=quantities["tip"].number if "tip" in quantities else None,
@@ -108,47 +140,51 @@ def predict(arguments: Namespace) -> str:
     )
     readers = [partial(reader, [arguments.file], dataset=arguments.dataset)]
     if arguments.sphere is not None:
-        readers.append(partial(reader, [arguments.sphere], sphere_radius=contact.radius))
-    _, user_spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
-    for sphere_spectrum in sphere_spectra:
-        user_spectrum = add_sphere(user_spectrum, sphere_spectrum)
-    numbers = {
-        name: Number(
-            name, option.number, option.unit, status="given" if option.is_given else "paper"
-        )
-        for name, option in quantities.items()
-        if name in CONTACT_QUANTITIES
-    }
+        radius = quantities["radius"].number
+        readers.append(partial(reader, [arguments.sphere], sphere_radius=radius))
+    return [*readers]
+
+
+def compute_numbers(inputs: Inputs, arguments: Namespace) -> dict[str, Number]:
+    """Return the numbers of a prediction by name: its quantities, forces, octaves and modulus."""
+    quantities, contact, user_spectrum, _ = inputs
+    spectrum = user_spectrum.spectrum
+    numbers = {name: _quantity_number(name, quantities[name]) for name in CONTACT_QUANTITIES}
     study = Study()
-    form = prediction(user_spectrum.spectrum, contact, study.scales.tolerance, arguments.file)
+    form = prediction(spectrum, contact, study.scales.tolerance, arguments.file)
     confidence = study.inference.confidence
     numbers |= add_force_on_scan(
         form, user_spectrum.scans, contact, confidence, user_spectrum.bodies
     )
     numbers |= {number.name: number for number in predicted_octaves(user_spectrum, contact)}
-    if sphere_spectra and "octave_1" in numbers:
+    if arguments.sphere and isinstance(spectrum, ScanSpectrum) and "octave_1" in numbers:
         middle = math.sqrt(2) * numbers["octave_1"].value
-        share = sphere_share(user_spectrum.spectrum.joined, middle)
+        share = sphere_share(spectrum.joined, middle)
         numbers["octave_1_sphere_share"] = Number("octave_1_sphere_share", share)
-    modulus = assumed_modulus(contact.hardness)
-    status = "paper"
+    numbers["modulus"] = Number("modulus", assumed_modulus(contact.hardness), "Pa", status="paper")
     if "modulus" in quantities:
-        modulus = quantities["modulus"].number
-        status = "given"
-    numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
-    numbers["tabor_parameter"] = tabor(contact, modulus)
-    texts = {name: quantities[name].text for name in CONTACT_QUANTITIES}
-    cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in user_spectrum.scans])
-    notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *user_spectrum.notes]
-    report = _report(numbers, texts, notes, user_spectrum.scans, arguments)
+        numbers["modulus"] = _quantity_number("modulus", quantities["modulus"])
+    numbers["tabor_parameter"] = tabor(contact, numbers["modulus"].value)
+    return numbers
+
+
+def _quantity_number(name: str, option: QuantityOption) -> Number:
+    """Return the number of a quantity, which the user gave or which is the paper's."""
+    status = "given" if option.is_given else "paper"
+    return Number(name, option.number, option.unit, status=status)
+
+
+def write_numbers(numbers: Mapping[str, Number], notes: Sequence[str], arguments: Namespace) -> str:
+    """Write the requested files of numbers; return the content of a file named -, or nothing."""
+    content = ""
     for name, write in WRITERS.items():
-        path = outputs[name]
+        path = getattr(arguments, name)
         if path == "-":
             sys.stderr.writelines(f"{line}\n" for line in notes)
-            report = write(numbers)
+            content = write(numbers)
         elif path is not None:
             write_output(path, write(numbers) + "\n")
-    return report
+    return content
 
 
 def _json(numbers: Mapping[str, Number]) -> str:
@@ -178,17 +214,8 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
 
 
-def _report(
-    numbers: Mapping[str, Number],
-    texts: Mapping[str, str],
-    notes: Sequence[str],
-    scans: Sequence[HeightMap],
-    arguments: Namespace,
-) -> str:
-    """Return the prediction in words; `texts` has the quantities as the user wrote them.
-
-    Notes that begin with TAKE_CARE are cautions. There are no scans for a table.
-    """
+def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace) -> str:
+    """Return the prediction in words, which repeat the quantities as the user wrote them."""
     # Imported here: it takes as long as a prediction.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -206,10 +233,10 @@ def _report(
         file=arguments.file,
         verbose=arguments.verbose,
         numbers=numbers,
-        texts=texts,
-        scans=scans,
-        reading_notes=[note for note in notes if not note.startswith(TAKE_CARE)],
-        cautions=[note for note in notes if note.startswith(TAKE_CARE)],
+        texts={name: inputs.quantities[name].text for name in CONTACT_QUANTITIES},
+        scans=inputs.spectrum.scans,
+        reading_notes=[note for note in inputs.notes if not note.startswith(TAKE_CARE)],
+        cautions=[note for note in inputs.notes if note.startswith(TAKE_CARE)],
         meanings=meanings,
         change_that_matters=MAX_NEGLIGIBLE_CHANGE,
         confidence=Study().inference.confidence,

@@ -60,7 +60,7 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
 
     The numbers are those of edges and forces, by name.
     """
-    found = [
+    possible_cautions = [
         _blind_scans(data),
         *_defects(data.spectra, MISLEADING_DEFECTS, grave=True),
         *_reading(data.spectra),
@@ -84,8 +84,8 @@ def cautions(data: Datasets, numbers: Mapping[str, Number]) -> list[Caution]:
         _tail(data),
         _long_waves(data),
     ]
-    known = [caution for caution in found if caution is not None]
-    return sorted(known, key=lambda caution: not caution.grave)
+    surface_cautions = [caution for caution in possible_cautions if caution is not None]
+    return sorted(surface_cautions, key=lambda caution: not caution.grave)
 
 
 def _blind_scans(data: Datasets) -> Caution | None:

@@ -1,6 +1,7 @@
 """The question as a picture: spectra of all surfaces, and one scan without short or long waves."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import matplotlib as mpl
 import numpy as np
@@ -18,7 +19,6 @@ from hardcontact.report.figures.values import mean_free_heights, published_edge
 from hardcontact.surfaces.filters import filtered_series, interpolate
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 
-REMOVED = {"small": "below", "large": "above"}  # waves of each side of the band
 BAND_LOOK: style.Look = {"color": "0.4", "alpha": 0.2, "lw": 0}
 SCAN_LOOK: style.Look = {"ls": "none", "ms": 3, "mfc": "white", "mew": 0.8}
 ARTIFICIAL_LINE: style.Look = {"ls": (0, (2, 1.2)), "marker": "", "lw": 1.0}
@@ -30,30 +30,39 @@ PROFILE_LOOKS: tuple[style.Look, ...] = (  # no surface has the colours of the l
 SPHERE_LOOK: style.Look = {"color": style.SPHERE_COLOUR, "lw": 1.4, "ls": "-."}
 SCALE_BAR = 500  # nm
 MAP_COLOURS = mpl.colormaps["viridis"].resampled(20)  # few colours halve the SVG
-#: Smaller densities (nm⁴) are zero but for rounding: the spectrum ends there.
-SMALLEST_DENSITY = 1e-12
-SHOWN_DECADES = 14  # of the densities
+#: Smaller values of a spectrum (nm⁴) are zero but for rounding: the spectrum ends there.
+MIN_SPECTRUM = 1e-12
+SHOWN_DECADES = 14  # of the spectra
+
+
+class ScanMaps(NamedTuple):
+    """Heights (nm) of one scan, with all waves and without those on one side of a band."""
+
+    whole: np.ndarray
+    without_shorter: np.ndarray
+    without_longer: np.ndarray
 
 
 def draw(topography: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) the spectra of all surfaces, (b-d) maps of one scan, (e) their profiles."""
     band = [published_edge(published_constants, side) for side in ("small", "large")]
-    figure, ((spectra,), maps, (profiles,)) = drawing.create_rows(
+    figure, ((spectrum_axes,), map_axes, (profile_axes,)) = drawing.create_rows(
         7.4, topography, (2.3, [1]), (2.1, [1, 1, 1]), (1.4, [1])
     )
-    _draw_spectra(spectra, topography, scales, band)
+    _draw_spectra(spectrum_axes, topography, scales, band)
     surface = topography.attrs["reference_surface"]
     scan = topography.sel(surface=surface)
-    heights = filtered_heights(scan, band)
-    _draw_maps(maps, scan, heights)
+    maps = filtered_heights(scan, band)
+    titles = map_titles(band)
+    _draw_maps(map_axes, scan, maps, titles)
     radius, colour = scales.attrs["sphere_radius"], _surface_looks(topography)[surface]["color"]
-    _draw_profiles(profiles, scan, heights, radius, colour)
+    _draw_profiles(profile_axes, scan, maps, titles, radius, colour)
     style.legend_above(figure, _legend_handles(topography, band))
     return figure
 
 
-def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> dict[str, np.ndarray]:
-    """Return the heights (nm) of a scan: whole, without waves below and above a band (nm).
+def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> ScanMaps:
+    """Return the maps of a scan with all waves, and without those below and above a band (nm).
 
     Waves are those of the scan and its mirror images, on pixels that resolve the short end.
     """
@@ -61,11 +70,16 @@ def filtered_heights(scan: xr.Dataset, band: Sequence[float]) -> dict[str, np.nd
     stitched = mirror_stitch(HeightMap(heights, scan["scan_size"].item() / len(heights)))
     pixels = max(stitched.pixels, 2 * int(stitched.size / band[0]) + 4)
     surface = interpolate(stitched, pixels)
-    maps = {"whole": surface.heights}
-    for side, cutoff in zip(REMOVED, band, strict=True):
-        (filtered,) = filtered_series(surface, side, [cutoff], pixels)
-        maps[f"without waves {REMOVED[side]} {format_length(cutoff)}"] = filtered.heights
-    return {title: values[: pixels // 2, : pixels // 2] for title, values in maps.items()}
+    (without_shorter,) = filtered_series(surface, "small", [band[0]], pixels)
+    (without_longer,) = filtered_series(surface, "large", [band[1]], pixels)
+    surfaces = (surface, without_shorter, without_longer)
+    return ScanMaps(*(part.heights[: pixels // 2, : pixels // 2] for part in surfaces))
+
+
+def map_titles(band: Sequence[float]) -> list[str]:
+    """Return the title of each of the `ScanMaps` for a band (nm)."""
+    short, long = (format_length(edge) for edge in band)
+    return ["whole", f"without waves below {short}", f"without waves above {long}"]
 
 
 def _surface_looks(topography: xr.Dataset) -> dict[str, style.Look]:
@@ -83,12 +97,13 @@ def _draw_spectra(
     shortest, longest = scales["transition"].sel(side=["small", "large"]).values
     is_artificial = (wavelengths < shortest) | (wavelengths > longest)
     for surface, look in _surface_looks(topography).items():
-        spectra = topography.sel(surface=surface)
-        density = spectra["spectrum"].where(spectra["spectrum"] > SMALLEST_DENSITY)
+        surface_topography = topography.sel(surface=surface)
+        spectrum = surface_topography["spectrum"].where(lambda values: values > MIN_SPECTRUM)
+        scan_spectrum = surface_topography["psd_isotropic"].mean("scan")
         line: style.Look = look | {"marker": ""}
-        axes.plot(wavelengths, density.where(~is_artificial), **line)
-        axes.plot(wavelengths, density, **look | ARTIFICIAL_LINE)
-        axes.plot(wavelengths, spectra["psd_isotropic"].mean("scan"), **look | SCAN_LOOK)
+        axes.plot(wavelengths, spectrum.where(~is_artificial), **line)
+        axes.plot(wavelengths, spectrum, **look | ARTIFICIAL_LINE)
+        axes.plot(wavelengths, scan_spectrum, **look | SCAN_LOOK)
     axes.axvspan(*band, zorder=0, **BAND_LOOK)
     shown = scales["unfiltered_wavelength"].values
     axes.set(xscale="log", yscale="log", xlabel="wavelength (nm)", ylabel="isotropic PSD (nm⁴)")
@@ -100,12 +115,12 @@ def _draw_spectra(
     style.label_panel(axes, "a", "power spectral densities")
 
 
-def _draw_maps(row: np.ndarray, scan: xr.Dataset, heights: dict[str, np.ndarray]) -> None:
+def _draw_maps(row: np.ndarray, scan: xr.Dataset, maps: ScanMaps, titles: Sequence[str]) -> None:
     """Map the heights on one scale, with a bar of SCALE_BAR and the line of the profiles."""
     size = scan["scan_size"].item()
-    ends = {"vmin": heights["whole"].min(), "vmax": heights["whole"].max()}
-    for axes, letter, (title, values) in zip(row, "bcd", heights.items(), strict=True):
-        image = axes.imshow(values, cmap=MAP_COLOURS, extent=(0, size, size, 0), **ends)
+    height_range = {"vmin": maps.whole.min(), "vmax": maps.whole.max()}
+    for axes, letter, heights, title in zip(row, "bcd", maps, titles, strict=True):
+        image = axes.imshow(heights, cmap=MAP_COLOURS, extent=(0, size, size, 0), **height_range)
         axes.axhline(size / 2, color="white", lw=0.7, ls=":")
         start = 0.05 * size
         axes.plot([start, start + SCALE_BAR], [0.93 * size] * 2, color="white", lw=2.5)
@@ -117,15 +132,15 @@ def _draw_maps(row: np.ndarray, scan: xr.Dataset, heights: dict[str, np.ndarray]
 
 
 def _draw_profiles(
-    axes: Axes, scan: xr.Dataset, heights: dict[str, np.ndarray], radius: float, colour: str
+    axes: Axes, scan: xr.Dataset, maps: ScanMaps, titles: Sequence[str], radius: float, colour: str
 ) -> None:
     """Draw the heights along the middle of each map, and the smooth sphere (nm) that touches it."""
-    for look, (title, values) in zip(PROFILE_LOOKS, heights.items(), strict=True):
-        x = (0.5 + np.arange(len(values))) * scan["scan_size"].item() / len(values)
+    for look, heights, title in zip(PROFILE_LOOKS, maps, titles, strict=True):
+        x = (0.5 + np.arange(len(heights))) * scan["scan_size"].item() / len(heights)
         line: style.Look = {"color": colour} | look
-        axes.plot(x, values[len(values) // 2], label=title, **line)
+        axes.plot(x, heights[len(heights) // 2], label=title, **line)
     parabola = (x - x.mean()) ** 2 / (2 * radius)
-    profile = heights["whole"][len(x) // 2]
+    profile = maps.whole[len(x) // 2]
     label = f"smooth sphere, radius {format_length(radius)}"
     axes.plot(x, parabola + (profile - parabola).max(), **SPHERE_LOOK, label=label)
     axes.set(xlabel="position (nm)", ylabel="height (nm)", xlim=(0, scan["scan_size"].item()))
