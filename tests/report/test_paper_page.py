@@ -130,7 +130,7 @@ def test_main_findings_repeat_the_claims(page):
     rows = [[plain(cell) for cell in row] for row in page.rows if len(row) == 5][1:]
     for cells, claim_id in zip(rows[: len(ids)], ids, strict=True):
         claim = table.loc[claim_id]
-        assert (cells[0], cells[-1]) == (claim["statement"], claim["verdict"])
+        assert cells[0].startswith(claim["statement"]) and cells[-1] == claim["verdict"]
     assert len(ids) >= 10
 
 

@@ -1,7 +1,7 @@
 """Pull-off of a pair of scans: rigid and plastic, at every range, at several loads.
 
-Eq. 2 of the paper gives the attraction of a pixel at the gap g as (W/rho) exp(-g/rho) A_pix. Totals
-are sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces.
+A pixel at the gap g attracts with the pressure (W/rho) exp(-g/rho), Eq. 2 of the paper. Totals are
+sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces, Eq. 3.
 """
 
 import math

@@ -48,9 +48,9 @@ def error_of_second_minimum(fit: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def strength_over_casimir(paper: xr.Dataset) -> xr.Dataset:
-    """Return the largest pressure of Eq. 1 relative to that between ideal metals (no dimensions).
+    """Return the largest pressure of Eq. 2 relative to that between ideal metals (no dimensions).
 
-    The pressure of Eq. 1 is that at the published pair. Ideal metals at the gap d attract with
+    The pressure of Eq. 2 is that at the published pair. Ideal metals at the gap d attract with
     pi² hbar c/(240 d⁴), Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793. The ratio is proportional
     to d⁴ exp(-d/rho), so it is largest at d = 4 rho.
     """
