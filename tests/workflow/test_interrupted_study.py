@@ -103,7 +103,7 @@ def test_a_study_whose_every_write_fails_once_ends_as_one_without_failures(empty
         if run.returncode == 0:
             break
     assert run.returncode == 0, run.stdout
-    failed = {name.replace("+", "/") for name in os.listdir(tmp_path / "failed")}
-    made = {f"results/{path}" for path in paths(empty / "results") if len(path.parts) > 1}
-    assert made <= failed  # The planning process writes the lists of pins.
+    failed_writes = {name.replace("+", "/") for name in os.listdir(tmp_path / "failed")}
+    study_files = {f"results/{path}" for path in paths(empty / "results") if len(path.parts) > 1}
+    assert study_files <= failed_writes  # The planning process writes the lists of pins.
     assert differences_from(probe, empty / "results") == []

@@ -49,9 +49,9 @@ def test_the_page_to_look_at_has_the_numbers_of_the_readme():
     """After a change of results, copy the answer of the full study there and correct README.md."""
     page = Page(PAGE_TO_LOOK_AT.read_text("utf-8"))
     text = " ".join([*page.texts["p"], *(cell for row in page.rows for cell in row)])
-    shown = INTERVAL.findall(text.replace("\N{NO-BREAK SPACE}", " "))
-    printed = INTERVAL.findall(README.read_text("utf-8"))
-    assert len(printed) >= 10
-    for numbers in printed:
-        assert any(all(map(is_rounded, numbers, found)) for found in shown), numbers
+    page_intervals = INTERVAL.findall(text.replace("\N{NO-BREAK SPACE}", " "))
+    readme_intervals = INTERVAL.findall(README.read_text("utf-8"))
+    assert len(readme_intervals) >= 10
+    for numbers in readme_intervals:
+        assert any(all(map(is_rounded, numbers, row)) for row in page_intervals), numbers
     assert PAGE_TO_LOOK_AT.stat().st_size <= 1_000_000

@@ -40,9 +40,9 @@ from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.height_map import HeightMap, flatten, require_map
 from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum, joined_spectrum, reliable_spectrum
+from hardcontact.surfaces.refused_file import RefusedFile
 from hardcontact.surfaces.scan_defects import examine
 from hardcontact.surfaces.scan_heights import map_values, unit_in_nm
-from hardcontact.surfaces.scans import RefusedFile
 from hardcontact.surfaces.scans import read_scan as read_any_scan
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds

@@ -29,7 +29,7 @@ from hardcontact.own.inventory import (
     printed_table,
     table_rows,
 )
-from hardcontact.own.proposal import Choice, Proposal, propose, refuse_unreliable
+from hardcontact.own.proposal import Choice, Proposal, propose
 from hardcontact.own.request import (
     ROOT,
     SPHERE,
@@ -41,6 +41,7 @@ from hardcontact.own.request import (
     parse_quantities,
     path_from_root,
 )
+from hardcontact.own.scan_cautions import refuse_unreliable
 
 
 def main() -> int:

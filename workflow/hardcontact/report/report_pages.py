@@ -69,7 +69,8 @@ def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     """Return the facts about claims that templates show.
 
-    `claims` has rows by their ids, with printed numbers, and `counts` rows of `verdicts.summary`.
+    `claims` has rows by their ids, with printed numbers, `contradicted` those of independent
+    findings that are not reproduced, and `counts` rows of `verdicts.summary`.
     The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
     only with the paper's pixels.
     """
@@ -77,6 +78,11 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
     return {
         "claims": facts,
+        "contradicted": [
+            row
+            for row in facts.values()
+            if (row["kind"], row["verdict"]) == ("independent", "not reproduced")
+        ],
         "counts": summary(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         "without_scan": sum(

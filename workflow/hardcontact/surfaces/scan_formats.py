@@ -20,6 +20,7 @@ from SurfaceTopography.IO import AscReader, GWYReader, XYZReader
 
 from hardcontact.surfaces.containers import container_entries, find_entry
 from hardcontact.surfaces.plain_text import POINT_COLUMNS, readable_text
+from hardcontact.surfaces.refused_file import RefusedFile
 from hardcontact.surfaces.scan_heights import (
     MAX_ASPECT_DEVIATION,
     TAKE_CARE,
@@ -29,7 +30,6 @@ from hardcontact.surfaces.scan_heights import (
     stated_tip_radius,
     unit_in_nm,
 )
-from hardcontact.surfaces.scans import RefusedFile
 from hardcontact.surfaces.unread_files import OTHER_KINDS, describe_unread, kind_in_words
 
 #: Modules that readers import while they read.

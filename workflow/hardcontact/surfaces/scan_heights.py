@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.base.formatting import format_length, format_share
-from hardcontact.surfaces.scans import RefusedFile
+from hardcontact.surfaces.refused_file import RefusedFile
 
 Floats = NDArray[np.float64]
 

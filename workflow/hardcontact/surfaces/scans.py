@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.refused_file import RefusedFile
 
 #: The largest file in bytes: four times a map of 8192 x 8192 pixels in single precision.
 MAX_FILE_BYTES = 2**30
@@ -40,10 +41,6 @@ MAX_WAIT = 600
 MASKS = ("keep", "exclude")
 #: The longest message in characters.
 MAX_MESSAGE = 2000
-
-
-class RefusedFile(Exception):
-    """A file that cannot be used; the text names what was expected and what was found."""
 
 
 def read_scan(

@@ -1,0 +1,133 @@
+"""What the owner of scans should know of them before a study: cautions, and refusals."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from hardcontact.base.formatting import format_length, format_quantity
+from hardcontact.config.faults import refuse_lines
+from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
+from hardcontact.own.contact_scans import WindowChoice
+from hardcontact.own.inventory import Entry, entries_by_surface, entry_contradiction_lines
+from hardcontact.own.request import one_pixel_touches
+from hardcontact.surfaces.scan_defects import defect_sentence
+from hardcontact.surfaces.scan_heights import split_notes
+from hardcontact.surfaces.spectrum import MIN_BINS
+
+#: The share of the force on a smooth sphere that the window should hold.
+MIN_WINDOW_SHARE = 0.99
+#: Share of undefined pixels from which the user is told how they are filled.
+MANY_UNDEFINED = 0.05
+
+
+def refuse_unreliable(entries: Sequence[Entry]) -> None:
+    """Refuse surfaces with too few reliable wavelengths for a spectrum.
+
+    Raises ValueError with a line for each surface, and for each defect of its scans, a possible
+    cause.
+    """
+    faults = []
+    for surface, scans in entries_by_surface(entries).items():
+        count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
+        if count < MIN_BINS:
+            bands = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
+            faults.append(
+                f"{surface}: expected scans that are reliable in at least {MIN_BINS} bins of "
+                f"wavelengths (ten a decade from 0.1 nm to 100 µm), found {count}: {bands}; "
+                "add one of another size"
+            )
+            faults += [
+                f"{scan.name}: expected a sound scan, found: {defect_sentence(code, numbers)}"
+                for scan in scans
+                for code, numbers in scan.defects.items()
+            ]
+    refuse_lines(faults)
+
+
+def scan_cautions(
+    entries: Sequence[Entry],
+    substrates: Sequence[Entry],
+    usual_range: float,
+    window: WindowChoice,
+    search_sizes: Mapping[str, float],
+) -> Iterator[str]:
+    """Yield sentences on all scans, and on contacts on those of substrates.
+
+    The usual range and the sizes that the sphere searches for summits, by surface, are in nm.
+    """
+    yield from _reading_cautions(entries)
+    yield from _contact_cautions(substrates, usual_range, window, search_sizes)
+    yield from (f"{scan.name}: reliable {scan.band}" for scan in substrates if scan.is_blind)
+    yield from entry_contradiction_lines(entries)
+    yield from _filling_cautions(entries)
+
+
+def _reading_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a sentence on each defect of a scan, then the cautions of its reader."""
+    for entry in entries:
+        for code, numbers in entry.defects.items():
+            yield f"{entry.name}: {defect_sentence(code, numbers)}"
+        if "curvature" in entry.defects and entry.source.sphere_radius is not None:
+            yield _radius_question(entry, entry.source.sphere_radius)
+    for entry in entries:
+        _, cautions = split_notes(entry.notes)
+        yield from (f"{entry.name}: {line}" for line in cautions)
+
+
+def _radius_question(entry: Entry, stated_radius: float) -> str:
+    """Return a question about the stated radius (nm) of a sphere that leaves its scan curved.
+
+    The defect has no sign: a sphere that is smaller or, with less curvature, larger leaves it.
+    """
+    remaining = 1 / entry.defects["curvature"]["curvature_radius"]
+    curvatures = (1 / stated_radius + remaining, 1 / stated_radius - remaining)
+    radii = " or ".join(
+        format_quantity(1 / value, "nm", digits=2) for value in curvatures if value > 0
+    )
+    return (
+        f"{entry.name}: --radius {format_length(stated_radius)} contradicts this scan of the "
+        f"sphere, whose curvature is that of a radius of {radii}: which is right?"
+    )
+
+
+def _contact_cautions(
+    substrates: Sequence[Entry],
+    usual_range: float,
+    window: WindowChoice,
+    search_sizes: Mapping[str, float],
+) -> Iterator[str]:
+    """Yield sentences on contacts on these scans; the usual range and the sizes are in nm."""
+    contact = window.contact
+    if contact.range > usual_range:
+        yield (
+            f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
+            f"it is {window.range_reason}"
+        )
+    share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
+    if share < MIN_WINDOW_SHARE:
+        yield (
+            f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
+            "show too little of what the sphere feels, and forces come out too low"
+        )
+    yield from one_pixel_touches(contact.area, [scan.pixel_size for scan in substrates])
+    for surface, search_size in search_sizes.items():
+        size = min(scan.size for scan in substrates if scan.source.surface == surface)
+        low, high = finite_scan_ratio(size, search_size)
+        if high > 1:
+            yield (
+                f"{surface}: the sphere finds its highest summits within some "
+                f"{format_length(search_size)}. Scans of {LARGE_ENOUGH:g} times this size are "
+                f"large enough, these are {format_length(size)} wide: forces come out {low:g} to "
+                f"{high:g} times too high"
+            )
+
+
+def _filling_cautions(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a sentence on each scan with many undefined pixels."""
+    for entry in entries:
+        if entry.undefined_share > MANY_UNDEFINED:
+            yield (
+                f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and "
+                "filled with heights smoother than the surface"
+            )
