@@ -8,19 +8,24 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.report.artificial import (
+from hardcontact.report.figures.values import mean_free_heights
+from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.own_surfaces.artificial import (
     MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,
     shown_octaves,
     split_measurements,
 )
-from hardcontact.report.cautions import Caution, cautions
-from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
-from hardcontact.report.figures.values import mean_free_heights
-from hardcontact.report.notes import note, substitutes_note
-from hardcontact.report.own_comparison import comparison_numbers
-from hardcontact.report.own_edges import (
+from hardcontact.report.own_surfaces.cautions import Caution, cautions
+from hardcontact.report.own_surfaces.comparison import comparison_numbers
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
+    Setting,
+    preferred_model,
+    tabor_number,
+)
+from hardcontact.report.own_surfaces.edges import (
     EDGES,
     Measurement,
     Verdict,
@@ -28,7 +33,7 @@ from hardcontact.report.own_edges import (
     next_measurements,
     surface_verdict,
 )
-from hardcontact.report.own_forces import (
+from hardcontact.report.own_surfaces.forces import (
     fit_numbers,
     force_numbers,
     measured_numbers,
