@@ -90,6 +90,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             assumed=setting.of_paper,
             fit=fit_text if len(surfaces) > 1 else "",
         ),
+        "verdicts": [],
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
         "changed": [],
         "assumed": list(setting.of_paper),

@@ -77,6 +77,7 @@ def paper_answer(
         "effort": "quick" if facts["coarse"] else configuration["effort"],
         "kind": "paper",
         "headline": rendered_lines("paper_headline.txt", changed=changed, **facts),
+        "verdicts": [] if changed else rendered_lines("paper_verdicts.txt", **facts),
         "contact": contact,
         "changed": changed,
         "assumed": [],
