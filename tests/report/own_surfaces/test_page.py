@@ -156,7 +156,7 @@ def test_the_headline_says_which_force_is_which():
     ],
 )
 def test_the_headline_says_whether_range_and_work_are_the_paper_s(paper_values, words_on_force):
-    headline = own_answer(datasets(), setting()._replace(of_paper=paper_values))["headline"]
+    headline = own_answer(datasets(), setting()._replace(assumed=paper_values))["headline"]
     assert words_on_force in headline[1]
 
 
