@@ -131,6 +131,7 @@ def test_main_findings_repeat_the_claims(page):
     for cells, claim_id in zip(rows[: len(ids)], ids, strict=True):
         claim = table.loc[claim_id]
         assert cells[0].startswith(claim["statement"]) and cells[-1] == claim["verdict"]
+        assert cells[2].endswith(claim["number"])
     assert len(ids) >= 10
 
 
