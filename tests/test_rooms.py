@@ -17,14 +17,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: raises one says what a user gets for it.
 BUDGET = {
     "base": 753,
-    "surfaces": 3437,
+    "surfaces": 3431,
     "contact": 1385,
     "inference": 1588,
-    "theory": 647,
-    "paper": 1463,
+    "theory": 639,
+    "paper": 1459,
     "config": 2364,
-    "own": 2146,
-    "report": 3409,
+    "own": 2138,
+    "report": 3408,
     "api": 215,
 }
 NO_CODE = {

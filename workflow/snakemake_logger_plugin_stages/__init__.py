@@ -142,7 +142,7 @@ class LogHandler(LogHandlerBase):
         """Return the number of finished jobs, and the remaining time from the costs of jobs.
 
         The table of costs weighs as much as a PRIOR_SHARE of the run: finished jobs alone leave out
-        what the unfinished ones have done, which is most of the work at first.
+        the work of unfinished ones, which is most of it at first.
         """
         planned, finished = self._cost(self._planned), self._cost(self._done)
         prior = PRIOR_SHARE * planned

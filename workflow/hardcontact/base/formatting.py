@@ -33,7 +33,7 @@ def format_number(value: float, digits: int = 3) -> str:
 
 
 def known_digits(value: float, low: float, high: float) -> int:
-    """Return how many digits of a number are known: three if its interval is narrow, else two."""
+    """Return the number of known digits: three if the interval is narrow, else two."""
     return 3 if high - low < NARROW_INTERVAL * abs(value) else 2
 
 

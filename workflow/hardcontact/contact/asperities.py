@@ -95,9 +95,9 @@ def _half_width(distance: Floats, profile: Floats, share: float) -> int:
 
 
 def _distance_from_centre(profile: Floats) -> Floats:
-    """Return the distance in pixels of each place (n,) from the centre of a profile of force."""
-    place = np.arange(len(profile))
-    return np.asarray(place - profile @ place / profile.sum())
+    """Return the distance in pixels of each pixel (n,) from the centre of a profile of force."""
+    position = np.arange(len(profile))
+    return np.asarray(position - profile @ position / profile.sum())
 
 
 def asperities_of_pair(
@@ -107,7 +107,7 @@ def asperities_of_pair(
     share: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
-    """Return which asperities carry the force of some plastic contacts.
+    """Return the sizes of the asperities that carry the force of some plastic contacts.
 
     The indices (contact, 2) are row and column in the array of contacts; ranges of adhesion are in
     nm. Returns the variables of ASPERITY_UNITS (contact, rho).

@@ -45,12 +45,12 @@ class Tiles:
         """
         count = self.maxima.shape[0]
         start = positions - window // 2
-        first = self._tile_number(start)
-        last = self._tile_number(start + window - 1)
-        tile = first[..., None] + np.arange((last - first).max() + 1)
-        index = tile % count
-        offset = tile // count * self.pixels + index * TILE - positions[..., None]
-        return offset, index, tile <= last[..., None]
+        first_tile = self._tile_number(start)
+        last_tile = self._tile_number(start + window - 1)
+        tiles = first_tile[..., None] + np.arange((last_tile - first_tile).max() + 1)
+        index = tiles % count
+        offset = tiles // count * self.pixels + index * TILE - positions[..., None]
+        return offset, index, tiles <= last_tile[..., None]
 
     def _tile_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
         """Return the number of the tile of a pixel along one axis, counted on over periods."""
@@ -146,9 +146,9 @@ class _Windows:
         """Return the bounds (contact, group), groups numbered by rows within the window."""
         contacts, axes, tiles = self.low.shape
         low = self.low.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
-        first = self.index[:, :, ::GROUP]
+        groups = self.index[:, :, ::GROUP]
         bounds = low[:, 0, :, None] + low[:, 1, None, :]
-        bounds -= self.substrate.group_maxima[first[:, 0, :, None], first[:, 1, None, :]]
+        bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
         if self.roughness is not None:
             bounds -= self.roughness.maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))

@@ -276,7 +276,7 @@ def _decisive_scans(
 
 
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
-    """Return whether not all scans of the other body, if any, have more power at a wavelength."""
+    """Return whether a scan of the other body has no more power at a wavelength, or none exists."""
     index = nearest_bin(wavelength)
     exceeds = [other.density[index] > scan.density[index] for other in others]
     return not (exceeds and all(exceeds))

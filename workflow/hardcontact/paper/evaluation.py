@@ -26,11 +26,7 @@ from hardcontact.paper.selection import (
     parse_selection,
     select_number,
 )
-from hardcontact.paper.verdicts import (
-    accepted_range,
-    interval_with_sets,
-    replicas_vary,
-)
+from hardcontact.paper.verdicts import accepted_range, interval_with_sets, replicas_vary
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Functions of one or several datasets, which claims name.
@@ -123,7 +119,7 @@ def evaluate(
 
 
 class _Common(NamedTuple):
-    """What all claims are judged with, as for `evaluate`."""
+    """The inputs with which all claims are judged, as for `evaluate`."""
 
     topography: xr.Dataset
     constants: pd.DataFrame
