@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.random import generator
-from hardcontact.contact.all_surfaces import add_spectrum_shifts, stacked_forces
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.stacked_datasets import add_spectrum_shifts, stacked_forces
 from hardcontact.inference.edges import edges_of_scans
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.mean_forces import Masters

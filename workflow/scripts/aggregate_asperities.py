@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import read_all, stack
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import add_names
+from hardcontact.contact.stacked_datasets import add_names
 
 with job(snakemake) as job:
     params = job.parameters

@@ -1,7 +1,7 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import (
+from hardcontact.contact.stacked_datasets import (
     add_names,
     add_spectrum_shifts,
     add_transitions,

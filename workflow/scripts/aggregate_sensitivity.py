@@ -4,7 +4,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import concatenate, read, read_all
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import add_names
+from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.mean_forces import fewest_places
 from hardcontact.inference.octaves import band_ratios_by_surface, sensitivities_by_surface

@@ -4,7 +4,7 @@ import xarray as xr
 
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.all_surfaces import add_names, read_masters
+from hardcontact.contact.stacked_datasets import add_names, read_masters
 from hardcontact.inference.enhancement import edges_by_contact
 from hardcontact.inference.scaling import edge_exponents, force_exponent
 

@@ -111,7 +111,8 @@ class LogHandler(LogHandlerBase):
         """Show a job that failed, unless the study has shown why the cluster ended it."""
         if not fields["rule_msg"] and not fields["indent"]:
             logs = ", ".join(filter(os.path.isfile, fields["log"]))
-            self._say(f"Error in rule {fields['rule_name']}" + f": see {logs}" * bool(logs))
+            see = f": see {logs}" if logs else ""
+            self._say(f"Error in rule {fields['rule_name']}{see}")
 
     def _show_error(self, record: LogRecord, exception: str) -> None:
         """Show an error in one line, unless it repeats the failure of a job, which has a line."""

@@ -18,11 +18,11 @@ from hardcontact.surfaces.height_map import HeightMap
 Floats = NDArray[np.float64]
 
 #: Pixels along a side of a tile, tiles along a side of a group, tiles that are read at once, and
-#: contacts that are searched at once.
+#: contacts that are searched at once. They change the time alone.
 TILE = 32
 GROUP = 16
 BATCH = 256
-CONTACTS = 50
+CONTACT_BATCH = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -283,11 +283,11 @@ def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int,
     numbers = range(len(geometry.positions))
     places = [(i, j) for i in numbers for j in numbers]
     positions = geometry.positions[np.array(places)]
+    starts = range(0, len(places), CONTACT_BATCH)
+    batches = [positions[start : start + CONTACT_BATCH] for start in starts]
     contacts = [
         contact
-        for start in range(0, len(places), CONTACTS)
-        for contact in lowest_gaps(
-            substrate, roughness, geometry, positions[start : start + CONTACTS], contact_pixel_count
-        )
+        for batch in batches
+        for contact in lowest_gaps(substrate, roughness, geometry, batch, contact_pixel_count)
     ]
     return dict(zip(places, contacts, strict=True))

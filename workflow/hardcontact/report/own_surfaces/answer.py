@@ -10,7 +10,7 @@ from hardcontact.base.number import Number
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,

@@ -14,7 +14,7 @@ from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.inference.curve_edges import RIPPLES
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
     measurement_name,
     measurements,

@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.inference.edges import computed_cutoffs
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     classify_edge,
     fails_hindcast,

@@ -19,7 +19,7 @@ from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.figures.values import mean_free_heights, value_and_interval
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     fails_hindcast,
     measurement_name,
