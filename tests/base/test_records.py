@@ -12,14 +12,7 @@ from repository import PAPER, merged, run_snakemake
 from studies import TINY_PATTERNS, TINY_SOURCES
 
 from hardcontact.base import dataset
-from hardcontact.base.origin import (
-    Origin,
-    canonical,
-    digest,
-    digests,
-    keep_records,
-    record_path,
-)
+from hardcontact.base.origin import Origin, canonical, digest, digests, keep_records, record_path
 from hardcontact.base.verification import check, traced_records
 from hardcontact.own import new
 from hardcontact.own.verify import verify, verify_arguments

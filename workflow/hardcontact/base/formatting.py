@@ -33,7 +33,7 @@ def format_number(value: float, digits: int = 3) -> str:
 
 
 def known_digits(value: float, low: float, high: float) -> int:
-    """Return how many digits of a number are known: three if its interval is narrow, else two."""
+    """Return the number of known digits: three if the interval is narrow, else two."""
     return 3 if high - low < NARROW_INTERVAL * abs(value) else 2
 
 
@@ -59,8 +59,8 @@ def _format(
     )
     if any(map(math.isnan, interval)):
         return f"{number} {name}".rstrip()
-    low += " or less" * (open_end == "low")
-    high += " or more" * (open_end == "high")
+    low += " or less" if open_end == "low" else ""
+    high += " or more" if open_end == "high" else ""
     return _bracketed(number, low, high, name)
 
 

@@ -13,7 +13,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.own.command_line import CommandLine
 from hardcontact.own.output import output_faults, write_output
 from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
-from hardcontact.report.templates import Frame, rendered, rendered_lines
+from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"
 
@@ -45,11 +45,11 @@ def compare(arguments: Namespace) -> str:
         names = [arguments.first, arguments.second]
     facts = {"studies": names, "digits": EQUAL_DIGITS, **compare_answers(*answers)._asdict()}
     if arguments.html is not None:
-        page = rendered("compare.html", Frame(version("hardcontact")), "comparison", **facts)
+        page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":
             return page
         write_output(arguments.html, page)
-    return "\n".join(_aligned(rendered_lines("compare.txt", **facts)))
+    return "\n".join(_aligned(render_lines("compare.txt", **facts)))
 
 
 def _answer_path(path: str) -> str:
