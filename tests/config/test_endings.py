@@ -21,7 +21,7 @@ from hardcontact.config import endings
     [
         (
             ["answer.html", "answer.json"],
-            ["Band 1 to 2 nm.", "Take care.", "The answer is made: open answer.html"],
+            ["Band 1 to 2 nm.", "One holds.", "Take care.", "The answer is made: open answer.html"],
         ),
         (["other.nc"], []),
     ],
@@ -31,7 +31,8 @@ def test_a_run_ends_with_its_headline_and_the_page_to_open(
 ):
     monkeypatch.chdir(tmp_path)
     Path("answer.json").write_text(
-        '{"headline": ["Band 1 to 2 nm."], "notes": [{"grave": true, "text": "Take care."}, '
+        '{"headline": ["Band 1 to 2 nm."], "verdicts": ["One holds."], '
+        '"notes": [{"grave": true, "text": "Take care."}, '
         '{"grave": false, "text": "Less so."}]}'
     )
     caplog.set_level(logging.INFO, endings.logger.name)

@@ -16,7 +16,7 @@ from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.selection import WITHOUT_SCAN
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_answer import ANSWER_CLAIMS
+from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 
 PAGES = read_yaml("workflow/report/pages.yaml")
 

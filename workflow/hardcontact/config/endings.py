@@ -22,7 +22,7 @@ def log_answer(workflow: Any, page: str) -> None:
         answer = Path(page).with_name("answer.json")
         content = json.loads(answer.read_text("utf-8"))
         grave_notes = [note["text"] for note in content["notes"] if note["grave"]]
-        for line in [*content["headline"], *grave_notes]:
+        for line in [*content["headline"], *content["verdicts"], *grave_notes]:
             logger.info(line)
         logger.info(f"The answer is made: open {page}")
     _stop_looking()

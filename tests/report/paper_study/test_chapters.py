@@ -17,7 +17,9 @@ from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.report_pages import chapter, claim_facts, pages
+from hardcontact.report.paper_study.chapters import convert_chapter
+from hardcontact.report.paper_study.claims import claim_facts
+from hardcontact.report.paper_study.pages import report_pages
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
@@ -56,7 +58,7 @@ def make_pages(table=None, changed=(), **texts):
     """The pages."""
     configuration = PAPER | {"inference": {"confidence": 0.8}}
     table = evaluated() if table is None else table
-    return pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
+    return report_pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
 def test_facts_are_the_claims_with_their_numbers_as_printed():
@@ -155,7 +157,7 @@ def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository()
     parsed_page = Page(page)
     assert parsed_page.texts["h1"] == ["Where the study departs <from> the paper"]
     assert len(parsed_page.texts["li"]) == 2 and "1 &lt; 2" in page and "See the rules and" in page
-    text = chapter(CHAPTER, ["methods", "claims"]).html
+    text = convert_chapter(CHAPTER, ["methods", "claims"]).html
     assert Page(text).values("href") == ["https://doi.org/10.1/x", "methods.html#ends"]
     assert "250\N{NO-BREAK SPACE}µm, but <code>--radius 250 µm" in text
     rows = [[cell.strip() for cell in row] for row in parsed_page.rows]
@@ -164,7 +166,7 @@ def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository()
 
 
 def test_a_formula_is_mathml():
-    html = chapter("# Title\n\nThe mean is\n\n$$\n\\frac{1}{\\rho} < x\n$$\n").html
+    html = convert_chapter("# Title\n\nThe mean is\n\n$$\n\\frac{1}{\\rho} < x\n$$\n").html
     formula = ElementTree.fromstring(re.search("<math.*?</math>", html)[0])
     assert formula.attrib == {"display": "block"}
     assert ["".join(part.itertext()) for part in formula.find(".//{*}mfrac")] == ["1", "ρ"]
@@ -173,12 +175,14 @@ def test_a_formula_is_mathml():
 
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
-    assert_says(refusal(chapter, text), "expected", "'# '", "found")
+    assert_says(refusal(convert_chapter, text), "expected", "'# '", "found")
 
 
 def test_anchors_are_those_of_github():
     """Links of documents lead to the same anchors there and on pages."""
-    (section,) = chapter("# Title\n\n## What's C_iso(q), and a well-known *edge*?\n").sections
+    (section,) = convert_chapter(
+        "# Title\n\n## What's C_iso(q), and a well-known *edge*?\n"
+    ).sections
     assert section[0] == "whats-c_isoq-and-a-well-known-edge"
 
 
@@ -186,8 +190,8 @@ def all_pages():
     """Every page of a study, by its path."""
     texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "workflow/report").glob("*.md")}
     report = make_pages(open_claims(), **texts) | {"figures": make_figures_page()}
-    report_pages = {f"report/{name}.html": page for name, page in report.items()}
-    return report_pages | {"answer.html": make_page()}
+    pages = {f"report/{name}.html": page for name, page in report.items()}
+    return pages | {"answer.html": make_page()}
 
 
 def test_every_page_links_to_all_others_and_no_link_is_dead():
@@ -220,7 +224,7 @@ def test_a_dead_link_is_found():
 
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
 def test_every_chapter_has_a_title_and_unique_anchors(path):
-    page = chapter(path.read_text())
+    page = convert_chapter(path.read_text())
     anchors = [anchor for anchor, _ in page.sections]
     assert page.title and len(anchors) == len(set(anchors))
 
@@ -229,7 +233,7 @@ def test_every_chapter_has_a_title_and_unique_anchors(path):
 def test_every_formula_of_a_chapter_is_mathml(path):
     """An unknown command would keep its backslash."""
     text = path.read_text("utf-8")
-    formulas = re.findall("<math.*?</math>", chapter(text).html)
+    formulas = re.findall("<math.*?</math>", convert_chapter(text).html)
     assert 2 * len(formulas) == text.count("$$")
     assert not [formula for formula in formulas if "\\" in formula or "<merror" in formula]
 
@@ -237,7 +241,7 @@ def test_every_formula_of_a_chapter_is_mathml(path):
 def test_parameters_are_the_whole_configuration_and_every_version():
     versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
     configuration = PAPER | {"store": "a<b>&c"}
-    page = Page(pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
+    page = Page(report_pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
     assert yaml.safe_load(page.texts["pre"][0]) == configuration
     cells = [[cell.strip() for cell in row] for row in page.rows]
     assert cells[1:] == [[name, number] for name, number in versions.items()]

@@ -57,8 +57,7 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
 
 def test_the_page_says_first_what_came_out(page):
     first_words = plain(page.texts["div"][0])
-    assert "The force follows the octaves of 640 to 1280 nm, 320 to 640 nm" in first_words
-    assert first_words.index("The force follows") < first_words.index("independent findings of")
+    assert "% (640 to 1280 nm), " in first_words and "% (320 to 640 nm) or " in first_words
     numbers = numbers_by_name(answer())
     for name in ("first_short_edge", "first_long_edge"):
         edge, published = numbers[name], numbers[f"{name}_published"]
@@ -80,8 +79,8 @@ def test_findings_that_only_larger_pixels_leave_untested_are_told_apart():
     count = summary(table)["independent"].sum()
     expected = f"findings of the paper ({count - 8} without slopes and curvatures"
     assert slopes.sum() == 8
-    assert expected in plain(Page(make_page(table)).texts["div"][0])
-    assert "without slopes" not in plain(Page(make_page()).texts["div"][0])
+    assert expected in " ".join(answer(table)["verdicts"])
+    assert "without slopes" not in " ".join(answer()["verdicts"])
 
 
 def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
@@ -91,8 +90,8 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
     for transition, is_artificial in ((20.0, False), (80.0, True)):
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))
-        (line,) = re.findall("The first coating to change.*?;", plain(page.texts["div"][0]))
-        assert ("from artificial roughness" in line.split(", or ")[0]) == is_artificial, line
+        (line,) = re.findall("Short waves:.*Long waves:", plain(page.texts["div"][0]))
+        assert ("from artificial roughness" in line) == is_artificial, line
         (row,) = [
             row
             for row in page.rows
@@ -127,6 +126,7 @@ def test_main_findings_repeat_the_claims(page):
     table = claims().set_index("id")
     anchors = [link.partition("#")[2] for link in page.values("href")]
     ids = [anchor for anchor in anchors if anchor in table.index]
+    ids = ids[ids.index("band_is_sufficient") :]  # the table, after those not reproduced
     rows = [[plain(cell) for cell in row] for row in page.rows if len(row) == 5][1:]
     for cells, claim_id in zip(rows[: len(ids)], ids, strict=True):
         claim = table.loc[claim_id]
