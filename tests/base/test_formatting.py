@@ -67,8 +67,9 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
         ((59.4975, 47.1, 83.1), "59 47 83"),
         ((0.9, 0.5, 1.4), "0.9 0.5 1.4"),
         ((350.0, 170.0, 710.0), "350 170 710"),
-        # The ends differ by more than ten times: each number has two digits.
+        # The ends differ by more than five times: each number has two digits.
         ((157.0, 22.0, 1045.0), "160 22 1000"),
+        ((88.6, 37.4, 202.0), "89 37 200"),
         ((0.00056, 0.000128, 0.00144), "0.00056 0.00013 0.0014"),
         # The interval contains zero.
         ((0.0877, -0.0912, 0.276), "0.09 -0.09 0.28"),

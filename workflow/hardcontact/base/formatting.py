@@ -33,16 +33,16 @@ def format_interval(value: float, low: float, high: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    have one sign and differ by more than ten times, each number has two digits instead.
+    have one sign and differ by more than five times, each number has two digits instead.
     """
     numbers = (value, low, high)
-    width = high - low
+    finest = high - low
     smallest, _, largest = sorted(map(abs, numbers))
     if low > 0 or high < 0:
-        if largest > 10 * smallest:
+        if largest > 5 * smallest:
             return [format_number(number, 2) for number in numbers]
-        width = min(width, smallest)
-    last_digit = max(width / 5, largest / 1000) or 1
+        finest = min(finest, smallest)
+    last_digit = max(finest / 5, largest / 1000) or 1
     exponent = math.floor(math.log10(last_digit))
     return [f"{round(number, -exponent):z.{max(-exponent, 0)}f}" for number in numbers]
 
