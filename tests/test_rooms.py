@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 753,
+    "base": 755,
     "surfaces": 3437,
     "contact": 1385,
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
     "config": 2364,
-    "own": 2162,
+    "own": 2164,
     "report": 3494,
     "api": 215,
 }
