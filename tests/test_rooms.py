@@ -24,7 +24,7 @@ BUDGET = {
     "paper": 1463,
     "config": 2374,
     "own": 2155,
-    "report": 3494,
+    "report": 3499,
     "api": 215,
 }
 NO_CODE = {
