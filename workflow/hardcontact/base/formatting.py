@@ -33,13 +33,13 @@ def format_interval(value: float, low: float, high: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    have one sign and differ by more than five times, each number has two digits instead.
+    have one sign and differ by more than three times, each number has two digits instead.
     """
     numbers = (value, low, high)
     finest = high - low
     smallest, _, largest = sorted(map(abs, numbers))
     if low > 0 or high < 0:
-        if largest > 5 * smallest:
+        if largest > 3 * smallest:
             return [format_number(number, 2) for number in numbers]
         finest = min(finest, smallest)
     last_digit = max(finest / 5, largest / 1000) or 1
