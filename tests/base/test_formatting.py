@@ -31,7 +31,7 @@ from hardcontact.base.formatting import (
         (3.0, "nm", (0.0, inf), "3 nm [not bounded]"),
         (1.5e-4, "N", (1.2e-7, 7.8e17), "150 µN [not bounded]"),
         (3e-5, "N", (0.5e-6, 72.7e-6), "30 µN [not bounded]"),
-        (3e-5, "N", (1e-6, 99e-6), "30 [1, 99] µN"),
+        (3e-5, "N", (1e-6, 99e-6), "30 [1.0, 99] µN"),
     ],
 )
 def test_a_quantity_has_three_digits_or_those_of_its_interval(value, unit, ends, printed):
@@ -68,6 +68,7 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
         ((0.9, 0.5, 1.4), "0.9 0.5 1.4"),
         # The ends differ by more than three times: each number has two digits.
         ((157.0, 22.0, 1045.0), "160 22 1000"),
+        ((2.8, 0.79, 3.0), "2.8 0.79 3.0"),
         ((88.6, 37.4, 202.0), "89 37 200"),
         ((350.0, 170.0, 710.0), "350 170 710"),
         ((0.00056, 0.000128, 0.00144), "0.00056 0.00013 0.0014"),

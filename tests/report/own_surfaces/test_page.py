@@ -217,8 +217,8 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 @pytest.mark.parametrize(
     ("factor", "advice", "force", "amplitude", "gain"),
     [
-        (1, "Polish", "force", "less", "0.9 [0.4, 1.4] %."),
-        (-1, "Roughen", "force", "more", "0.9 [0.4, 1.4] %."),
+        (1, "Polish", "force", "less", "0.90 [0.40, 1.4] %."),
+        (-1, "Roughen", "force", "more", "0.90 [0.40, 1.4] %."),
         (0.4, "Whether to polish", "force is not certain", "less", "0.4 [-0.1, 0.9] %."),
     ],
 )
