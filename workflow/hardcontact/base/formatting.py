@@ -74,8 +74,8 @@ def _format(
     if any(map(math.isnan, interval)):
         return f"{format_number(value / units[name], digits)} {name}".rstrip()
     number, low, high = format_interval(*(amount / units[name] for amount in (value, *interval)))
-    low += " or less" * (open_end == "low")
-    high += " or more" * (open_end == "high")
+    low += " or less" if open_end == "low" else ""
+    high += " or more" if open_end == "high" else ""
     return _bracketed(number, low, high, name)
 
 
