@@ -16,7 +16,7 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 761,
+    "base": 762,
     "surfaces": 3432,
     "contact": 1385,
     "inference": 1588,

@@ -217,8 +217,8 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 @pytest.mark.parametrize(
     ("factor", "begin", "end", "effect"),
     [
-        (1, "Waves", "matter most", "less amplitude raises the force by 0.90 [0.40, 1.40] %."),
-        (-1, "Waves", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.40] %."),
+        (1, "Waves", "matter most", "less amplitude raises the force by 0.90 [0.40, 1.4] %."),
+        (-1, "Waves", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.4] %."),
         (
             0.4,
             "Whether waves",
