@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 753,
-    "surfaces": 3432,
-    "contact": 1385,
+    "base": 754,
+    "surfaces": 3431,
+    "contact": 1388,
     "inference": 1588,
     "theory": 639,
     "paper": 1459,
-    "config": 2364,
-    "own": 2138,
-    "report": 3408,
+    "config": 2363,
+    "own": 2140,
+    "report": 3407,
     "api": 215,
 }
 NO_CODE = {
