@@ -39,6 +39,7 @@ def claims():
         computed=1.01 * numbers,
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
+        limits=STATEMENTS["basis"],
         accepted_low=0.8 * numbers,
         accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
         frequency=np.where(numbers % 3, 0.58, np.nan),

@@ -11,7 +11,7 @@ from paper_study import CITATION, FRAME, make_figures_page, make_page, open_clai
 from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS
-from hardcontact.report.figures.listing import OWN_FIGURES
+from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
 from hardcontact.report.own_surfaces.answer import own_answer
 from hardcontact.report.own_surfaces.page import own_page
 from hardcontact.report.paper_study.pages import report_pages
@@ -136,6 +136,26 @@ def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_prin
     assert result["opened"] == [True] * 4 + [False] * 2 + [True]
     assert result["menu"] == 0 <= result["below"] < 844
     assert all(result["printed"])
+
+
+#: Returns the links to other files when pictures had time to load.
+LINKS = """
+  await new Promise(resolve => setTimeout(resolve, 500));
+  const links = [...document.querySelectorAll("a[href]")].map(link => link.getAttribute("href"));
+  return links.filter(link => !/^#|^https:/.test(link));
+"""
+
+
+@pytest.mark.parametrize("name", ["answer", "own"])
+def test_page_links_to_other_files_only_beside_its_folder(name, tmp_path):
+    page = page_of(name)
+    links = [tag["href"] for tag in Page(page).attributes["a"] if tag["href"][0] not in "#h"]
+    assert "answer.json" in links
+    assert run_on_page(page, LINKS, tmp_path) == []
+    (tmp_path / "figures").mkdir()
+    for figure in (*PAPER_FIGURES, *OWN_FIGURES):
+        (tmp_path / f"figures/{figure}.svg").write_bytes(svg("#bbb"))
+    assert run_on_page(page, LINKS, tmp_path) == links
 
 
 #: Opens the first figure, then presses Escape.

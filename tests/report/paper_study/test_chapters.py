@@ -31,12 +31,14 @@ def evaluated(**values):
             "id": ["first", "second", "third"],
             "section": ["Table 1", "Results", "Results"],
             "statement": ["The rms height is 3 nm.", "A > B & C.", "It is so."],
+            "number": ["rms height", "ratio", "share"],
             "published": [3.0, np.nan, 0.1],
             "computed": [3.25, 1.5, np.nan],
             "low": [2.75, np.nan, np.nan],
             "high": [3.75, np.nan, np.nan],
             "unit": ["nm", "1", "1"],
             "rule": ["interval", "above", "below"],
+            "limits": ["published", "published", "assumed"],
             "accepted_low": [2.0, 1.0, -np.inf],
             "accepted_high": [4.0, np.inf, 0.2],
             "frequency": [0.87, np.nan, np.nan],
@@ -89,6 +91,7 @@ def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
     [
         ({"basis": "no scan", "verdict": "reproduced"}, 1),
         ({"basis": "no scan", "verdict": "reproduced", "follows_from": "third"}, 0),
+        ({"basis": "no scan; assumed asperities", "verdict": "reproduced"}, 1),
         ({"basis": "no scan"}, 0),
         ({"verdict": "reproduced"}, 0),
     ],
@@ -110,14 +113,27 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     )
     for cells, claim in zip(rows, independent_first, strict=True):
         row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
-        assert_says(row_text, *(claim[name] for name in ("id", "statement", "section", "kind")))
+        names = ("id", "statement", "number", "section", "kind")
+        assert_says(row_text, *(claim[name] for name in names))
     counts = [row for row in page.rows if len(row) == 4][1:]
     assert [row[0].strip() for row in counts] == list(VERDICTS)
     assert all(row[3].strip() for row in counts)
     assert set(table["id"]) <= set(page.values("id"))
 
 
-@pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
+def test_the_page_of_claims_opens_with_what_is_not_reproduced_and_names_limits_of_the_study():
+    table = evaluated(verdict="not reproduced", limits="assumed")
+    page = Page(make_pages(table)["claims"])
+    (item,) = page.texts["li"][-1:]
+    printed = " ".join(item.split())
+    assert_says(printed, "Rms height: paper 3 nm, computed 3.25 [2.75, 3.75] nm.")
+    words = " ".join(page.texts["main"][0].split())
+    assert words.index(printed) < words.index("3 statements of the paper")
+    accepted = [row[2] for row in page.rows if len(row) == 6 and "accepted" in row[2]]
+    assert ["a limit of this study" in text for text in accepted] == [True, False, True]
+
+
+@pytest.mark.parametrize("column", ["section", "statement", "number", "unit", "basis", "note"])
 def test_claims_are_text_not_markup(column):
     page = make_pages(evaluated(**{column: HOSTILE}))["claims"]
     assert page.count("<script") == make_pages()["claims"].count("<script") and "alert(1)" in page
@@ -236,5 +252,5 @@ def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
     page = Page(make_pages(changed=changed)["claims"])
     assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
     (row,) = [row for row in page.rows if "first" in row[0]]
-    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm"
+    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm rms height"
     assert not [text for text in page.values("class") if text.startswith("verdict-")]

@@ -37,8 +37,8 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "counts": summary(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         "without_scan": sum(
-            (row["kind"], row["verdict"], row["basis"])
-            == ("independent", "reproduced", WITHOUT_SCAN)
+            (row["kind"], row["verdict"]) == ("independent", "reproduced")
+            and row["basis"] in WITHOUT_SCAN
             for row in facts.values()
         ),
         "larger_pixels": sum(
