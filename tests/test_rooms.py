@@ -19,7 +19,7 @@ BUDGET = {
     "base": 754,
     "surfaces": 3431,
     "contact": 1388,
-    "inference": 1588,
+    "inference": 1591,
     "theory": 639,
     "paper": 1460,
     "config": 2373,
