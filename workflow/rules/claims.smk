@@ -1,7 +1,7 @@
 # Claims: each statement of the paper beside what was computed.
 
 from hardcontact.paper.evaluation import DATASETS
-from hardcontact.report.changed_inputs import paper_contact
+from hardcontact.report.paper_study.changed_inputs import paper_contact
 
 
 rule evaluate_claims:

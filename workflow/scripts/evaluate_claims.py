@@ -5,7 +5,7 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.evaluation import evaluate, read_statements
 from hardcontact.paper.verdicts import without_verdicts
-from hardcontact.report.changed_inputs import changed_inputs
+from hardcontact.report.paper_study.changed_inputs import changed_inputs
 
 with job(snakemake) as job:
     params = job.parameters
