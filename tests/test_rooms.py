@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 755,
-    "surfaces": 3437,
+    "base": 761,
+    "surfaces": 3432,
     "contact": 1385,
     "inference": 1588,
     "theory": 647,
-    "paper": 1465,
+    "paper": 1463,
     "config": 2374,
-    "own": 2168,
-    "report": 3501,
+    "own": 2159,
+    "report": 3499,
     "api": 215,
 }
 NO_CODE = {

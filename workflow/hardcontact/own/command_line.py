@@ -9,10 +9,10 @@ from hardcontact.config.faults import SIMILARITY
 
 
 class CommandLine(ArgumentParser):
-    """A parser whose options have no short forms, and which knows what a wrong one resembles."""
+    """A parser whose options have no short forms, and which suggests one for a wrong option."""
 
     def __init__(self, command: str, description: str) -> None:
-        """Take the command, and what its help begins with."""
+        """Take the command, and the text with which its help begins."""
         super().__init__(
             command, description=description, formatter_class=RawDescriptionHelpFormatter,
             allow_abbrev=False,

@@ -21,7 +21,7 @@ from hardcontact.report.paper_study.paired_changes import (
     pairing,
 )
 from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
-from hardcontact.report.templates import Frame, rendered, rendered_lines
+from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"
 
@@ -59,11 +59,11 @@ def compare(arguments: Namespace) -> str:
         facts["numbers"] = add_paired_intervals(comparison.numbers, first, second)
         facts["confidence"] = first["sets"].attrs["confidence"]
     if arguments.html is not None:
-        page = rendered("compare.html", Frame(version("hardcontact")), "comparison", **facts)
+        page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":
             return page
         write_output(arguments.html, page)
-    return "\n".join(_aligned(rendered_lines("compare.txt", **facts)))
+    return "\n".join(_aligned(render_lines("compare.txt", **facts)))
 
 
 def _answer_path(path: str) -> str:
