@@ -6,6 +6,7 @@ import math
 import re
 import subprocess
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -68,8 +69,9 @@ def rendered_text(template: str, **facts: Any) -> str:
     return " ".join(rendered_lines(template, **facts))
 
 
+@cache
 def _environment() -> Any:
-    """Return the environment in which templates of pages are rendered."""
+    """Return the environment in which templates of pages are rendered; it compiles each once."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
