@@ -17,7 +17,7 @@ include: "workflow/rules/scales.smk"
 include: "workflow/rules/octaves.smk"
 
 
-if COMPARED:
+if COMPARED_WITH_PAPER:
 
     report: "workflow/report/workflow.rst"
 

@@ -5,8 +5,8 @@ import xarray as xr
 from intervals import between_multiples
 
 from hardcontact.base.statistics import with_interval
-from hardcontact.report.datasets import Datasets, Setting
-from hardcontact.report.own_answer import surface_answers
+from hardcontact.report.own_surfaces.answer import surface_answers
+from hardcontact.report.own_surfaces.datasets import Datasets, Setting
 from hardcontact.surfaces.scan_defects import DEFECT_UNITS
 from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 

@@ -21,10 +21,10 @@ from repository import PAPER, ROOT
 from hardcontact.paper.evaluation import COLUMNS
 from hardcontact.paper.verdicts import VERDICTS, add_open_ends
 from hardcontact.report.figures.listing import PAPER_FIGURES, Caption
-from hardcontact.report.paper_answer import paper_answer
-from hardcontact.report.paper_page import figures_page, paper_page
+from hardcontact.report.paper_study.answer import paper_answer
+from hardcontact.report.paper_study.pages import figures_page, paper_page
+from hardcontact.report.paper_study.table1 import table1_rows
 from hardcontact.report.quantities import answer_text
-from hardcontact.report.table1 import table1_rows
 from hardcontact.report.templates import Frame
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
@@ -39,6 +39,7 @@ def claims():
         computed=1.01 * numbers,
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
+        limits=STATEMENTS["basis"],
         accepted_low=0.8 * numbers,
         accepted_high=np.where(numbers % 2, 1.25 * numbers, np.inf),
         frequency=np.where(numbers % 3, 0.58, np.nan),

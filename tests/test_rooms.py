@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
-    "config": 2364,
+    "config": 2374,
     "own": 2146,
     "report": 3409,
     "api": 215,

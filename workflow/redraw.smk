@@ -15,7 +15,7 @@ include: "rules/common.smk"
 write_pins()
 
 
-if COMPARED:
+if COMPARED_WITH_PAPER:
 
     report: "report/workflow.rst"
 

@@ -15,13 +15,35 @@ def test_the_statements_of_the_paper_are_accepted():
     refuse_claims(ROOT / CLAIMS)
 
 
-@pytest.mark.parametrize("column", TABLE.columns.drop(["section", "statement", "unit", "note"]))
+TEXTS = ["section", "statement", "number", "unit", "note"]
+
+
+@pytest.mark.parametrize("column", TABLE.columns.drop(TEXTS))
 def test_a_stray_character_is_refused_with_its_line_and_column(tmp_path, column):
     path = tmp_path / "claims.csv"
     table = TABLE.copy()
     table.loc[3, column] += "§;"
     table.to_csv(path, index=False)
     assert f"claims.csv: line 5: {column}: expected" in refusal(refuse_claims, path)
+
+
+@pytest.mark.parametrize(
+    ("column", "cell"), [("quantity", "best_eror"), ("quantity", "depth"), ("number", " ")]
+)
+def test_an_unknown_quantity_and_a_number_without_a_name_are_refused(tmp_path, column, cell):
+    """The depth is a variable of the indents, not of the topography in this line."""
+    path = tmp_path / "claims.csv"
+    table = TABLE.copy()
+    table.loc[3, column] = cell
+    table.to_csv(path, index=False)
+    assert f"claims.csv: line 5: {column}: expected" in refusal(refuse_claims, path)
+
+
+def test_the_quantity_of_every_statement_has_a_name():
+    """The name is a short phrase that says more than the statement."""
+    assert TABLE["number"].str.split().str.len().between(2, 12).all()
+    assert not (TABLE["number"] == TABLE["statement"]).any()
+    assert not TABLE["note"].str.contains("The number is the ").any()
 
 
 def test_an_open_quote_is_refused_in_one_line(tmp_path):

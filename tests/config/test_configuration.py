@@ -146,13 +146,13 @@ def test_the_contact_is_described_with_the_quantities_taken_from_the_paper():
         "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "5 GPa",
         "preload": "10 µN", "range of adhesion": "5.6 nm", "work of adhesion": "46 mJ/m²",
     }  # fmt: skip
-    assert configuration.quantities_of_paper(own_configuration) == [
+    assert configuration.assumed_quantities(own_configuration) == [
         "radius of the sphere",
         "preload",
         "range of adhesion",
     ]
     known = own_configuration | {"given": ["preload", "range"]}
-    assert configuration.quantities_of_paper(known) == ["radius of the sphere"]
+    assert configuration.assumed_quantities(known) == ["radius of the sphere"]
 
 
 DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")

@@ -69,7 +69,7 @@ def test_scans_are_made_in_groups_that_share_their_conditioning():
 
 def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
     study = files("scales.realizations", 2)
-    rows = study.masters()
+    rows = study.filtered_masters()
     assert len(set(study.paths(PATTERNS.filtered, rows))) == 2 * len(SUBSTRATES)
     assert study.master_sources(rows[1])["small_masters"] == [
         "results/store/masters/digest/polished_uncd/0123abcd/realization-2/small.nc"
@@ -78,7 +78,7 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
 
 def test_masters_of_sets_are_filtered_in_chunks():
     study = files("sets.realizations", 12)
-    rows = study.masters("sets")
+    rows = study.filtered_masters("sets")
     chunks = [(row.first, row.last) for row in rows]
     assert chunks == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
     sources = study.master_sources(rows[0])
@@ -119,10 +119,10 @@ SWEPT = {
 def lists_of_files(study):
     """Return the radii, loads and ranges that each file is computed at, by its path."""
     filtered = [
-        *study.masters(),
-        *study.masters("scaling"),
-        *study.masters("sets"),
-        *study.masters("enhancement"),
+        *study.filtered_masters(),
+        *study.filtered_masters("scaling"),
+        *study.filtered_masters("sets"),
+        *study.filtered_masters("enhancement"),
     ]
     study_values = (study.contact.radius, study.contact.load, study.contact.range)
     computed_at = {

@@ -26,7 +26,7 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     pairs = {key: pair_forces(float(k), 10 + k) for k, key in enumerate(keys)}
     changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
     scans = {
-        scan: all_surfaces.over_sphere_scans(
+        scan: all_surfaces.stack_sphere_scans(
             {key[2]: pair for key, pair in pairs.items() if key[:2] == scan}
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()

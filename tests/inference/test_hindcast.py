@@ -11,7 +11,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.inference import hindcast
 from hardcontact.inference.hindcast import RandomBody
-from hardcontact.inference.octaves import forces_with
+from hardcontact.inference.octaves import force_function
 from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -28,7 +28,7 @@ def ratios(heights, side):
         stitched,
         {side: OCTAVE},
         [RandomBody(UNCD, PIXELS, lambda side, number: generator(1, side, number))],
-        forces_with(CONTACT),
+        force_function(CONTACT),
     )
     return hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side=side)
 
@@ -85,7 +85,7 @@ def test_the_interval_has_its_confidence():
 
 def test_a_scan_without_an_octave_proves_no_artificial_roughness():
     stitched = mirror_stitch(SCAN)
-    forces = hindcast.hindcast_forces(stitched, {"small": None}, [], forces_with(CONTACT))
+    forces = hindcast.hindcast_forces(stitched, {"small": None}, [], force_function(CONTACT))
     result = hindcast.hindcasts(forces.expand_dims("map"), 0.1, 0.95).sel(side="small")
     assert np.isnan(result["hindcast_ratio"]) and result["hindcast_fails"] == 1
 
@@ -93,9 +93,9 @@ def test_a_scan_without_an_octave_proves_no_artificial_roughness():
 def test_errors_add_in_squares():
     interval = ("bound", np.exp([-0.3, 0.4]))
     force = xr.Dataset({"force": 1.0, "force_interval": interval}, {"bound": ["low", "high"]})
-    wide = hindcast.widen(force, "force", xr.DataArray(np.exp(-0.4)))
+    wide = hindcast.widen_interval(force, "force", xr.DataArray(np.exp(-0.4)))
     np.testing.assert_allclose(np.log(wide["force_interval"]), [-0.5, np.hypot(0.4, 0.4)])
-    same = hindcast.widen(force, "force", xr.DataArray(np.nan))
+    same = hindcast.widen_interval(force, "force", xr.DataArray(np.nan))
     np.testing.assert_allclose(same["force_interval"], force["force_interval"])
 
 

@@ -11,7 +11,7 @@ from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.config import checks
-from hardcontact.config.configuration import apply_effort, quantities_of_paper, set_keys
+from hardcontact.config.configuration import apply_effort, assumed_quantities, set_keys
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
 from hardcontact.own import new, request
@@ -92,7 +92,7 @@ def test_one_scan_makes_a_full_and_a_quick_study(folder, run):
 def test_given_quantities_are_not_assumed_though_they_equal_the_paper_s(folder, run):
     own_scan(folder / "one.nc")
     config, _ = accepted(folder, run(NAME, "one.nc", "--work", "46.3 mJ/m2", "--radius", "0.25mm"))
-    assert quantities_of_paper(config) == ["hardness", "preload", "range of adhesion"]
+    assert assumed_quantities(config) == ["hardness", "preload", "range of adhesion"]
 
 
 def test_options_state_what_files_lack_and_are_kept(folder, run):

@@ -18,8 +18,8 @@ from hardcontact.own.predicted_force import (
     bound_by_smooth_sphere,
     extrapolated_force,
     force_scatter,
+    forces_on_scans,
     include_finer_pixels,
-    predicted_force,
 )
 from hardcontact.theory.pull_off_statistics import predict_statistics
 
@@ -49,7 +49,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
 
 def test_the_force_is_the_mean_over_contacts_times_the_work():
     computed_forces = adhesion([3, 1])
-    prediction = predicted_force(computed_forces, **PREDICTION)
+    prediction = forces_on_scans(computed_forces, **PREDICTION)
     surface_b_forces = computed_forces.pull_off_force.sel(surface="b").isel(scan=0)
     mean_force = 0.05 * surface_b_forces.mean(["sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(prediction.force.sel(surface="b"), mean_force)
@@ -61,7 +61,7 @@ def test_the_force_is_the_mean_over_contacts_times_the_work():
 
 def test_three_scans_give_student_s_interval_and_fewer_a_wider_conditional_one():
     computed_forces = adhesion([3, 1], spread=0.02).isel(sphere_scan=[0])
-    prediction = predicted_force(computed_forces, **PREDICTION)
+    prediction = forces_on_scans(computed_forces, **PREDICTION)
     assert "place_factor" not in prediction
     selection = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
     means = computed_forces.pull_off_force.sel(selection).mean(
@@ -88,7 +88,7 @@ def test_the_interval_includes_the_place_on_a_rough_sphere():
         pull_off_force=forces.transpose(*FORCE_DIMS),
         touched_places=smooth.touched_places.isel(sphere_scan=[0] * 16),
     )
-    prediction = predicted_force(rough_sphere, **PREDICTION)
+    prediction = forces_on_scans(rough_sphere, **PREDICTION)
     # One more of 16 normal numbers lies within this distance of their mean.
     half = stats.t(15).ppf(0.95) * logarithms.std(ddof=1).item() * np.sqrt(1 + 1 / 16)
     np.testing.assert_allclose(prediction.place_factor, np.exp(half), rtol=1e-4)
@@ -98,10 +98,10 @@ def test_the_interval_includes_the_place_on_a_rough_sphere():
 
 
 def test_a_contact_as_wide_as_the_scan_gives_no_interval():
-    prediction = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
+    prediction = forces_on_scans(adhesion([3, 1], radius=1e9), **PREDICTION)
     assert prediction.force_interval.sel(surface="b").isnull().all()
     assert prediction.force_interval.sel(surface="a").notnull().all()
-    message = refusal(lambda: predicted_force(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
+    message = refusal(lambda: forces_on_scans(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
 
@@ -111,7 +111,7 @@ def test_contacts_that_touch_few_places_give_no_interval():
         few_places = computed_forces.assign(
             touched_places=computed_forces.touched_places * 0 + places
         )
-        prediction = predicted_force(few_places, **PREDICTION)
+        prediction = forces_on_scans(few_places, **PREDICTION)
         assert prediction.interval_source.values.tolist() == ["scans", source]
         assert prediction.force_interval.sel(surface="b").notnull().all() == (places == 4)
         assert prediction.force_interval.sel(surface="a").notnull().all()
@@ -143,7 +143,7 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
 
 
 def test_forces_are_bounded_by_that_of_a_smooth_sphere():
-    prediction = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
+    prediction = forces_on_scans(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
     extrapolated_forces = xr.Dataset(
         {"extrapolated_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
     ).assign(extrapolated_force_interval=("side", [1e-9, 1.0]))
@@ -234,7 +234,7 @@ def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
 
 
 def test_intervals_include_the_effect_of_finer_pixels():
-    prediction = predicted_force(adhesion([3, 3]), **PREDICTION)
+    prediction = forces_on_scans(adhesion([3, 3]), **PREDICTION)
     wide_pixels = prediction.assign(wide_pixel_ratio=("surface", [1.5, 0.9]))
     result = include_finer_pixels(wide_pixels).force_interval
     change = (result / prediction.force_interval).transpose("surface", "bound", ...)

@@ -11,11 +11,11 @@ from paper_study import CITATION, FRAME, make_figures_page, make_page, open_clai
 from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS
-from hardcontact.report.figures.listing import OWN_FIGURES
-from hardcontact.report.own_answer import own_answer
-from hardcontact.report.page import render_page
+from hardcontact.report.figures.listing import OWN_FIGURES, PAPER_FIGURES
+from hardcontact.report.own_surfaces.answer import own_answer
+from hardcontact.report.own_surfaces.page import own_page
+from hardcontact.report.paper_study.pages import report_pages
 from hardcontact.report.quantities import answer_text
-from hardcontact.report.report_pages import pages
 from hardcontact.report.templates import Frame
 
 pytestmark = [needs_browser, pytest.mark.study]
@@ -23,10 +23,10 @@ pytestmark = [needs_browser, pytest.mark.study]
 LENGTHS = ["<5 nm", "43 [40, 50] nm", "250 nm to 1 mm", "1.8 µm", "0.5 mm", ""]
 
 
-def own_page(own_datasets):
+def surfaces_page(own_datasets):
     """The page of own surfaces."""
     answer = json.loads(answer_text(own_answer(own_datasets, setting())))
-    return render_page(answer, dict.fromkeys(OWN_FIGURES, svg("#bbb")), CITATION, Frame("1.2.3"))
+    return own_page(answer, dict.fromkeys(OWN_FIGURES, svg("#bbb")), CITATION, Frame("1.2.3"))
 
 
 @cache
@@ -35,13 +35,13 @@ def page_of(name):
     if name == "answer":
         return make_page()
     if name == "own":
-        return own_page(datasets(2, topography=topography(2, "substitute"), fit=fit(2)))
+        return surfaces_page(datasets(2, topography=topography(2, "substitute"), fit=fit(2)))
     if name == "own, with a long name":
         paths = spectra()["path"].astype(object) + "-very-long-name" * 9
-        return own_page(datasets(edges=open_edges(), spectra=spectra().assign(path=paths)))
+        return surfaces_page(datasets(edges=open_edges(), spectra=spectra().assign(path=paths)))
     texts = {"theory": (ROOT / "workflow/report/theory.md").read_text("utf-8")}
     lengths = {f"scan {number}": text for number, text in enumerate(LENGTHS[::-1])}
-    return pages(open_claims()[:14], [], texts, PAPER, lengths, FRAME)[name]
+    return report_pages(open_claims()[:14], [], texts, PAPER, lengths, FRAME)[name]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -136,6 +136,26 @@ def test_claims_copy_with_their_cells_apart_and_open_for_a_link_and_for_the_prin
     assert result["opened"] == [True] * 4 + [False] * 2 + [True]
     assert result["menu"] == 0 <= result["below"] < 844
     assert all(result["printed"])
+
+
+#: Returns the links to other files when pictures had time to load.
+LINKS = """
+  await new Promise(resolve => setTimeout(resolve, 500));
+  const links = [...document.querySelectorAll("a[href]")].map(link => link.getAttribute("href"));
+  return links.filter(link => !/^#|^https:/.test(link));
+"""
+
+
+@pytest.mark.parametrize("name", ["answer", "own"])
+def test_page_links_to_other_files_only_beside_its_folder(name, tmp_path):
+    page = page_of(name)
+    links = [tag["href"] for tag in Page(page).attributes["a"] if tag["href"][0] not in "#h"]
+    assert "answer.json" in links
+    assert run_on_page(page, LINKS, tmp_path) == []
+    (tmp_path / "figures").mkdir()
+    for figure in (*PAPER_FIGURES, *OWN_FIGURES):
+        (tmp_path / f"figures/{figure}.svg").write_bytes(svg("#bbb"))
+    assert run_on_page(page, LINKS, tmp_path) == links
 
 
 #: Opens the first figure, then presses Escape.

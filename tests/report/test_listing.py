@@ -11,7 +11,7 @@ from repository import PAPER, ROOT
 
 from hardcontact.report.figures import listing
 from hardcontact.report.figures.listing import PAPER_FIGURES, caption, describe_figure
-from hardcontact.report.figures.own_figures import OWN_DRAWINGS
+from hardcontact.report.own_surfaces.figures import OWN_DRAWINGS
 
 
 def test_each_figure_has_its_drawing():

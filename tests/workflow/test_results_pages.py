@@ -12,9 +12,10 @@ from repository import ROOT, run_snakemake
 from hardcontact.base import dataset
 from hardcontact.config.configuration import read_yaml
 from hardcontact.paper.evaluation import COLUMNS
+from hardcontact.paper.selection import WITHOUT_SCAN
 from hardcontact.paper.verdicts import VERDICTS
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.paper_answer import ANSWER_CLAIMS
+from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 
 PAGES = read_yaml("workflow/report/pages.yaml")
 
@@ -23,7 +24,7 @@ def test_every_claim_has_a_verdict_and_a_basis(results):
     claims = pd.read_csv(results / "claims.csv")
     assert tuple(claims.columns) == COLUMNS
     assert set(claims.verdict) <= set(VERDICTS)
-    assert set(claims.basis) == {"substitute scans", "no scan"}
+    assert set(claims.basis) == {"substitute scans", *WITHOUT_SCAN}
     published = pd.read_csv(ROOT / "resources/paper/claims.csv")
     assert list(claims.id) == list(published.id) and claims.id.is_unique
     replicated = published.set_index("id").loc[claims.id, "replicated"].notna()

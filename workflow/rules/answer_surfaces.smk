@@ -1,9 +1,9 @@
 # The page that answers for own surfaces, and its figures.
 
-from hardcontact.config.configuration import contact_words, quantities_of_paper
+from hardcontact.config.configuration import contact_words, assumed_quantities
 from hardcontact.report.figures.listing import FILE_KINDS, OWN_FIGURES
 
-OWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"] != NONE]
+DRAWN_FIGURES = [name for name in OWN_FIGURES if name != "works" or STUDY["forces"] != NONE]
 
 
 rule answer_surfaces:
@@ -20,14 +20,14 @@ rule answer_surfaces:
         citation="CITATION.cff",
         pairs="resources/adhesion/pairs.csv",
     output:
-        **{kind: [PATTERNS.figure(name, kind) for name in OWN_FIGURES] for kind in FILE_KINDS},
+        **{kind: [PATTERNS.figure(name, kind) for name in DRAWN_FIGURES] for kind in FILE_KINDS},
         **ANSWER,
     params:
         canonical=parameters(
             study=STUDY["study"],
             effort=STUDY["effort"],
             contact=contact_words(STUDY),
-            of_paper=quantities_of_paper(STUDY),
+            assumed=assumed_quantities(STUDY),
             version=read_yaml("CITATION.cff")["version"],
         ),
     script:

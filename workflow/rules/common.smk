@@ -13,7 +13,7 @@ PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
 #: How intervals follow from random samples.
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
-COMPARED = STUDY["published"] == PAPER
+COMPARED_WITH_PAPER = STUDY["published"] == PAPER
 #: Category and title of each page of the report that is no figure.
 PAGES = read_yaml("workflow/report/pages.yaml")
 #: The answer of a study, and the page that shows it.

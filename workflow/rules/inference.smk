@@ -17,16 +17,16 @@ rule find_edges:
 rule compare_short_edges:
     """Compare short edges and forces by radius and load (scaling.nc), by range and plasticity (enhancement.nc)."""
     input:
-        scaling=FILES.paths(PATTERNS.filtered, FILES.masters("scaling")),
-        enhancement=FILES.paths(PATTERNS.filtered, FILES.masters("enhancement")),
+        scaling=FILES.paths(PATTERNS.filtered, FILES.filtered_masters("scaling")),
+        enhancement=FILES.paths(PATTERNS.filtered, FILES.filtered_masters("enhancement")),
         code=code_inputs("compare_short_edges.py"),
     output:
         scaling=PATTERNS.dataset("scaling"),
         enhancement=PATTERNS.dataset("enhancement"),
     params:
         canonical=parameters(
-            masters={
-                purpose: [row.surface for row in FILES.masters(purpose)]
+            surfaces={
+                purpose: [row.surface for row in FILES.filtered_masters(purpose)]
                 for purpose in ("scaling", "enhancement")
             },
             realizations=STUDY["scaling"]["realizations"],

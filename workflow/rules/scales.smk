@@ -3,7 +3,8 @@
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
-SAMPLED = [] if COMPARED else FILES.masters("sampled")
+#: Masters of sampled spectra, which own surfaces alone have.
+SAMPLED_MASTERS = [] if COMPARED_WITH_PAPER else FILES.filtered_masters("sampled")
 
 
 rule synthesize_masters:
@@ -41,7 +42,8 @@ rule filter_masters:
         PATTERNS.filtered,
     resources:
         mem_mb=lambda w: master_megabytes(
-            max(scales["pixels"] for scales in FILES.filters(w.purpose)["sides"].values()), 3000
+            max(side["pixels"] for side in FILES.filter_settings(w.purpose)["sides"].values()),
+            3000,
         ),
     params:
         canonical=lambda w: canonical(
@@ -49,10 +51,11 @@ rule filter_masters:
                 "surface": w.surface,
                 "realizations": list(range(int(w.first), int(w.last) + 1)),
                 "seed": STUDY["seed"],
-                "masters": w.purpose == "scales",
-                "purpose": "master" if w.purpose in ("scales", "sampled") else "variant",
+                # Masters of the scales are files. Others are made from random numbers of this name,
+                # those of sampled spectra from the same as the files.
+                "generator_name": {"scales": None, "sampled": "master"}.get(w.purpose, "variant"),
                 "window": STUDY["contact"]["window"],
-                **FILES.filters(w.purpose),
+                **FILES.filter_settings(w.purpose),
                 **FILES.contact_grid(w.purpose),
             }
         ),
@@ -63,15 +66,15 @@ rule filter_masters:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered, FILES.masters()),
-        sampled=FILES.paths(PATTERNS.filtered, SAMPLED),
+        masters=FILES.paths(PATTERNS.filtered, FILES.filtered_masters()),
+        sampled=FILES.paths(PATTERNS.filtered, SAMPLED_MASTERS),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
     params:
         canonical=parameters(
-            masters=[row.surface for row in FILES.masters()],
-            sampled=[row.surface for row in SAMPLED],
+            surfaces=[row.surface for row in FILES.filtered_masters()],
+            sampled_surfaces=[row.surface for row in SAMPLED_MASTERS],
             realizations=STUDY["scales"]["realizations"],
             load=FILES.contact.load,
             **NAMED_SURFACES,

@@ -11,9 +11,9 @@ from hardcontact.contact.all_surfaces import (
 with job(snakemake) as job:
     params = job.parameters
     limits = params["realizations"], params["load"]
-    forces = read_masters(params["masters"], job.input.masters, *limits)
+    forces = read_masters(params["surfaces"], job.input.masters, *limits)
     if job.input.sampled:  # There are none if all surfaces are substitutes.
-        sampled = read_masters(params["sampled"], job.input.sampled, *limits)
+        sampled = read_masters(params["sampled_surfaces"], job.input.sampled, *limits)
         forces = with_spectrum_shifts(forces, sampled)
     job.write(
         with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(

@@ -14,9 +14,9 @@ with job(snakemake) as job:
     files = read_all(params["maps"], job.input.maps)
     maps = {surface: forces for (surface,), forces in concatenate(files, "map", 1).items()}
     bands = dict(zip(params["bands"], map(read, job.input.bands), strict=True))
-    places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
+    touched_places = fewest_places(read(job.input.adhesion)) if job.input.adhesion else {}
     radius, rho, confidence = params["radius"], params["rho"], params["confidence"]
-    results = [sensitivities_by_surface(maps, radius, rho, places, confidence)]
+    results = [sensitivities_by_surface(maps, radius, rho, touched_places, confidence)]
     measured_maps = {name: forces for name, forces in maps.items() if "scan_octave_force" in forces}
     if measured_maps:
         results.append(all_hindcasts(measured_maps, params["tolerance"], confidence))

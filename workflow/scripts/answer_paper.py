@@ -10,11 +10,10 @@ from hardcontact.base.job import job
 from hardcontact.base.packages import read_pins
 from hardcontact.paper.verdicts import add_open_ends, read_verdicts
 from hardcontact.report.figures.listing import caption
-from hardcontact.report.paper_answer import paper_answer
-from hardcontact.report.paper_page import figures_page, paper_page
+from hardcontact.report.paper_study.answer import paper_answer
+from hardcontact.report.paper_study.pages import figures_page, paper_page, report_pages
+from hardcontact.report.paper_study.table1 import table1_rows
 from hardcontact.report.quantities import answer_text
-from hardcontact.report.report_pages import pages
-from hardcontact.report.table1 import table1_rows
 from hardcontact.report.templates import Frame
 
 DATASETS = (
@@ -41,6 +40,6 @@ with job(snakemake) as job:
     job.write_text(figures_page(answer, table1, figures, captions, frame), "figures")
     chapters = {path.stem: path.read_text("utf-8") for path in map(Path, job.input.chapters)}
     versions = read_pins(job.input.environment)
-    report = pages(claims, answer["changed"], chapters, job.parameters, versions, frame)
+    report = report_pages(claims, answer["changed"], chapters, job.parameters, versions, frame)
     for name, page in report.items():
         job.write_text(page, name)

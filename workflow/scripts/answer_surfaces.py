@@ -7,11 +7,11 @@ import yaml
 
 from hardcontact.base import dataset
 from hardcontact.base.job import job
-from hardcontact.report.datasets import Datasets, Setting
 from hardcontact.report.figures.listing import FILE_KINDS
-from hardcontact.report.figures.own_figures import write_figures
-from hardcontact.report.own_answer import own_answer
-from hardcontact.report.page import render_page
+from hardcontact.report.own_surfaces.answer import own_answer
+from hardcontact.report.own_surfaces.datasets import Datasets, Setting
+from hardcontact.report.own_surfaces.figures import write_figures
+from hardcontact.report.own_surfaces.page import own_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
@@ -27,4 +27,4 @@ with job(snakemake) as job:
     figures = write_figures(datasets, {kind: job.output[kind] for kind in FILE_KINDS})
     frame = Frame(answer["version"])
     citation = yaml.safe_load(Path(job.input.citation).read_text("utf-8"))
-    job.write_text(render_page(answer, figures, citation, frame), "page")
+    job.write_text(own_page(answer, figures, citation, frame), "page")

@@ -15,7 +15,7 @@ with job(snakemake) as job:
     confidence = sampling.confidence
     forces = {
         purpose: read_masters(surfaces, job.input[purpose], params["realizations"])
-        for purpose, surfaces in params["masters"].items()
+        for purpose, surfaces in params["surfaces"].items()
     }
     scaled = forces["scaling"].squeeze("rho", drop=True).swap_dims(load="area").drop_vars("load")
     exponents = xr.merge(

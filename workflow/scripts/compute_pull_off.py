@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import over_sphere_scans
+from hardcontact.contact.all_surfaces import stack_sphere_scans
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
@@ -27,7 +27,7 @@ with job(snakemake) as job:
         number: bodies(substrate, sphere, contact)
         for number, sphere in zip(params["sphere_places"], spheres or [None], strict=True)
     }
-    forces = over_sphere_scans(
+    forces = stack_sphere_scans(
         {
             number: pull_off_of_pair(pair, contact, params["ranges"])
             for number, pair in pairs.items()

@@ -5,7 +5,7 @@ from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import mean_pull_off_of_pair
-from hardcontact.inference.octaves import forces_with, octave_force_dataset, octave_limits
+from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.featured_scans import whole_surfaces
 
 with job(snakemake) as job:
@@ -18,7 +18,7 @@ with job(snakemake) as job:
         surface = make_surface(number)
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
         means = mean_pull_off_of_pair(bodies(surface, None, contact), contact, params["ranges"])
-        octave_forces = octave_force_dataset(surface, limits, forces_with(contact))
+        octave_forces = octave_force_dataset(surface, limits, force_function(contact))
         surfaces[(number,)] = octave_forces.merge(means)
     job.write(
         stack(surfaces, ["map"]).assign_attrs(map_size=surface.size),

@@ -4,6 +4,7 @@ from itertools import product
 
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import job
+from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, varied_master
 from hardcontact.surfaces.height_map import read_height_map
@@ -25,16 +26,18 @@ with job(snakemake) as job:
     sides = [side for side in SIDES if side in params["sides"]]
     forces = {}
     for (index, realization), side in product(enumerate(params["realizations"]), sides):
-        scales = params["sides"][side]
-        if params["masters"]:
+        settings = params["sides"][side]
+        if params["generator_name"] is None:
             master = read_height_map(sources[f"{side}_masters"][index])
         else:
-            purpose = f"{side}-scale {params['purpose']}"
-            key = params["seed"], params["surface"], realization, purpose
-            master = varied_master(side, key, sources.scans[index], sources.spectra[index], scales)
+            generator_name = f"{side}-scale {params['generator_name']}"
+            names = params["seed"], params["surface"], realization, generator_name
+            master = varied_master(
+                side, generator(*names), sources.scans[index], sources.spectra[index], settings
+            )
         forces[realization, side] = filtered_pull_off(
             master,
-            Filters(side, scales["pixels"], scales["cutoffs"]),
+            Filters(side, settings["pixels"], settings["cutoffs"]),
             contacts,
             sphere,
             params["radii"],

@@ -18,7 +18,9 @@ with job(snakemake) as job:
         read_all(params["chunks"], job.input.pools),
         read_all(params["draw_chunks"], job.input.draws),
         params["pooled"],
-        read_masters(params["masters"], job.input.masters, params["realizations"], params["load"]),
+        read_masters(
+            params["master_surfaces"], job.input.masters, params["realizations"], params["load"]
+        ),
     )
     set_numbers = judge_sets(
         sources,

@@ -4,8 +4,8 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.edges import describe_edges, edges_of_scans
-from hardcontact.inference.mean_forces import Masters
-from hardcontact.own.predicted_force import fewest_places, own_force
+from hardcontact.inference.mean_forces import Masters, fewest_places
+from hardcontact.own.predicted_force import force_dataset
 
 with job(snakemake) as job:
     params = job.parameters
@@ -23,7 +23,7 @@ with job(snakemake) as job:
         radius=params["radius"], range=params["rho"], work=params["work"], **params["contact"]
     )
     job.write(
-        own_force(
+        force_dataset(
             adhesion,
             scales,
             read(job.input.topography),

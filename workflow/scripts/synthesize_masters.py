@@ -12,9 +12,9 @@ with job(snakemake) as job:
     realization = params["realization"]
     scan = read_height_map(job.input.scan)
     spectrum = read_spectrum(job.input.spectrum)
-    for side, scales in params["sides"].items():
+    for side, settings in params["sides"].items():
         rng = generator(params["seed"], surface, realization, f"{side}-scale master")
-        master = synthesize_master(side, rng, scan, scales, spectrum)
+        master = synthesize_master(side, rng, scan, settings, spectrum)
         job.write(
             master.to_dataset(),
             title=f"{side}-scale master: realization {realization} of {surface}",

@@ -4,26 +4,33 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from hardcontact.base.dataset import read_meanings
 from hardcontact.config.faults import quote_key, refuse_lines
 from hardcontact.config.tables import Row, parse_number, user_table
-from hardcontact.paper.evaluation import DATASETS, NUMBER_COLUMNS
+from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, NUMBER_COLUMNS
 from hardcontact.paper.selection import WITHOUT_SCAN
 from hardcontact.paper.verdicts import accepted_range
+from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Columns, and the words that each may have; any text where there are none.
 COLUMNS: dict[str, tuple[str, ...]] = {
-    "id": (), "section": (), "statement": (), "unit": (), "rule": (),
+    "id": (), "section": (), "statement": (), "number": (), "unit": (), "rule": (),
     **dict.fromkeys(NUMBER_COLUMNS, ()),
     "basis": ("published", "inferred", "assumed"),
     "dataset": (), "quantity": (), "select": (),
-    "needs": ("", "measured", WITHOUT_SCAN, "construction", "experiment"),
+    "needs": ("", "measured", *WITHOUT_SCAN, "construction", "experiment"),
     "follows_from": (),
     "replicated": ("", "yes", "samples"),
     "note": (),
 }  # fmt: skip
-ID = re.compile("[a-z0-9_]+")
-#: Labels by dimension: ``a=x;b=y,z>w``.
-SELECTION = re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?")
+#: The form of a cell, and how a message describes it.
+FORMS = {
+    "id": (re.compile("[a-z0-9_]+"), "a name"),
+    "number": (re.compile(".*\\w.*"), "words for the quantity that the numbers give"),
+    "select": (
+        re.compile("(\\w+=[^;=]+(;\\w+=[^;=]+)*)?"), "labels such as surface=uncd;side=small"
+    ),
+}  # fmt: skip
 
 
 def refuse_claims(path: str | Path) -> None:
@@ -53,10 +60,13 @@ def _checked_claim(row: Row) -> Row:
 
 def _cell_faults(row: Row) -> Iterator[str]:
     """Yield what is expected and found in each faulty cell of a row."""
-    for name, pattern in {"id": ID, "quantity": ID, "select": SELECTION}.items():
-        if not pattern.fullmatch(row[name]):
-            accepted = "labels such as surface=uncd;side=small" if name == "select" else "a name"
+    for name, (form, accepted) in FORMS.items():
+        if not form.fullmatch(row[name]):
             yield f"{name}: expected {accepted}, found {quote_key(row[name])}"
+    variables = read_meanings(row["dataset"].partition("+")[0])
+    if row["quantity"] not in {*DERIVED_QUANTITIES, *TABLE1_VARIABLES, *variables}:
+        accepted = "a function of workflow/hardcontact/paper or a variable of variables.tsv"
+        yield f"quantity: expected {accepted}, found {quote_key(row['quantity'])}"
     for name, words in COLUMNS.items():
         if words and row[name] not in words:
             yield f"{name}: expected {_listed(words)}, found {quote_key(row[name])}"

@@ -182,7 +182,7 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     return words
 
 
-def quantities_of_paper(config: Mapping[str, Any]) -> list[str]:
+def assumed_quantities(config: Mapping[str, Any]) -> list[str]:
     """Return the names of the CONTACT_QUANTITIES that are the paper's and nobody gave."""
     paper = Study().model_dump(warnings=False)
     return [

@@ -106,7 +106,7 @@ class Files(SurfaceFiles):
         loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
         return {"radii": radii, "loads": loads, "ranges": ranges}
 
-    def filters(self, purpose: str) -> dict[str, Any]:
+    def filter_settings(self, purpose: str) -> dict[str, Any]:
         """Return the settings of masters and filters on both sides, and contacts along a side."""
         configuration = self._configuration
         section, count_key = ("sets", "sets.count")
@@ -139,13 +139,13 @@ class Files(SurfaceFiles):
         if surface in self.combined_surfaces:
             probe = "combined"
         names = self._grid_names(purpose)
-        settings = short_digest([self.filters(purpose), self._filter_values])
+        settings = short_digest([self.filter_settings(purpose), self._filter_values])
         return [
             FilteredMasters(purpose, settings, surface, probe, *chunk, **names)
             for chunk in _chunks(realizations, step)
         ]
 
-    def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
+    def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
         """Return the masters of a purpose, those for scaling on a smooth sphere.
 
         Spectra are sampled only for measured surfaces.

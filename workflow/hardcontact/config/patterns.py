@@ -69,7 +69,7 @@ def short_digest(values: object) -> str:
     return value_digest(values)[:8]
 
 
-def key_values(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
+def values_of_keys(configuration: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
     """Return the values of keys, with dots between their parts."""
     return {key: get_key(configuration, key) for key in keys}
 
@@ -79,7 +79,7 @@ def store_digests(configuration: Mapping[str, Any]) -> dict[str, str]:
     further = BOTH_BODIES_KEYS if combines_bodies(configuration) else ()
     return {
         kind: short_digest(
-            key_values(configuration, (*keys, *further) if kind in BOTH_BODIES else keys)
+            values_of_keys(configuration, (*keys, *further) if kind in BOTH_BODIES else keys)
         )
         for kind, keys in STORE_KEYS.items()
     }

@@ -8,7 +8,7 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
-from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, key_values
+from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, values_of_keys
 from hardcontact.config.selection import Selection
 from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES
 
@@ -34,7 +34,7 @@ class SurfaceFiles:
             "sphere_sources": selection.sources.get(selection.sphere, SMOOTH),
         }
         keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
-        self._filter_values = key_values(configuration, keys)
+        self._filter_values = values_of_keys(configuration, keys)
         self._combines_bodies = combines_bodies(configuration)
         is_rough = configuration["scales"]["sphere_roughness"]
         self._probe = "rough" if is_rough else "smooth"

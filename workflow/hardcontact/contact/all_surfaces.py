@@ -13,23 +13,23 @@ from hardcontact.contact.contact import CONTACT_AXES
 Parts = Mapping[tuple[Any, ...], xr.Dataset]
 
 
-class Described(TypedDict):
+class NamedSurfaces(TypedDict):
     """Label of each surface, and whether it was measured or is a substitute."""
 
     labels: Mapping[str, str]
     basis: Mapping[str, str]
 
 
-def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
+def with_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Return a dataset with the label and the basis of each of its surfaces."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
-        label=("surface", [described["labels"][surface] for surface in surfaces]),
-        basis=("surface", [described["basis"][surface] for surface in surfaces]),
+        label=("surface", [named_surfaces["labels"][surface] for surface in surfaces]),
+        basis=("surface", [named_surfaces["basis"][surface] for surface in surfaces]),
     )
 
 
-def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
+def stack_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
     """Return forces of `pull_off_of_pair` over (sphere_scan, ...), with contacts by number."""
     # Positions of contacts differ between pixel sizes.
     numbered = {
@@ -39,20 +39,20 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
     return stack(numbered, ["sphere_scan"])
 
 
-def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
+def stacked_pull_off_forces(scans: Parts, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    `scans` has the dataset of `over_sphere_scans`, with `wider_window_change`, by (surface, scan).
+    `scans` has the dataset of `stack_sphere_scans`, with `wider_window_change`, by (surface, scan).
     Returns the same variables over (surface, scan, ...); ``contact_pixel_count`` (contact_model) is
     the largest of all pairs.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
     largest = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
-    return with_names(forces.assign(contact_pixel_count=largest), described)
+    return with_names(forces.assign(contact_pixel_count=largest), named_surfaces)
 
 
-def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
+def stacked_elastic_contacts(scans: Parts, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Return the elastic contacts of all surfaces and scans.
 
     `scans` has the dataset of `elastic_contacts_of_pair` by (surface, scan). Returns the same
@@ -67,7 +67,7 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     for (surface, _), scan in scans.items():
         pressures.setdefault((surface,), scan[["pressure"]])
     pressure = stack(pressures, ["surface"]).pressure
-    return with_names(contacts.assign(pressure=pressure), described)
+    return with_names(contacts.assign(pressure=pressure), named_surfaces)
 
 
 def stacked_forces(masters: Parts) -> xr.Dataset:

@@ -224,7 +224,7 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     sums_outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     subtract = _are_shallow(bodies, contacts, ranges)
     with LIBRARIES.limit(limits=1, user_api="blas"):
-        for is_chosen, method in ((subtract, _sums_by_subtraction), (~subtract, _sums_left_out)):
+        for is_chosen, method in ((subtract, _sums_by_subtraction), (~subtract, _sums_by_omission)):
             if is_chosen.any():
                 sums_outside[is_chosen] = method(bodies, contacts, ranges[is_chosen].tolist())
     return sums_outside
@@ -246,7 +246,7 @@ def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np
     )
 
 
-def _sums_left_out(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
+def _sums_by_omission(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
     """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
     roughness = bodies.roughness

@@ -25,7 +25,7 @@ from hardcontact.inference.curve_edges import (
     logarithmic_limits,
     shows_ripples,
 )
-from hardcontact.inference.hindcast import widen
+from hardcontact.inference.hindcast import widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
@@ -266,7 +266,7 @@ def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Datase
     """
     log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
     log_ratio = abs(np.log(curves["filtered_force_ratio"]))
-    return widen(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
+    return widen_interval(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
 
 
 def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:

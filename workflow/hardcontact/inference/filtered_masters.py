@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from hardcontact.base import dataset
 from hardcontact.base.job import progress
-from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import (
@@ -108,14 +107,14 @@ def filtered_pull_off(
 
 
 def varied_master(
-    side: str, key: tuple[Any, ...], scan: str, spectrum: str, scales: Mapping[str, Any]
+    side: str, rng: np.random.Generator, scan: str, spectrum: str, settings: Mapping[str, Any]
 ) -> HeightMap:
     """Return the master of one side, from the files of a scan and of its spectrum.
 
     side: ``"small"`` or ``"large"``.
     spectrum: path of its spectrum. A spectrum sampled within its uncertainty has the attribute
         ``height_factor``, by which the heights of the scan are multiplied.
-    scales: argument of `synthesize_master`.
+    settings: argument of `synthesize_master`.
     Returns the periodic master.
     """
     density = dataset.read(spectrum)
@@ -123,4 +122,4 @@ def varied_master(
     if "height_factor" in density.attrs:
         heights = stitched.heights * density.attrs["height_factor"]
         stitched = replace(stitched, heights=heights)
-    return synthesize_master(side, generator(*key), stitched, scales, spectrum_of_dataset(density))
+    return synthesize_master(side, rng, stitched, settings, spectrum_of_dataset(density))

@@ -18,7 +18,7 @@ from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.base.units import DIMENSIONLESS
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.pull_off import FORCE
-from hardcontact.inference.octaves import ForcesOnSurface, forces_with
+from hardcontact.inference.octaves import ForcesOnSurface, force_function
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import SpectrumFunction
@@ -133,8 +133,8 @@ def pixel_forces(surface: HeightMap, sphere: HeightMap | None, contact: Contact)
     """
     wide_sphere = None if sphere is None else widen_pixels(sphere)
     forces = {
-        "scan_force": forces_with(contact, sphere)(surface),
-        "wide_pixel_force": forces_with(contact, wide_sphere)(widen_pixels(surface)),
+        "scan_force": force_function(contact, sphere)(surface),
+        "wide_pixel_force": force_function(contact, wide_sphere)(widen_pixels(surface)),
     }
     return xr.Dataset({name: (CONTACT_AXES, values, FORCE) for name, values in forces.items()})
 
@@ -217,19 +217,19 @@ def all_hindcasts(
     return stack(surfaces, ["surface"])
 
 
-def widen(force: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
-    """Return a positive variable whose interval also contains an error, a factor.
+def widen_interval(dataset: xr.Dataset, name: str, error: xr.DataArray) -> xr.Dataset:
+    """Return a dataset whose interval of a positive variable also contains an error, a factor.
 
     The logarithms of the interval's half width and of the error add in squares.
     """
-    value = force[name]
+    value = dataset[name]
     log_error = abs(np.log(error.fillna(1)))
-    low, high = bounds(force, name)
+    low, high = bounds(dataset, name)
     low = value * np.exp(-np.hypot(np.log(value / low), log_error))
     high = value * np.exp(np.hypot(np.log(high / value), log_error))
-    interval = force[f"{name}_interval"]
+    interval = dataset[f"{name}_interval"]
     ends = xr.concat([low, high], interval["bound"]).transpose(*interval.dims)
-    return force.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
+    return dataset.assign({f"{name}_interval": ends.assign_attrs(interval.attrs)})
 
 
 def pixel_factors(force: xr.Dataset) -> xr.DataArray:

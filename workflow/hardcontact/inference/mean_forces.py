@@ -46,31 +46,31 @@ def fewest_places(adhesion: xr.Dataset) -> dict[str, float]:
 
 
 def forces_of_surface(
-    forces: xr.DataArray, size: float, radius: float, places: float
+    forces: xr.DataArray, size: float, radius: float, touched_places: float
 ) -> SurfaceForces:
     """Return the mean forces of one surface and contact model, with and without each part.
 
     Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing.
-    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `places` comes from
-    `fewest_places`.
+    `size` is the side of a scan and `radius` the radius of the sphere, in nm; `touched_places`
+    comes from `fewest_places`.
     """
     scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
     scan_forces = scan_forces.transpose("scan", "rho", *CONTACT_AXES)
     scans = np.arange(scan_forces.sizes["scan"])
     quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     scan_parts = [
-        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), places)
+        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)), touched_places)
         for rho in scan_forces.rho.values
     ]
     delete_one_log_means = delete_one_logarithms(
         scan_parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACT_AXES).mean("scan")
     )
     mean = scan_forces.mean(CONTACT_AXES).mean("scan").values
-    variances = _variances_of_places(forces)
+    variances = _place_variances(forces)
     return SurfaceForces(scan_forces.rho.values, mean, delete_one_log_means, scan_parts, variances)
 
 
-def _variances_of_places(forces: xr.DataArray) -> list[Variance]:
+def _place_variances(forces: xr.DataArray) -> list[Variance]:
     """Return the variance (rho,) of ln F at one more place of the sphere; none for a single one."""
     count = forces.sizes["sphere_scan"]
     if count < 2:
@@ -88,8 +88,8 @@ def place_half_widths(surface_forces: SurfaceForces, confidence: float) -> list[
 def mean_intervals(surface_forces: SurfaceForces, confidence: float) -> np.ndarray:
     """Return the intervals (rho, 2) of the mean forces of one surface, in N.
 
-    A rough sphere touches at one place, which is not known: half widths of parts and of places add
-    in squares.
+    A rough sphere touches at one place, which is not known: half widths of scan parts and of
+    places on the sphere add in squares.
     """
     left_out_parts = zip(
         surface_forces.delete_one_log_means.T, surface_forces.scan_parts, strict=True
@@ -110,7 +110,7 @@ class Masters(NamedTuple):
 
     scans: Mapping[str, int]  #: Number of scans of each surface.
     tiles: int  #: Mirrored scans along a side of a large master.
-    places: Mapping[str, float]  #: The fewest places of a scan touched on each surface.
+    touched_places: Mapping[str, float]  #: The fewest places of a scan touched on each surface.
 
 
 class MasterForces(NamedTuple):
@@ -137,7 +137,7 @@ def forces_of_masters(
         quarters_of_contacts(forces.sizes["contact_y"], tiles),
         large_master / masters.tiles / 2,
         float(np.sqrt(scales.attrs["sphere_radius"] * scales.attrs["rho"])),
-        masters.places[surface],
+        masters.touched_places[surface],
     )
     return MasterForces(forces, scan_parts)
 

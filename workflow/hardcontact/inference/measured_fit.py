@@ -163,10 +163,10 @@ def _computed_forces(
 ) -> dict[str, SurfaceForces]:
     """Return the computed mean forces of the surfaces in one contact model."""
     radius = float(adhesion.attrs["sphere_radius"])
-    places = fewest_places(adhesion)
+    touched = fewest_places(adhesion)
     return {
         name: forces_of_surface(
-            adhesion.pull_off_force.sel(surface=name), scan_sizes[name], radius, places[name]
+            adhesion.pull_off_force.sel(surface=name), scan_sizes[name], radius, touched[name]
         )
         for name in surfaces
     }

@@ -59,7 +59,7 @@ BAND_RATIO = DIMENSIONLESS | {
 }
 
 
-def forces_with(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
+def force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesOnSurface:
     """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
 
     def forces(surface: HeightMap) -> Floats:
@@ -161,30 +161,30 @@ def log_force_ratio(
 
 
 def _parts_of_maps(
-    forces: xr.Dataset, radius: float, rho: float, places: float = np.inf
+    forces: xr.Dataset, radius: float, rho: float, touched_places: float = np.inf
 ) -> ScanParts:
     """Return the parts of the maps: the maps if there are three, otherwise their quarters."""
     quarters = quarters_of_contacts(forces.sizes["contact_y"], 1)
     size = float(forces.attrs["map_size"])
     maps = np.arange(forces.sizes["map"])
-    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), places)
+    return parts_of_scans(maps, quarters, size, float(np.sqrt(radius * rho)), touched_places)
 
 
 def sensitivities_by_surface(
     maps: Mapping[str, xr.Dataset],
     radius: float,
     rho: float,
-    places: Mapping[str, float],
+    touched_places: Mapping[str, float],
     confidence: float,
 ) -> xr.Dataset:
     """Return ``octave_sensitivity`` (surface, octave), NaN for an octave that a map lacks.
 
-    Radius and range are in nm; `places` comes from `mean_forces.fewest_places`. ``map_size`` is the
-    side of the maps in nm.
+    Radius and range are in nm; `touched_places` comes from `mean_forces.fewest_places`.
+    ``map_size`` is the side of the maps in nm.
     """
     surfaces = {}
     for surface, forces in maps.items():
-        scan_parts = _parts_of_maps(forces, radius, rho, places.get(surface, np.inf))
+        scan_parts = _parts_of_maps(forces, radius, rho, touched_places.get(surface, np.inf))
         sensitivity = octave_sensitivities(forces["octave_force"], scan_parts, confidence)
         surfaces[(surface,)] = sensitivity.assign(map_size=((), forces.attrs["map_size"], NM))
     return stack(surfaces, ["surface"]).sortby("octave")

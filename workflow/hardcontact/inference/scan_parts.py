@@ -42,7 +42,7 @@ class ScanParts:
     part_of_contact: np.ndarray
     correlation: np.ndarray  #: (part, part), of mean forces of parts.
     scans: int  #: Number of these scans.
-    places: float = np.inf  #: The fewest places that the contacts of a scan touch.
+    touched_places: float = np.inf  #: The fewest places that the contacts of a scan touch.
 
     @property
     def are_quarters(self) -> bool:
@@ -52,7 +52,7 @@ class ScanParts:
     @property
     def touches_few_places(self) -> bool:
         """Whether the contacts of a scan touch fewer places than it has quarters."""
-        return self.are_quarters and self.places * self.scans < len(self.correlation)
+        return self.are_quarters and self.touched_places * self.scans < len(self.correlation)
 
     @property
     def mean_correlation(self) -> float:
@@ -61,7 +61,7 @@ class ScanParts:
         return float((self.correlation.sum() - count) / max(count * (count - 1), 1))
 
     @property
-    def widening(self) -> tuple[float, float]:
+    def variance_correction(self) -> tuple[float, float]:
         """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
 
         The jackknife variance is (n - 1)/n sum (l_i - l)². A mean correlation c of the parts lowers
@@ -108,22 +108,23 @@ def parts_of_scans(
     quarters: np.ndarray,
     size: float,
     weight_deviation: float,
-    places: float = np.inf,
+    touched_places: float = np.inf,
 ) -> ScanParts:
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) numbers the scan of each map, `quarters` come from `quarters_of_contacts`.
     The side of a scan and the `weight_deviation` sqrt(R rho), with which a contact feels the
-    surface, are in nm. `places` is the fewest places that the contacts of a scan touch.
+    surface, are in nm. `touched_places` is the fewest places that the contacts of a scan touch.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
         part_of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
-        return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), places)
+        return ScanParts(part_of_contact, np.eye(len(scans)), len(scans), touched_places)
     numbers, quarter = np.unique(quarters, return_inverse=True)
     part_of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
     correlation = _correlation_of_quarters(size, weight_deviation)[np.ix_(numbers, numbers)]
-    return ScanParts(part_of_contact, np.kron(np.eye(len(scans)), correlation), len(scans), places)
+    correlations = np.kron(np.eye(len(scans)), correlation)
+    return ScanParts(part_of_contact, correlations, len(scans), touched_places)
 
 
 def _correlation_of_quarters(size: float, weight_deviation: float) -> np.ndarray:
@@ -163,11 +164,11 @@ def delete_one_logarithms(
 
 
 def jackknife_variance(logarithms: np.ndarray, scan_parts: ScanParts) -> Variance:
-    """Return the variance of the delete-one jackknife, corrected by `ScanParts.widening`.
+    """Return the corrected variance of the delete-one jackknife: see `variance_correction`.
 
     `logarithms` (part, ...) come from `delete_one_logarithms`.
     """
-    factor, freedom = scan_parts.widening
+    factor, freedom = scan_parts.variance_correction
     return Variance((len(logarithms) - 1) * logarithms.var(axis=0) * factor, freedom)
 
 
@@ -212,7 +213,7 @@ def sampled_deviations(
     from scipy import special
 
     count = len(logarithms)
-    factor, freedom = scan_parts.widening
+    factor, freedom = scan_parts.variance_correction
     normal = rng.standard_normal((samples, count))
     level = rng.uniform(size=samples)
     chi_squared = 2 * special.gammaincinv(freedom / 2, level)

@@ -16,7 +16,7 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
 from hardcontact.contact.finite_scan import with_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.inference.hindcast import pixel_factors, widen
+from hardcontact.inference.hindcast import pixel_factors, widen_interval
 from hardcontact.inference.mean_forces import (
     MasterForces,
     Masters,
@@ -42,7 +42,7 @@ PLACE_FACTOR = DIMENSIONLESS | {
 }
 
 
-def own_force(
+def force_dataset(
     adhesion: xr.Dataset,
     scales: xr.Dataset,
     topography: xr.Dataset,
@@ -60,7 +60,7 @@ def own_force(
     scans and with extrapolated roughness never exceed that on a smooth sphere. Attributes have the
     Tabor parameter and whether the bodies are hard.
     """
-    force = predicted_force(
+    force = forces_on_scans(
         adhesion,
         work=contact.work,
         rho=contact.range,
@@ -72,13 +72,13 @@ def own_force(
     if "place_factor" in force:
         at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)
         factor = at_range.sel(rho=contact.range, method="nearest", drop=True)
-        force = widen(force, "extrapolated_force", factor)
+        force = widen_interval(force, "extrapolated_force", factor)
     if "hindcast_ratio" in sensitivity:
         hindcast = sensitivity[
             ["hindcast_ratio", "hindcast_ratio_interval", "hindcast_fails", "wide_pixel_ratio"]
         ]
         force = force.merge(hindcast, join="left")
-        force = widen(force, "extrapolated_force", force["hindcast_ratio"])
+        force = widen_interval(force, "extrapolated_force", force["hindcast_ratio"])
         force = include_finer_pixels(force)
     force = bound_by_smooth_sphere(force, contact.area)
     spectra_by_surface = {
@@ -117,7 +117,7 @@ def force_scatter(
     return xr.Dataset({name: ((), number, DIMENSIONLESS) for name, number in numbers.items()})
 
 
-def predicted_force(
+def forces_on_scans(
     adhesion: xr.Dataset, *, work: float, rho: float, sizes: Mapping[str, float], confidence: float
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work and all ranges of adhesion.
@@ -132,10 +132,11 @@ def predicted_force(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
             f" nm), found {rho:g} nm"
         )
-    places = fewest_places(adhesion)
+    touched = fewest_places(adhesion)
+    forces = adhesion.assign(pull_off_force=adhesion.pull_off_force * work)
     surfaces = {
-        (surface,): _surface_force(
-            adhesion.sel(surface=surface), sizes[surface], places[surface], work, rho, confidence
+        (surface,): _force_variables(
+            forces.sel(surface=surface), sizes[surface], touched[surface], rho, confidence
         )
         for surface in adhesion.surface.values.tolist()
     }
@@ -148,14 +149,14 @@ def predicted_force(
     )
 
 
-def _surface_force(
-    adhesion: xr.Dataset, size: float, places: float, work: float, rho: float, confidence: float
+def _force_variables(
+    adhesion: xr.Dataset, size: float, touched_places: float, rho: float, confidence: float
 ) -> xr.Dataset:
-    """Return the variables of one surface."""
+    """Return the variables of one surface, from its forces at the work of adhesion."""
     radius = float(adhesion.attrs["sphere_radius"])
-    forces = adhesion.pull_off_force * work
+    forces = adhesion.pull_off_force
     forces_by_model = [
-        forces_of_surface(forces.sel(contact_model=model), size, radius, places)
+        forces_of_surface(forces.sel(contact_model=model), size, radius, touched_places)
         for model in forces.contact_model.values
     ]
     mean = np.array([model_forces.mean for model_forces in forces_by_model])
@@ -177,7 +178,7 @@ def _surface_force(
                 np.prod([adhesion.sizes[axis] for axis in CONTACT_AXES]),
                 DIMENSIONLESS,
             ),
-            "touched_places": ((), places, DIMENSIONLESS),
+            "touched_places": ((), touched_places, DIMENSIONLESS),
             "correlation_of_parts": ((), scan_parts.mean_correlation, DIMENSIONLESS),
         }
         | _place_factor(forces_by_model, confidence),

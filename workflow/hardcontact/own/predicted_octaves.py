@@ -12,7 +12,7 @@ from hardcontact.inference.octaves import (
     FACTORS,
     OCTAVE_LIMITS,
     STEP,
-    forces_with,
+    force_function,
     middles_within,
     octave_forces,
     strongest_octaves,
@@ -61,7 +61,7 @@ def derivatives_on_scan(scan: HeightMap, octaves: Floats, contact: Contact) -> F
     """
     contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
     limits = [*octaves, 2 * octaves[-1]]
-    forces = octave_forces(stitched_map(scan), limits, forces_with(contact)).mean(axis=(-2, -1))
+    forces = octave_forces(stitched_map(scan), limits, force_function(contact)).mean(axis=(-2, -1))
     return np.asarray(np.log(forces[:, 1] / forces[:, 0]) / (2 * STEP))
 
 

@@ -9,7 +9,7 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.config.grids import Grid, minimum_range, periods_in_window
-from hardcontact.contact.all_surfaces import over_sphere_scans
+from hardcontact.contact.all_surfaces import stack_sphere_scans
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.contact.geometry import (
@@ -21,7 +21,7 @@ from hardcontact.contact.geometry import (
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
-from hardcontact.inference.octaves import forces_with
+from hardcontact.inference.octaves import force_function
 from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
@@ -128,7 +128,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
         contact = replace(contact, count=CONTACTS_A_PLACE)
         places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
         pairs = [bodies(substrate, place, contact) for place in places]
-    return over_sphere_scans(
+    return stack_sphere_scans(
         {
             number: pull_off_of_pair(pair, contact, [contact.range])
             for number, pair in enumerate(pairs)
@@ -136,7 +136,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
     )
 
 
-def include_finer_pixels(number: Number, wide_pixel_ratio: float) -> Number:
+def extend_low_end(number: Number, wide_pixel_ratio: float) -> Number:
     """Return a force whose interval includes that on finer pixels, like those of a study."""
     return number._replace(low=number.low / max(wide_pixel_ratio, 1.0))
 
@@ -151,10 +151,10 @@ def _force_numbers(
     surface = stitched_map(scan)
     contact = replace(contact, window=window_of_scan(scan, contact), count=CONTACTS)
     pull_off = _forces(surface, body_maps, contact)
-    places = float(pull_off["touched_places"].max())
+    touched_places = float(pull_off["touched_places"].max())
     forces = contact.work * pull_off["pull_off_force"].sel(contact_model=PLASTIC, drop=True)
     surface_forces = forces_of_surface(
-        forces.expand_dims("scan"), scan.size, contact.radius, places
+        forces.expand_dims("scan"), scan.size, contact.radius, touched_places
     )
     smooth = smooth_force(contact)
     values = np.append(surface_forces.mean, mean_intervals(surface_forces, confidence)[0])
@@ -162,20 +162,19 @@ def _force_numbers(
     bounded = np.where(np.isinf(values[-1]), values, np.minimum(values, smooth))
     mean, low, high = bounded.tolist()
     force = Number("force_on_scan", mean, "N", low, high, surface_forces.scan_parts[0].source)
-    wide_pixel_force, scan_force = (
-        forces_with(contact)(stitched_map(heights)).mean() for heights in (widen_pixels(scan), scan)
-    )
-    wide_pixel_ratio = float(wide_pixel_force / scan_force)
-    force = include_finer_pixels(force, wide_pixel_ratio)
+    forces_on_map = force_function(contact)
+    wide_pixel_force = forces_on_map(stitched_map(widen_pixels(scan))).mean()
+    wide_pixel_ratio = float(wide_pixel_force / forces_on_map(surface).mean())
+    force = extend_low_end(force, wide_pixel_ratio)
     yield force
     yield Number("force_on_scan_share", mean / smooth)
     yield Number("wide_pixel_ratio", wide_pixel_ratio)
-    yield Number("touched_places", places)
+    yield Number("touched_places", touched_places)
     for place_half_width in place_half_widths(surface_forces, confidence):
         yield Number("place_factor", float(np.exp(place_half_width)))
     form, search = _closed_form_numbers(surface, force, scan.size, contact)
     yield search
-    yield include_finer_pixels(form, wide_pixel_ratio)
+    yield extend_low_end(form, wide_pixel_ratio)
 
 
 def _closed_form_numbers(

@@ -26,11 +26,7 @@ from hardcontact.paper.selection import (
     parse_selection,
     select_number,
 )
-from hardcontact.paper.verdicts import (
-    accepted_range,
-    interval_with_sets,
-    replicas_vary,
-)
+from hardcontact.paper.verdicts import accepted_range, interval_with_sets, replicas_vary
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 
 #: Functions of one or several datasets, which claims name.
@@ -60,8 +56,8 @@ DATASETS = (
     "elastic", "indent", "asperities", "classical", "enhancement",
 )  # fmt: skip
 COLUMNS = (
-    "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
-    "accepted_low", "accepted_high", "frequency", "verdict", "follows_from", "basis",
+    "id", "section", "statement", "number", "published", "computed", "low", "high", "unit", "rule",
+    "limits", "accepted_low", "accepted_high", "frequency", "verdict", "follows_from", "basis",
     "note",
 )  # fmt: skip
 NUMBER_COLUMNS = ("published", "published_low", "published_high")
@@ -205,7 +201,8 @@ def _row(claim: Any, claim_number: _ClaimNumber, common: _Common) -> dict[str, A
     return {
         **claim._asdict(),
         **judgement,
-        "basis": claim_basis(surfaces, common.topography),
+        "limits": claim.basis,
+        "basis": claim_basis(claim, surfaces, common.topography),
         "note": " ".join(filter(None, (claim.note, reason, no_value))),
     }
 
@@ -260,4 +257,4 @@ def _claim_interval(
     """
     value = float(number["value"])
     ends = interval_with_sets(value, bounds(number, "value"), replicas, confidence)
-    return (value, value) if claim.needs == WITHOUT_SCAN and np.isnan(ends[0]) else ends
+    return (value, value) if claim.needs in WITHOUT_SCAN and np.isnan(ends[0]) else ends

@@ -78,8 +78,8 @@ def _smallest_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
     return reduce(xr.ufuncs.minimum, ratios)
 
 
-#: Basis of a number that needs no scan.
-WITHOUT_SCAN = "no scan"
+#: Bases of a number that needs no scan, and words for it in the column `needs`.
+WITHOUT_SCAN = ("no scan", "no scan; assumed asperities")
 
 
 def claim_surfaces(
@@ -91,7 +91,7 @@ def claim_surfaces(
     of its first dataset. Unless it is about topography alone, it depends on the sphere, too. A
     claim that needs no scan depends on no surface.
     """
-    if claim.needs == WITHOUT_SCAN:
+    if claim.needs in WITHOUT_SCAN:
         return []
     study_surfaces = set(topography["surface"].values)
     all_labels = chain.from_iterable(group for groups in labels.values() for group in groups)
@@ -103,10 +103,10 @@ def claim_surfaces(
     return [str(surface) for surface in surfaces]
 
 
-def claim_basis(surfaces: list[str], topography: xr.Dataset) -> str:
-    """Return the basis of a number: ``measured``, ``substitute scans`` or ``no scan``."""
-    if not surfaces:
-        return WITHOUT_SCAN
+def claim_basis(claim: Any, surfaces: list[str], topography: xr.Dataset) -> str:
+    """Return the basis of a number: ``measured``, ``substitute scans`` or one of WITHOUT_SCAN."""
+    if claim.needs in WITHOUT_SCAN:
+        return str(claim.needs)
     return "substitute scans" if any(_are_substitutes(surfaces, topography)) else "measured"
 
 

@@ -3,10 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from hardcontact.report.artificial import NEARLY_ALL
 from hardcontact.report.quantities import numbers_by_name
 from hardcontact.report.templates import Frame, rendered
-from hardcontact.surfaces.reliable_band import LIMIT_NAMES, MIN_PIXELS, MIN_WAVES_IN_SIZE
 
 
 def render_page(
@@ -18,7 +16,7 @@ def render_page(
 ) -> str:
     """Return the page as HTML from the content of answer.json and the SVG of each figure.
 
-    Own surfaces have no further facts; `paper_page` gives those for the paper.
+    `own_page` and `paper_page` give the further facts that the templates of their studies need.
     """
     surfaces = [
         {**surface, "numbers": numbers_by_name(answer, surface["name"])}
@@ -33,9 +31,5 @@ def render_page(
         surfaces=surfaces,
         figures=figures,
         citation=citation,
-        limit_names=LIMIT_NAMES,
-        min_pixels=MIN_PIXELS,
-        min_waves=MIN_WAVES_IN_SIZE,
-        nearly_all=NEARLY_ALL,
         **facts,
     )

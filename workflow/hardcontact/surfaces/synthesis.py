@@ -179,7 +179,7 @@ def large_scale_master(
     return replace(repeated, heights=heights.astype(np.float32))
 
 
-#: By side: the function that makes the master, and the key of `scales` that sets its
+#: By side: the function that makes the master, and the key of its settings that has its
 #: number of pixels or of tiles.
 MASTER_MAKERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
 SIDES = tuple(MASTER_MAKERS)
@@ -189,12 +189,12 @@ def synthesize_master(
     side: str,
     rng: np.random.Generator,
     stitched: HeightMap,
-    scales: Mapping[str, Any],
+    settings: Mapping[str, Any],
     density: SpectrumFunction,
 ) -> HeightMap:
     """Return the periodic master of a side from a mirror-stitched scan and artificial roughness.
 
-    `scales` has ``transition`` in nm, and ``pixels`` (small side) or ``tiles`` (large side).
+    `settings` has ``transition`` in nm, and ``pixels`` (small side) or ``tiles`` (large side).
     """
     make_master, size_key = MASTER_MAKERS[side]
-    return make_master(rng, stitched, scales[size_key], scales["transition"], density)
+    return make_master(rng, stitched, settings[size_key], settings["transition"], density)

@@ -96,6 +96,15 @@ document.querySelector(".menu b")?.scrollIntoView({block: "nearest", inline: "ce
 addEventListener("hashchange", reveal);
 reveal();
 
+// A page that was mailed alone lacks the figures beside it, too: then it has no menu and no links to other files.
+function unlink() {
+  document.querySelector(".menu")?.replaceChildren("The other pages are in the folder of the study.");
+  document.querySelectorAll("a:not([href^='#'], [href*='://'])").forEach(link => link.removeAttribute("href"));
+}
+
+const {figure} = document.querySelector("main").dataset;
+if (figure) Object.assign(new Image(), {onerror: unlink, src: figure});
+
 // Printed pages have nothing folded, and each figure in its place.
 let folded = [];
 addEventListener("beforeprint", () => {

@@ -24,8 +24,7 @@ def draw(sensitivity: xr.Dataset, edges: xr.Dataset, published_constants: pd.Dat
     panels.draw_octaves(top[0], sensitivity)
     style.label_panel(top[0], "a", "change of the force with the amplitude a of one octave")
     tolerance = edges.attrs["tolerance"]
-    titles = {"published": "band {0[0]:g} to {0[1]:g} nm", "found": "band found here"}
-    for letter, axes, kind in zip("bc", bottom, titles, strict=True):
+    for letter, axes, kind in zip("bc", bottom, ("published", "found"), strict=True):
         ratios = sensitivity.sel(band=kind)
         _draw_band_ratios(axes, ratios, tolerance)
         ends = ratios["band_end"].values

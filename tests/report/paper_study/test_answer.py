@@ -13,10 +13,10 @@ from repository import PAPER, ROOT, merged
 from hardcontact.base.number import Number
 from hardcontact.config.model import numeric_configuration
 from hardcontact.paper.featured_draws import no_draws
-from hardcontact.report.changed_inputs import changed_inputs, paper_contact
-from hardcontact.report.paper_answer import ANSWER_CLAIMS
+from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
+from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
+from hardcontact.report.paper_study.table1 import decimals_of, table1_rows
 from hardcontact.report.quantities import numbers_by_name
-from hardcontact.report.table1 import decimals_of, table1_rows
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 

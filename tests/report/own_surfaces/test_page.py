@@ -34,11 +34,11 @@ from matplotlib.text import Text
 from paper_study import CITATION, svg
 from refusals import assert_says
 
-from hardcontact.report.figures import own_figures as figures
 from hardcontact.report.figures import style
 from hardcontact.report.figures.listing import OWN_FIGURES
-from hardcontact.report.own_answer import own_answer
-from hardcontact.report.page import render_page
+from hardcontact.report.own_surfaces import figures
+from hardcontact.report.own_surfaces.answer import own_answer
+from hardcontact.report.own_surfaces.page import own_page
 from hardcontact.report.quantities import answer_text
 from hardcontact.report.templates import Frame
 
@@ -67,7 +67,7 @@ PICTURES = {name: svg(f"#{index:03}") for index, name in enumerate(OWN_FIGURES)}
 def page_of(own_datasets, own_setting=None):
     """The page of an answer as answer.json has it."""
     answer = json.loads(answer_text(own_answer(own_datasets, own_setting or setting())))
-    return render_page(answer, PICTURES, CITATION, Frame("1.2.3"))
+    return own_page(answer, PICTURES, CITATION, Frame("1.2.3"))
 
 
 @cache
@@ -156,7 +156,7 @@ def test_the_headline_says_which_force_is_which():
     ],
 )
 def test_the_headline_says_whether_range_and_work_are_the_paper_s(paper_values, words_on_force):
-    headline = own_answer(datasets(), setting()._replace(of_paper=paper_values))["headline"]
+    headline = own_answer(datasets(), setting()._replace(assumed=paper_values))["headline"]
     assert words_on_force in headline[1]
 
 

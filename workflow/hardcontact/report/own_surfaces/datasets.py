@@ -48,7 +48,7 @@ class Setting(NamedTuple):
     #: Inputs of the contacts as printed, such as "radius of the sphere": "250 µm".
     contact: Mapping[str, str]
     #: Names of those inputs that the user did not give, so that they are the paper's.
-    of_paper: Sequence[str]
+    assumed: Sequence[str]
     version: str  #: Version of the software.
     #: Pairs of range and work of adhesion, rows of resources/adhesion/pairs.csv.
     pairs: Sequence[Mapping[str, Any]]

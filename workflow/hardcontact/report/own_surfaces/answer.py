@@ -8,19 +8,24 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.inference.octaves import strongest_octaves
-from hardcontact.report.artificial import (
+from hardcontact.report.figures.values import mean_free_heights
+from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.own_surfaces.artificial import (
     MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,
     shown_octaves,
     split_measurements,
 )
-from hardcontact.report.cautions import Caution, cautions
-from hardcontact.report.datasets import Datasets, Setting, preferred_model, tabor_number
-from hardcontact.report.figures.values import mean_free_heights
-from hardcontact.report.notes import note, substitutes_note
-from hardcontact.report.own_comparison import comparison_numbers
-from hardcontact.report.own_edges import (
+from hardcontact.report.own_surfaces.cautions import Caution, cautions
+from hardcontact.report.own_surfaces.comparison import comparison_numbers
+from hardcontact.report.own_surfaces.datasets import (
+    Datasets,
+    Setting,
+    preferred_model,
+    tabor_number,
+)
+from hardcontact.report.own_surfaces.edges import (
     EDGES,
     Measurement,
     Verdict,
@@ -28,7 +33,7 @@ from hardcontact.report.own_edges import (
     next_measurements,
     surface_verdict,
 )
-from hardcontact.report.own_forces import (
+from hardcontact.report.own_surfaces.forces import (
     fit_numbers,
     force_numbers,
     measured_numbers,
@@ -82,13 +87,13 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
             surfaces=surfaces,
             chosen=chosen,
             contact=setting.contact,
-            assumed=setting.of_paper,
+            assumed=setting.assumed,
             fit=fit_text if len(surfaces) > 1 else "",
         ),
         "verdicts": [],
         "contact": {**setting.contact, "contact model": preferred_model(datasets.force)},
         "changed": [],
-        "assumed": list(setting.of_paper),
+        "assumed": list(setting.assumed),
         "chosen": chosen,
         "surfaces": [_surface_head(surface, datasets.spectra) for surface in surfaces],
         "notes": _notes(surfaces, numbers, fit_text),
@@ -102,7 +107,7 @@ def _chosen_inputs(force: xr.Dataset, setting: Setting) -> list[str]:
     """Return the inputs that the scans forced: a range of adhesion of which none is shorter."""
     ranges = force["rho"].values
     is_shortest = len(ranges) > 1 and np.isclose(force.attrs["range_of_adhesion"], ranges.min())
-    return [RANGE] if is_shortest and RANGE not in setting.of_paper else []
+    return [RANGE] if is_shortest and RANGE not in setting.assumed else []
 
 
 def surface_answers(datasets: Datasets, setting: Setting) -> list[SurfaceAnswer]:
@@ -123,7 +128,7 @@ def _surface_answer(
     if data.force["surface"].item() != reference.force["surface"].item():
         numbers += comparison_numbers(data, reference)
     # A user who gave both range and work of adhesion, or own forces, has a pair.
-    if data.fit is None and {RANGE, "work of adhesion"} & set(setting.of_paper):
+    if data.fit is None and {RANGE, "work of adhesion"} & set(setting.assumed):
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
@@ -155,7 +160,7 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
     """Return the numbers of the whole study: settings and, with own forces, the fit."""
     numbers = []
     for name, unit in {"range_of_adhesion": "nm", "work_of_adhesion": "J m-2"}.items():
-        source = "assumed" if name.replace("_", " ") in setting.of_paper else "given"
+        source = "assumed" if name.replace("_", " ") in setting.assumed else "given"
         numbers.append(Number(name, datasets.force.attrs[name], unit, source=source))
     for name in ("tolerance", "confidence"):
         numbers.append(Number(name, datasets.edges.attrs[name], source="given"))

@@ -14,13 +14,13 @@ from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.inference.curve_edges import RIPPLES
-from hardcontact.report.artificial import (
+from hardcontact.report.own_surfaces.artificial import (
     fails_hindcast,
     measurement_name,
     measurements,
     split_measurements,
 )
-from hardcontact.report.datasets import Datasets, forces_at_range, tabor_number
+from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, tabor_number
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.mean_spectrum import contradictions
 from hardcontact.surfaces.reliable_band import OTHER_BODY

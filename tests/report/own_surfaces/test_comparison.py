@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import datasets, drop_interval, force, spectra
 
-from hardcontact.report.own_comparison import comparison_numbers
+from hardcontact.report.own_surfaces.comparison import comparison_numbers
 
 #: An octave that scans show, and d ln F / d ln a of it.
 OCTAVE, SENSITIVITY = 80.0, -0.9

@@ -7,7 +7,7 @@ import xarray as xr
 
 from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.inference.octaves import middles_within
-from hardcontact.report.datasets import Datasets
+from hardcontact.report.own_surfaces.datasets import Datasets
 
 #: Kinds of measurement; a substitute has a description instead. If a surface has fewer measurements
 #: than another, its datasets are padded.

@@ -16,7 +16,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.inference.edges import computed_cutoffs
-from hardcontact.report.artificial import (
+from hardcontact.report.figures import drawing, panels, style
+from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
+from hardcontact.report.figures.values import mean_free_heights, value_and_interval
+from hardcontact.report.own_surfaces.artificial import (
     artificial_bands,
     fails_hindcast,
     measurement_name,
@@ -24,10 +27,7 @@ from hardcontact.report.artificial import (
     shown_octaves,
     split_measurements,
 )
-from hardcontact.report.datasets import Datasets, preferred_model
-from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
-from hardcontact.report.figures.values import mean_free_heights, value_and_interval
+from hardcontact.report.own_surfaces.datasets import Datasets, preferred_model
 from hardcontact.surfaces.both_bodies import sphere_share
 
 #: Label and look of the curve for each side of the band.

@@ -21,7 +21,7 @@ from answer_inputs import (
 from jsonschema import Draft202012Validator
 from repository import ROOT
 
-from hardcontact.report.own_answer import own_answer
+from hardcontact.report.own_surfaces.answer import own_answer
 from hardcontact.report.quantities import answer_text
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
@@ -119,6 +119,6 @@ def test_substitutes_are_a_grave_note():
 
 @pytest.mark.parametrize(("paper_values", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
 def test_forces_at_other_pairs_are_shown_only_if_range_or_work_are_the_paper_s(paper_values, count):
-    numbers = numbers_of(setting()._replace(of_paper=paper_values))
+    numbers = numbers_of(setting()._replace(assumed=paper_values))
     pairs = {"force_of_pair_long_range", "force_of_pair_short_range"}
     assert len(pairs & numbers.keys()) == count

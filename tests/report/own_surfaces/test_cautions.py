@@ -14,8 +14,8 @@ from answer_inputs import (
 )  # fmt: skip
 
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
-from hardcontact.report.artificial import measurement_name
-from hardcontact.report.own_answer import surface_answers
+from hardcontact.report.own_surfaces.answer import surface_answers
+from hardcontact.report.own_surfaces.artificial import measurement_name
 
 
 def all_cautions(**others):

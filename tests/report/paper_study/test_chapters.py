@@ -17,7 +17,9 @@ from repository import PAPER, ROOT
 
 from hardcontact.paper.verdicts import VERDICTS, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
-from hardcontact.report.report_pages import chapter, claim_facts, pages
+from hardcontact.report.paper_study.chapters import convert_chapter
+from hardcontact.report.paper_study.claims import claim_facts
+from hardcontact.report.paper_study.pages import report_pages
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
@@ -29,12 +31,14 @@ def evaluated(**values):
             "id": ["first", "second", "third"],
             "section": ["Table 1", "Results", "Results"],
             "statement": ["The rms height is 3 nm.", "A > B & C.", "It is so."],
+            "number": ["rms height", "ratio", "share"],
             "published": [3.0, np.nan, 0.1],
             "computed": [3.25, 1.5, np.nan],
             "low": [2.75, np.nan, np.nan],
             "high": [3.75, np.nan, np.nan],
             "unit": ["nm", "1", "1"],
             "rule": ["interval", "above", "below"],
+            "limits": ["published", "published", "assumed"],
             "accepted_low": [2.0, 1.0, -np.inf],
             "accepted_high": [4.0, np.inf, 0.2],
             "frequency": [0.87, np.nan, np.nan],
@@ -54,7 +58,7 @@ def make_pages(table=None, changed=(), **texts):
     """The pages."""
     configuration = PAPER | {"inference": {"confidence": 0.8}}
     table = evaluated() if table is None else table
-    return pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
+    return report_pages(table, changed, texts, configuration, {"numpy": "1", "a<b": "1<2"}, FRAME)
 
 
 def test_facts_are_the_claims_with_their_numbers_as_printed():
@@ -87,6 +91,7 @@ def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
     [
         ({"basis": "no scan", "verdict": "reproduced"}, 1),
         ({"basis": "no scan", "verdict": "reproduced", "follows_from": "third"}, 0),
+        ({"basis": "no scan; assumed asperities", "verdict": "reproduced"}, 1),
         ({"basis": "no scan"}, 0),
         ({"verdict": "reproduced"}, 0),
     ],
@@ -108,14 +113,27 @@ def test_the_page_of_claims_has_a_row_for_each_and_counts_verdicts():
     )
     for cells, claim in zip(rows, independent_first, strict=True):
         row_text = " ".join(cells).replace("\N{NO-BREAK SPACE}", " ")
-        assert_says(row_text, *(claim[name] for name in ("id", "statement", "section", "kind")))
+        names = ("id", "statement", "number", "section", "kind")
+        assert_says(row_text, *(claim[name] for name in names))
     counts = [row for row in page.rows if len(row) == 4][1:]
     assert [row[0].strip() for row in counts] == list(VERDICTS)
     assert all(row[3].strip() for row in counts)
     assert set(table["id"]) <= set(page.values("id"))
 
 
-@pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
+def test_the_page_of_claims_opens_with_what_is_not_reproduced_and_names_limits_of_the_study():
+    table = evaluated(verdict="not reproduced", limits="assumed")
+    page = Page(make_pages(table)["claims"])
+    (item,) = page.texts["li"][-1:]
+    printed = " ".join(item.split())
+    assert_says(printed, "Rms height: paper 3 nm, computed 3.25 [2.75, 3.75] nm.")
+    words = " ".join(page.texts["main"][0].split())
+    assert words.index(printed) < words.index("3 statements of the paper")
+    accepted = [row[2] for row in page.rows if len(row) == 6 and "accepted" in row[2]]
+    assert ["a limit of this study" in text for text in accepted] == [True, False, True]
+
+
+@pytest.mark.parametrize("column", ["section", "statement", "number", "unit", "basis", "note"])
 def test_claims_are_text_not_markup(column):
     page = make_pages(evaluated(**{column: HOSTILE}))["claims"]
     assert page.count("<script") == make_pages()["claims"].count("<script") and "alert(1)" in page
@@ -139,7 +157,7 @@ def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository()
     parsed_page = Page(page)
     assert parsed_page.texts["h1"] == ["Where the study departs <from> the paper"]
     assert len(parsed_page.texts["li"]) == 2 and "1 &lt; 2" in page and "See the rules and" in page
-    text = chapter(CHAPTER, ["methods", "claims"]).html
+    text = convert_chapter(CHAPTER, ["methods", "claims"]).html
     assert Page(text).values("href") == ["https://doi.org/10.1/x", "methods.html#ends"]
     assert "250\N{NO-BREAK SPACE}µm, but <code>--radius 250 µm" in text
     rows = [[cell.strip() for cell in row] for row in parsed_page.rows]
@@ -148,7 +166,7 @@ def test_a_chapter_is_a_page_whose_links_lead_to_pages_not_into_the_repository()
 
 
 def test_a_formula_is_mathml():
-    html = chapter("# Title\n\nThe mean is\n\n$$\n\\frac{1}{\\rho} < x\n$$\n").html
+    html = convert_chapter("# Title\n\nThe mean is\n\n$$\n\\frac{1}{\\rho} < x\n$$\n").html
     formula = ElementTree.fromstring(re.search("<math.*?</math>", html)[0])
     assert formula.attrib == {"display": "block"}
     assert ["".join(part.itertext()) for part in formula.find(".//{*}mfrac")] == ["1", "ρ"]
@@ -157,12 +175,14 @@ def test_a_formula_is_mathml():
 
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
-    assert_says(refusal(chapter, text), "expected", "'# '", "found")
+    assert_says(refusal(convert_chapter, text), "expected", "'# '", "found")
 
 
 def test_anchors_are_those_of_github():
     """Links of documents lead to the same anchors there and on pages."""
-    (section,) = chapter("# Title\n\n## What's C_iso(q), and a well-known *edge*?\n").sections
+    (section,) = convert_chapter(
+        "# Title\n\n## What's C_iso(q), and a well-known *edge*?\n"
+    ).sections
     assert section[0] == "whats-c_isoq-and-a-well-known-edge"
 
 
@@ -170,8 +190,8 @@ def all_pages():
     """Every page of a study, by its path."""
     texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "workflow/report").glob("*.md")}
     report = make_pages(open_claims(), **texts) | {"figures": make_figures_page()}
-    report_pages = {f"report/{name}.html": page for name, page in report.items()}
-    return report_pages | {"answer.html": make_page()}
+    pages = {f"report/{name}.html": page for name, page in report.items()}
+    return pages | {"answer.html": make_page()}
 
 
 def test_every_page_links_to_all_others_and_no_link_is_dead():
@@ -204,7 +224,7 @@ def test_a_dead_link_is_found():
 
 @pytest.mark.parametrize("path", sorted((ROOT / "workflow/report").glob("*.md")))
 def test_every_chapter_has_a_title_and_unique_anchors(path):
-    page = chapter(path.read_text())
+    page = convert_chapter(path.read_text())
     anchors = [anchor for anchor, _ in page.sections]
     assert page.title and len(anchors) == len(set(anchors))
 
@@ -213,7 +233,7 @@ def test_every_chapter_has_a_title_and_unique_anchors(path):
 def test_every_formula_of_a_chapter_is_mathml(path):
     """An unknown command would keep its backslash."""
     text = path.read_text("utf-8")
-    formulas = re.findall("<math.*?</math>", chapter(text).html)
+    formulas = re.findall("<math.*?</math>", convert_chapter(text).html)
     assert 2 * len(formulas) == text.count("$$")
     assert not [formula for formula in formulas if "\\" in formula or "<merror" in formula]
 
@@ -221,7 +241,7 @@ def test_every_formula_of_a_chapter_is_mathml(path):
 def test_parameters_are_the_whole_configuration_and_every_version():
     versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
     configuration = PAPER | {"store": "a<b>&c"}
-    page = Page(pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
+    page = Page(report_pages(evaluated(), [], {}, configuration, versions, FRAME)["parameters"])
     assert yaml.safe_load(page.texts["pre"][0]) == configuration
     cells = [[cell.strip() for cell in row] for row in page.rows]
     assert cells[1:] == [[name, number] for name, number in versions.items()]
@@ -232,5 +252,5 @@ def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
     page = Page(make_pages(changed=changed)["claims"])
     assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
     (row,) = [row for row in page.rows if "first" in row[0]]
-    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm"
+    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm rms height"
     assert not [text for text in page.values("class") if text.startswith("verdict-")]

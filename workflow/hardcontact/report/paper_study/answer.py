@@ -15,10 +15,10 @@ from hardcontact.inference.edges import POOLED, edges_or_bounds
 from hardcontact.inference.fit import WITHOUT_SURFACE
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.paper.verdicts import interval_with_sets, open_end, summary
-from hardcontact.report.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.notes import note, substitutes_note
+from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
+from hardcontact.report.paper_study.claims import claim_facts
 from hardcontact.report.quantities import all_quantities, number_of
-from hardcontact.report.report_pages import claim_facts
 from hardcontact.report.templates import rendered_lines, rendered_text
 
 #: Claims with numbers in the answer, by the names of these numbers.
@@ -67,6 +67,7 @@ def paper_answer(
     topography = datasets["topography"]
     facts = _facts(claims, datasets, constants)
     numbers, surfaces, labels = facts["numbers"], facts["surfaces"], facts["labels"]
+    basis = topography["basis"].to_series()
     contact = paper_contact(numeric_configuration(configuration))
     changed = changed_inputs(contact, list(surfaces), table1)
     judgements = [] if changed else _judgements(claims)
@@ -82,7 +83,7 @@ def paper_answer(
         "assumed": [],
         "chosen": [],
         "surfaces": [
-            {"name": name, "label": labels[name], "basis": _basis(topography, name)}
+            {"name": name, "label": labels[name], "basis": basis[name]}
             for name in (*surfaces, topography.attrs["sphere_surface"])
         ],
         "notes": _notes(topography, facts),
@@ -97,8 +98,7 @@ def _facts(
 ) -> dict[str, Any]:
     """Return the facts that the templates of headline and notes show."""
     topography = datasets["topography"]
-    names = [str(name) for name in topography["surface"].values]
-    labels = {name: str(topography["label"].sel(surface=name).item()) for name in names}
+    labels = topography["label"].to_series().to_dict()
     numbers = {number.name: number for number in study_numbers(claims, datasets, constants)}
     substrates = [str(name) for name in datasets["edges"]["surface"].values]
     return {
@@ -120,11 +120,6 @@ def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, A
     if facts["featured"]:
         notes.append(note("features", rendered_text("paper_features.txt", **facts)))
     return notes
-
-
-def _basis(topography: xr.Dataset, surface: str) -> str:
-    """Return whether a surface is "measured" or a "substitute"."""
-    return str(topography["basis"].sel(surface=surface).item())
 
 
 def is_coarse(numbers: Mapping[str, Number]) -> bool:
@@ -265,7 +260,6 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
     """Yield the settings of the study, and the sizes of its grids and of the paper's grids."""
     topography = datasets["topography"]
     scales = datasets["scales"]
-    band = datasets["edges"]
     sizes = {
         "scan_pixels": topography.sizes["row"],
         "scan_size": topography["scan_size"].min().item(),
@@ -276,8 +270,8 @@ def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> It
         published = float(constants["value"][name])
         yield Number(f"{name}_published", published, unit, source="published")
     yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
-    yield Number("tolerance", float(band.attrs["tolerance"]), source="given")
-    yield Number("confidence", float(band.attrs["confidence"]), source="given")
+    for name in ("tolerance", "confidence"):
+        yield Number(name, float(datasets["edges"].attrs[name]), source="given")
     yield Number("sets", datasets["sets"].sizes["set"], source="given")
     yield Number("realizations", scales.sizes["realization"], source="given")
     map_size = datasets["scan_size"]["map_size"]

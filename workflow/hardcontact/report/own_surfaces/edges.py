@@ -9,14 +9,14 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.inference.edges import computed_cutoffs
-from hardcontact.report.artificial import (
+from hardcontact.report.own_surfaces.artificial import (
     artificial_bands,
     classify_edge,
     fails_hindcast,
     measured_share_at_edge,
     overlaps_any,
 )
-from hardcontact.report.datasets import Datasets
+from hardcontact.report.own_surfaces.datasets import Datasets
 from hardcontact.report.quantities import BOUND, bare, ends, ends_only
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.synthesis import SIDES

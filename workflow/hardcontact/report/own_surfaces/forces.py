@@ -7,14 +7,14 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.artificial import (
+from hardcontact.report.own_surfaces.artificial import (
     NEARLY_ALL,
     fails_hindcast,
     parts_of_change,
     reliable_share,
 )
-from hardcontact.report.datasets import Datasets, forces_at_range, preferred_model
-from hardcontact.report.own_edges import interval_status
+from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range, preferred_model
+from hardcontact.report.own_surfaces.edges import interval_status
 from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.synthesis import SIDES
 

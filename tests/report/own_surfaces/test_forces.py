@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import PAIRS, SURFACES, WORK, datasets, fit, force, numbers_of
 
-from hardcontact.report.own_forces import fit_numbers, pair_numbers, preferred_fit
+from hardcontact.report.own_surfaces.forces import fit_numbers, pair_numbers, preferred_fit
 
 
 def test_the_force_at_other_pairs_follows_a_power_law_within_the_ranges():

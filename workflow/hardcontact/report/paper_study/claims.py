@@ -1,0 +1,75 @@
+"""Claims as pages show them: rows with printed numbers, and counts of findings."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from hardcontact.base.formatting import format_as_paper, is_boundless
+from hardcontact.paper.selection import LARGER_PIXELS, WITHOUT_SCAN
+from hardcontact.paper.verdicts import BY_CONSTRUCTION, REPRODUCED_SHARE, summary
+from hardcontact.report.quantities import NO_INTERVAL
+
+
+def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
+    """Return the rows of a table as plain values, with None for NaN, which JSON lacks."""
+    return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
+def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
+    """Return the facts about claims that templates show.
+
+    `claims` has rows by their ids, with printed numbers, `contradicted` those of independent
+    findings that are not reproduced, and `counts` rows of `verdicts.summary`.
+    The numbers of findings: `without_scan` reproduced without any scan, `larger_pixels` testable
+    only with the paper's pixels.
+    """
+    pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
+    facts = {str(row["id"]): plain | _printed_claim(row) for plain, row in pairs}
+    return {
+        "claims": facts,
+        "contradicted": [
+            row
+            for row in facts.values()
+            if (row["kind"], row["verdict"]) == ("independent", "not reproduced")
+        ],
+        "counts": summary(claims).to_dict("records"),
+        "decisive_share": REPRODUCED_SHARE,
+        "without_scan": sum(
+            (row["kind"], row["verdict"]) == ("independent", "reproduced")
+            and row["basis"] in WITHOUT_SCAN
+            for row in facts.values()
+        ),
+        "larger_pixels": sum(
+            row["kind"] == "independent" and LARGER_PIXELS in (row["note"] or "")
+            for row in facts.values()
+        ),
+    }
+
+
+def _printed_claim(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """Return the numbers of a claim as printed, and its kind."""
+    unit = row["unit"]
+    interval = (row["low"], row["high"])
+    kind = "follows" if row["follows_from"] else "independent"
+    computed_text = format_as_paper(row["computed"], unit, interval, open_end=row["open_end"])
+    if row["low"] == row["high"]:
+        computed_text = format_as_paper(row["computed"], unit)
+    elif is_boundless(row["computed"], *interval, unit):
+        computed_text = f"{format_as_paper(row['computed'], unit)} ({NO_INTERVAL['no_interval']})"
+    return {
+        "published_text": format_as_paper(row["published"], unit),
+        "accepted_text": _print_accepted_range(row["accepted_low"], row["accepted_high"], unit),
+        "computed_text": computed_text,
+        "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
+    }
+
+
+def _print_accepted_range(low: float, high: float, unit: str) -> str:
+    """Return the range of numbers that agree with a statement, in words."""
+    if np.isinf(low):
+        return f"below {format_as_paper(high, unit)}"
+    if np.isinf(high):
+        return f"above {format_as_paper(low, unit)}"
+    return f"{format_as_paper(low, unit)} to {format_as_paper(high, unit)}"
