@@ -80,8 +80,7 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "rounded": quantities.rounded,
-        "bare": quantities.bare,
-        "percent": format_share, "share_of_decades": _share_of_decades,
+        "bare": quantities.bare, "percent": format_share, "share_of_decades": _share_of_decades,
         "unbroken": unbroken, "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption
