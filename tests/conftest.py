@@ -1,6 +1,5 @@
 """Fixtures: a copy of the repository, the finished tiny study, and the tiers of tests."""
 
-import os
 import shutil
 import sys
 import tempfile
@@ -18,7 +17,7 @@ HYPOTHESIS = tempfile.TemporaryDirectory(prefix="hypothesis-")
 configuration.set_hypothesis_home_dir(HYPOTHESIS.name)
 
 #: Fixtures that compute a study.
-STUDIES = {"finished", "own", "probe"}
+STUDIES = {"finished", "own_study", "probe"}
 
 
 def pytest_unconfigure():
@@ -35,13 +34,13 @@ def pytest_xdist_auto_num_workers(config):
 def pytest_collection_modifyitems(items):
     """Mark tests that need a finished study with `study`, unless they test the system.
 
-    A process takes whole files, and all files on own surfaces, whose studies they share.
+    A process takes whole files, whose tests share what fixtures make; those with studies begin.
     """
     for item in items:
-        file = item.path.name
-        item.add_marker(pytest.mark.xdist_group("own" if file.startswith("test_own_") else file))
+        item.add_marker(pytest.mark.xdist_group(item.path.name))
         if STUDIES & set(item.fixturenames) and not item.get_closest_marker("system"):
             item.add_marker("study")
+    items.sort(key=lambda item: item.get_closest_marker("study") is None)
 
 
 @pytest.fixture
@@ -58,15 +57,8 @@ def repository(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory):
-    """Run the tiny study in a copy of the repository; not to be changed.
-
-    Processes that share the tests also share the run, and each has a copy.
-    """
-    shared = tmp_path_factory.getbasetemp()
-    if "PYTEST_XDIST_WORKER" in os.environ:
-        shared = shared.parent
-    study = shared_study(shared, tiny_study)
-    return shutil.copytree(study, tmp_path_factory.mktemp("finished") / "study")
+    """Run the tiny study in a copy of the repository; not to be changed."""
+    return shared_study(tmp_path_factory, tiny_study)
 
 
 @pytest.fixture(scope="session")

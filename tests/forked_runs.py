@@ -50,6 +50,7 @@ def run_program(folder, module, words, environment):
 
 def call_main(folder, module, words, environment, output):
     use_library_of(folder)
+    sys.dont_write_bytecode = False  # The next run in this folder need not compile again.
     os.environ.update(environment)
     for descriptor in (1, 2):
         os.dup2(output, descriptor)

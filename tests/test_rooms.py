@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 754,
+    "base": 762,
     "surfaces": 3431,
     "contact": 1388,
     "inference": 1591,
     "theory": 639,
-    "paper": 1460,
+    "paper": 1462,
     "config": 2373,
-    "own": 2140,
-    "report": 3407,
+    "own": 2157,
+    "report": 3498,
     "api": 215,
 }
 NO_CODE = {

@@ -150,31 +150,14 @@ def rough_sphere():
     yield "largest relative difference from the direct sum", f"{error:.1e}"
 
 
-def tamaas_pressure(gap, pixel):
-    """Pressure (n, n) in Pa at the preload by tamaas; None if it is not installed."""
-    try:
-        import tamaas
-    except ImportError:
-        return None
-    size = len(gap) * pixel
-    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [size] * 2, gap.shape)
-    model.E, model.nu = MODULUS * 1e-9, 0.0
-    solver = tamaas.PolonskyKeerRey(model, gap.mean() - gap, 1e-8)
-    solver.solve(CONTACT.preload * 1e9 / size**2)
-    return model.traction * 1e9
-
-
 def elastic_contact(pixels=512):
     pair, _ = pair_under_sphere(stitched(1, 1.0))
     pixel = pair.geometry.pixel_size
     gap = part_around_lowest(gap_map(pair, (3, 5)), pixels)
     window = f"window of {pixels}² pixels"
-    (seconds, pressure), (library_seconds, expected), (tamaas_seconds, also_expected) = (
-        timed_in_turn(
-            lambda: pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),
-            lambda: library_pressure(gap, pixel, MODULUS, CONTACT.preload),
-            lambda: tamaas_pressure(gap, pixel),
-        )
+    (seconds, pressure), (library_seconds, expected) = timed_in_turn(
+        lambda: pressure_at_load(gap, pixel, MODULUS, CONTACT.preload),
+        lambda: library_pressure(gap, pixel, MODULUS, CONTACT.preload),
     )
     yield f"elastic contact at the preload, {window}", f"{seconds:.2f} s"
     yield "ContactMechanics", times_as_long(library_seconds / seconds)
@@ -182,12 +165,6 @@ def elastic_contact(pixels=512):
         "largest difference, of the peak",
         f"{abs(pressure - expected).max() / expected.max():.1e}",
     )
-    if also_expected is None:
-        yield "tamaas", "not installed"
-    else:
-        yield "tamaas", times_as_long(tamaas_seconds / seconds)
-        difference = abs(pressure - also_expected).max() / also_expected.max()
-        yield "largest difference, of the peak", f"{difference:.1e}"
     (seconds, (_, force)), (library_seconds, expected) = timed_in_turn(
         lambda: adhesive_pull_off(gap, pixel, MODULUS, WORK, RHO),
         lambda: library_pull_off(gap, pixel, MODULUS, WORK, RHO),

@@ -4,7 +4,6 @@ from dataclasses import replace
 from itertools import product
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
@@ -165,13 +164,16 @@ def check_masters(config, rng, stitched, sphere, section, side):
     assert_forces(filtered_pull_off(master, filters, contacts, None, radii))
 
 
-@pytest.mark.parametrize("examples", [5, pytest.param(12, marks=pytest.mark.study)])
-def test_every_accepted_study_can_be_computed(project_folder, examples):
+#: Studies that are computed.
+EXAMPLES = 8
+
+
+def test_every_accepted_study_can_be_computed(project_folder):
     refusals = []
 
     @given(tiny())
     @settings(
-        max_examples=examples,
+        max_examples=EXAMPLES,
         deadline=None,
         derandomize=True,
         phases=[Phase.generate],
@@ -189,4 +191,4 @@ def test_every_accepted_study_can_be_computed(project_folder, examples):
             check_masters(config, rng, stitched, sphere, section, side)
 
     compute()
-    assert sum(refusals) >= examples and not all(refusals)
+    assert sum(refusals) >= EXAMPLES and not all(refusals)

@@ -22,15 +22,15 @@ BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
 
 #: Plain runs of pytest are short; the marker asks for more.
-bulk = pytest.mark.parametrize("examples", [30, pytest.param(150, marks=pytest.mark.study)])
-
-
-def example_settings(examples):
-    """Make settings for a number of examples, the same in every run."""
-    checks = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.function_scoped_fixture]
-    return settings(
-        max_examples=examples, deadline=None, derandomize=True, suppress_health_check=checks
-    )
+#: The same examples in every run.
+SETTINGS = settings(
+    max_examples=60,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[
+        HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.function_scoped_fixture
+    ],
+)  # fmt: skip
 
 
 NASTY = [
@@ -101,15 +101,11 @@ def test_the_study_of_the_paper_and_smaller_ones_are_valid(file):
     assert outcome(merged(PAPER, yaml.safe_load((ROOT / file).read_text()))) is None
 
 
-@bulk
-def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(examples):
-    @example_settings(examples)
-    @given(st.sampled_from(LEAVES + BRANCHES), values)
-    def check(path, value):
-        message = outcome(replace_value(PAPER, path.split("."), value))
-        assert message is None or message.startswith("config key")
-
-    check()
+@SETTINGS
+@given(st.sampled_from(LEAVES + BRANCHES), values)
+def test_any_value_at_any_key_is_accepted_or_refused_with_the_key(path, value):
+    message = outcome(replace_value(PAPER, path.split("."), value))
+    assert message is None or message.startswith("config key")
 
 
 def test_missing_keys_have_their_defaults():
@@ -129,23 +125,18 @@ def test_a_configuration_that_is_no_mapping_is_refused(config):
     assert "(top level)" in outcome(config)
 
 
-@bulk
-def test_values_near_the_paper_s_become_numbers_or_are_refused(examples):
+@SETTINGS
+@given(st.data())
+def test_values_near_the_paper_s_become_numbers_or_are_refused(data):
     """Several keys have other values at once; an accepted study has only numbers."""
-
-    @example_settings(examples)
-    @given(st.data())
-    def check(data):
-        config = PAPER
-        several_keys = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
-        for path in data.draw(several_keys):
-            path = path.split(".")
-            config = replace_value(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
-        if outcome(config) is None:
-            numbers = numeric_configuration(config)
-            for path in LEAVES:
-                value = reduce(dict.get, path.split("."), numbers)
-                for item in value if isinstance(value, list) else [value]:
-                    assert isinstance(item, str | dict) or 0 <= abs(item) < 1e14
-
-    check()
+    config = PAPER
+    several_keys = st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)
+    for path in data.draw(several_keys):
+        path = path.split(".")
+        config = replace_value(config, path, data.draw(near(reduce(dict.get, path, PAPER))))
+    if outcome(config) is None:
+        numbers = numeric_configuration(config)
+        for path in LEAVES:
+            value = reduce(dict.get, path.split("."), numbers)
+            for item in value if isinstance(value, list) else [value]:
+                assert isinstance(item, str | dict) or 0 <= abs(item) < 1e14

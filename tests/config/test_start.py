@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from refusals import NESTED_ALIASES, assert_says
-from repository import PAPER, ROOT, TINY, environment, snakemake
+from repository import PAPER, ROOT, TINY, environment
 from snakemake.cli import parse_config
 from snakemake.settings.types import ExecMode
 from snakemake.utils import update_config
@@ -129,16 +129,6 @@ def test_a_key_given_twice_is_refused_before_the_first_job(tmp_path):
 # The command line
 
 
-@pytest.mark.study
-def test_a_bad_file_is_refused_in_one_line(repository):
-    (repository / "bad.yaml").write_text("study: !!python/object/apply:os.mkdir [made]")
-    run = snakemake(repository, "-n", "--configfile", "bad.yaml")
-    (error,) = [line for line in run.stdout.splitlines() if line.startswith("error: ")]
-    assert_says(error, "bad.yaml: expected YAML")
-    assert run.returncode != 0 and "Traceback" not in run.stdout and "rule " not in run.stdout
-    assert not (repository / "results").exists() and not (repository / "made").exists()
-
-
 #: Runs Snakemake and prints its largest memory (KB), which counts that of the process before it.
 PEAK_MEMORY = """
 import resource, subprocess, sys
@@ -157,3 +147,4 @@ def test_nested_aliases_are_refused_before_they_fill_the_memory(repository):
     )  # fmt: skip
     assert_says(run.stderr.splitlines()[-1], "error: nested.yaml: expected YAML", "expanded")
     assert run.returncode == 1 and int(run.stdout) < 300_000
+    assert "Traceback" not in run.stderr and not (repository / "results").exists()

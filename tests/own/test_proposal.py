@@ -159,30 +159,21 @@ def check_refusal(line, scan, settings):
         ), line
 
 
-@pytest.mark.parametrize("examples", [20, pytest.param(300, marks=pytest.mark.study)])
-def test_any_scan_gives_a_valid_study_or_a_justified_refusal(examples):
-    @settings(
-        max_examples=examples,
-        deadline=None,
-        derandomize=True,
-        suppress_health_check=list(HealthCheck),
-    )
-    @given(
-        scans(),
-        st.builds(
-            probe, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
-        ),
-    )
-    def check(entries, settings):
-        try:
-            check_study(settings, propose(entries, None, settings))
-            event("accepted")
-        except ValueError as error:
-            for line in str(error).splitlines():
-                event(line.partition(":")[0])
-                check_refusal(line, entries[0], settings)
-
-    check()
+@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@given(
+    scans(),
+    st.builds(
+        probe, random_between(1e3, 5e6), random_between(1e-9, 1e-3), random_between(1e8, 1e12)
+    ),
+)
+def test_any_scan_gives_a_valid_study_or_a_justified_refusal(entries, settings):
+    try:
+        check_study(settings, propose(entries, None, settings))
+        event("accepted")
+    except ValueError as error:
+        for line in str(error).splitlines():
+            event(line.partition(":")[0])
+            check_refusal(line, entries[0], settings)
 
 
 def test_scans_like_the_paper_s_get_about_its_grids():

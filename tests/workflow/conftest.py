@@ -7,18 +7,18 @@ import xarray as xr
 from own_studies import forces_on, make_study, new, quick, rough, spm
 from repository import copy_repository
 from scan_files import container, scan, write_coordinates
+from shared_study import shared_study
 from SurfaceTopography import UniformLineScan
 
 from hardcontact.base.random import generator
 
 
-@pytest.fixture(scope="session")
-def folder(tmp_path_factory):
-    """Copy the repository, with a folder of scans, for all studies of own surfaces.
+def own_repository(folder):
+    """Copy the repository into a folder, with a folder of scans; return the copy.
 
     A single realization of the masters, of `few.yaml`, is enough for the files of a study.
     """
-    folder = copy_repository(tmp_path_factory.mktemp("own") / "study")
+    folder = copy_repository(folder / "study")
     (folder / "scans").mkdir()
     (folder / "few.yaml").write_text("quick: {scales: {realizations: 1}}")
     return folder
@@ -42,11 +42,14 @@ def write_scans(scans):
 
 
 @pytest.fixture(scope="session")
-def own_study(folder):
-    """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK.
+def own_study(tmp_path_factory):
+    """Return the repository with the study `several-quick`; not to be changed."""
+    return shared_study(tmp_path_factory, several)
 
-    Returns the folder of the repository: the study is `several-quick`. Not to be changed.
-    """
+
+def several(folder):
+    """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK."""
+    folder = own_repository(folder)
     write_scans(folder / "scans")
     choices = [
         "--surface", "My film", "scans/rectangle.001", "scans/line.txt",
@@ -80,9 +83,15 @@ def write_forces(folder, forces):
 
 
 @pytest.fixture(scope="session")
-def probe(folder):
-    """Make a study of a small probe on one scan."""
+def probe(tmp_path_factory):
+    """Return the results of a study of a small probe on one scan."""
+    return shared_study(tmp_path_factory, small_probe) / "results/probe-quick"
+
+
+def small_probe(folder):
+    folder = own_repository(folder)
     spm(folder / "scans/probe.001", rough(generator(4), 128, 1000.0, 3.0), 1000.0)
     options = ["--radius", "5um", "--hardness", "5GPa", "--preload", "100nN", "--range", "2nm"]
     options += ["--work", "30 mJ/m2"]
-    return make_study(folder, "probe", "scans/probe.001", *options, overlays=["few.yaml"])
+    make_study(folder, "probe", "scans/probe.001", *options, overlays=["few.yaml"])
+    return folder

@@ -77,9 +77,9 @@ def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(cluster, finis
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason=f"no real scans in {SHARED}")
-def test_real_scans_give_plausible_roughness_edges_and_forces(folder):
+def test_real_scans_give_plausible_roughness_edges_and_forces(repository):
     files = [SHARED / name for name in ("uncd-demo-container.zip", "afm-10um-512.di")]
-    results = make_study(folder, "both", *files)
+    results = make_study(repository, "both", *files)
     surface = quantities(results)["both"]
     assert surface["scan_size"]["value"] == 10_000.0
     assert 14.2 < surface["scan_1_rms_height"]["value"] < 14.4

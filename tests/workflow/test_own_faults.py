@@ -106,7 +106,7 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
 
 
 def test_a_study_continues_after_a_full_disk(empty, own_study):
-    (scan,) = (own_study / STORE / "stitched").glob("*/twin/*/scan-1-flat.nc")
+    (scan,) = (own_study / STORE / "measurements").glob("*/twin/*/scan-1.nc")
     target = str(scan.relative_to(own_study))
     with disk(empty / "results", "20M") as folder:
         filler = fill(folder, 50_000)
@@ -182,16 +182,17 @@ def test_altered_files_are_refused_and_made_again(copy, own_study):
     assert verified.returncode == 1 and "goes on from here" not in verified.stdout
     for path in altered_files:
         assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
-    for name in ("adhesion", "scales"):  # made from the forces, and from the filtered masters
+    targets = ["topography", "adhesion", "scales"]  # of the spectra, forces and filtered masters
+    for name in targets[1:]:
         (copy / RESULTS / f"{name}.nc").unlink()
-    failed_run = run(copy, "--keep-going")
+    failed_run = run(copy, *targets, "--keep-going")
     assert failed_run.returncode == 1
     messages = "\n".join(errors(failed_run.stdout))
     for path in (forces, filtered):
         assert_says(messages, f"{path.relative_to(copy)}: expected the file that the study wrote")
     for path in altered_files:
         path.unlink()
-    done = run(copy)
+    done = run(copy, *targets)
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
     assert differences(copy / "results", own_study / "results") == []
 

@@ -89,9 +89,8 @@ OWN = {
 }  # fmt: skip
 
 
-@pytest.mark.study
-def test_a_study_may_have_an_own_scan_among_substitutes(tmp_path):
-    folder = copy_repository(tmp_path / "study")
+def test_a_study_may_have_an_own_scan_among_substitutes(finished_copy):
+    folder = finished_copy  # with the scans of the substitutes
     (folder / "own.tsv").write_text(TABLE)
     heights = rough(generator(1), rms=3.0)
     scan(folder / "mine.nc", heights.T, (2500.0, 2500.0))

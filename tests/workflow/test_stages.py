@@ -48,16 +48,6 @@ def run(finished):
         yield info("Finished", LogEvent.JOB_FINISHED, job_id=number)
 
 
-def test_one_job_is_no_jobs(capsys):
-    one_job = [
-        info("", LogEvent.RUN_INFO, stats={"stitch": 1, "total": 1}),
-        info("", LogEvent.JOB_INFO, jobid=0, rule_name="stitch", rule_msg=None),
-        info("", LogEvent.JOB_FINISHED, job_id=0),
-    ]
-    plan, line = show(capsys, one_job)
-    assert plan.startswith("1 job, about ") and " 1 job in 0:00:00, 1 of 1 job done" in line
-
-
 @pytest.mark.parametrize("ended", range(4))
 def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
     plan, *lines = show(capsys, run(ended))
@@ -178,13 +168,6 @@ def test_a_target_that_no_rule_makes_is_refused_in_one_line(
     assert remedy in line
 
 
-def test_the_message_of_a_rule_is_shown(capsys):
-    plan = info("long list", LogEvent.RUN_INFO, stats={"claims": 1, "total": 1})
-    fields = {"jobid": 0, "rule_name": "claims", "rule_msg": "claims is left out"}
-    lines = show(capsys, [plan, info("", LogEvent.JOB_INFO, **fields)])
-    assert lines[-1] == "claims is left out"
-
-
 def test_messages_of_the_study_and_warnings_are_shown(capsys):
     records = [
         (logging.INFO, STUDY_LOGGER, "open answer.html", {}),
@@ -212,13 +195,6 @@ def test_a_job_that_a_cluster_ends_is_shown_by_the_study_alone(capsys):
 def test_options_show_the_whole_log(capsys, setting):
     lines = show(capsys, [info("Select jobs to execute...")], **{setting: True})
     assert lines == ["Select jobs to execute..."]
-
-
-def test_a_missing_file_is_named_in_one_line(capsys):
-    text = "Traceback (most recent call last):\n  File \"x.py\"\nFileNotFoundError: 'a.yaml'\n\n"
-    fields = {"event": LogEvent.ERROR, "exception": "FileNotFoundError"}
-    (line,) = show(capsys, [(logging.ERROR, "snakemake.logging", text, fields)])
-    assert line == "error: FileNotFoundError: 'a.yaml'"
 
 
 @pytest.mark.parametrize(

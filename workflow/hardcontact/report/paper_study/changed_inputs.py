@@ -6,16 +6,21 @@ from typing import Any
 import pandas as pd
 
 from hardcontact.config.configuration import contact_words
-from hardcontact.config.model import Study
+from hardcontact.config.model import CONTACT_QUANTITIES, Study
 
 #: The name of `scales.sphere_roughness` among the inputs of contacts.
 SPHERE_ON_MASTERS = "sphere on masters"
 
 
 def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
-    """Return the inputs of the contacts of a study of the paper, as printed."""
+    """Return the inputs of the contacts of a study of the paper, as printed.
+
+    The work of adhesion is no input, because it is fitted to the published forces.
+    """
+    words = contact_words(configuration)
+    del words[CONTACT_QUANTITIES["work"][1]]
     sphere = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
-    return contact_words(configuration) | {SPHERE_ON_MASTERS: sphere}
+    return words | {SPHERE_ON_MASTERS: sphere}
 
 
 def changed_inputs(
