@@ -214,7 +214,7 @@ WRONG = [
     ({"sphere": "sphere.nc"}, ["sphere: expected a scan of hc.read_scan", "found str"]),
     ({"ranges": [1e-4]}, ["ranges: expected at least", "found 0.0001 nm"]),
     ({"preload": 9e-3, "hardness": 5e9}, ["preload: expected at most", "found 9 mN"]),
-    ({"hardness": 25}, ["hardness: expected 1000 to 1e+13 Pa, found 25 Pa: is the unit right?"]),
+    ({"hardness": 25}, ["hardness: expected 1 kPa to 10000 GPa, found 25 Pa: is the unit right?"]),
     (
         {"scan": hc.HeightMap(np.zeros((64, 64)), 3e7)},
         ["scan: expected a pixel_size of 0.05 to 10000 nm, found 3e+07 nm: is the unit right?"],
@@ -338,7 +338,7 @@ def test_faulty_arguments_are_refused_in_one_line(files):
     cases += [
         (hc.predict, valid | {"spectrum": gaps}, ["spectrum: expected growing wavevectors"]),
         (hc.predict, valid | {"hardness": 1e6}, ["preload: expected less than"]),
-        (hc.predict, valid | {"hardness": 25}, ["hardness: expected 1000 to 1e+13 Pa, found 25"]),
+        (hc.predict, valid | {"hardness": 25}, ["hardness: expected 1 kPa to 10000 GPa, found 25"]),
         (hc.read_spectrum, {}, ["files: expected a table of a spectrum or scans"]),
         (hc.read_scan, {"path": "none.nc"}, ["none.nc: expected a scan, found no such file"]),
         (hc.read_scan, {"path": np.zeros((9, 9))}, ["files: expected a path", "array"]),

@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 753,
-    "surfaces": 3437,
+    "base": 761,
+    "surfaces": 3432,
     "contact": 1385,
     "inference": 1588,
     "theory": 647,
     "paper": 1463,
     "config": 2374,
-    "own": 2146,
-    "report": 3410,
+    "own": 2155,
+    "report": 3500,
     "api": 215,
 }
 NO_CODE = {

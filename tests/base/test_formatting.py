@@ -6,11 +6,11 @@ import pytest
 
 from hardcontact.base.formatting import (
     format_as_paper,
+    format_interval,
     format_number,
     format_quantity,
     format_with_interval,
     is_boundless,
-    known_digits,
 )
 
 
@@ -34,7 +34,7 @@ from hardcontact.base.formatting import (
         (3e-5, "N", (1e-6, 99e-6), "30 [1, 99] µN"),
     ],
 )
-def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, ends, printed):
+def test_a_quantity_has_three_digits_or_those_of_its_interval(value, unit, ends, printed):
     assert format_quantity(value, unit, *ends) == printed
 
 
@@ -49,7 +49,7 @@ def test_a_quantity_has_three_digits_and_its_interval_has_its_unit(value, unit, 
         (1234.5, "1", (nan, nan), "1230"),
         (3.0, "furlong", (nan, nan), "3 furlong"),
         (nan, "nm", (nan, nan), ""),
-        (1664.0, "nm", (876.0, 2841.0), "1.66 [0.876, 2.84] µm"),
+        (1664.0, "nm", (876.0, 2841.0), "1.7 [0.9, 2.8] µm"),
         (0.18, "1", (0.15, 0.29), "0.18 [0.15, 0.29]"),
         (1.5, "nm", (1.0, nan), "1.5 nm"),
     ],
@@ -58,14 +58,32 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
     assert format_as_paper(value, unit, ends) == printed
 
 
-def test_a_third_digit_is_known_if_the_interval_is_narrow():
-    """The distance of two digits is 1 to 10 % of a number, that of three 0.1 to 1 %."""
-    assert known_digits(105.0, 80.0, 320.0) == known_digits(105.0, nan, nan) == 2
-    assert known_digits(36.0, 35.8, 36.3) == 3
+@pytest.mark.parametrize(
+    ("numbers", "printed"),
+    [
+        ((1.00323, 0.9517, 1.05755), "1.00 0.95 1.06"),
+        ((1.02286, 1.01793, 1.04247), "1.023 1.018 1.042"),
+        ((36.0, 35.8, 36.3), "36.0 35.8 36.3"),
+        ((59.4975, 47.1, 83.1), "59 47 83"),
+        ((0.9, 0.5, 1.4), "0.9 0.5 1.4"),
+        ((350.0, 170.0, 710.0), "350 170 710"),
+        # The ends differ by more than five times: each number has two digits.
+        ((157.0, 22.0, 1045.0), "160 22 1000"),
+        ((88.6, 37.4, 202.0), "89 37 200"),
+        ((0.00056, 0.000128, 0.00144), "0.00056 0.00013 0.0014"),
+        # The interval contains zero.
+        ((0.0877, -0.0912, 0.276), "0.09 -0.09 0.28"),
+        ((0.2, -0.001, 0.3), "0.20 0.00 0.30"),
+        ((17.4, 17.4, 17.4), "17.40 17.40 17.40"),
+        ((0.0, 0.0, 0.0), "0 0 0"),
+    ],
+)
+def test_the_width_of_an_interval_decides_the_digits(numbers, printed):
+    assert " ".join(format_interval(*numbers)) == printed
 
 
 def test_digits_are_as_asked_and_without_exponent():
-    assert format_as_paper(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"
+    assert format_as_paper(67.23, "nm", digits=2) == "67 nm"
     assert format_with_interval({"value": 0.0561, "low": 0.045, "high": 0.0684}, ".2g") == (
         "0.056 [0.045, 0.068]"
     )

@@ -10,14 +10,7 @@ import pytest
 from refusals import assert_says, refusal
 from repository import PAPER, merged
 
-from hardcontact.base.origin import (
-    Origin,
-    canonical,
-    digest,
-    digests,
-    keep_records,
-    record_path,
-)
+from hardcontact.base.origin import Origin, canonical, digest, digests, keep_records, record_path
 from hardcontact.base.verification import check, traced_records
 from hardcontact.own import new
 from hardcontact.own.verify import verify, verify_arguments

@@ -28,7 +28,7 @@ from hardcontact.inference.curve_edges import (
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
-from hardcontact.theory.closed_form import closed_form, edges
+from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.summits import spectrum_between
 from hardcontact.theory.validity import table_coordinates
 
@@ -200,7 +200,7 @@ def predict_row(row: dict[str, Any]) -> dict[str, Any]:
         radius=row["radius"], range=row["rho"], work=WORK, preload=row["area"], hardness=1e18
     )
     form = closed_form(waves, contact)
-    short, long = edges(waves, contact, TOLERANCE)
+    short, long = critical_band(waves, contact, TOLERANCE)
     return {
         "predicted_force": form.force,
         "predicted_short_edge": short,

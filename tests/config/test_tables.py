@@ -89,7 +89,7 @@ def test_each_kind_of_fault_of_a_table_of_forces_has_its_line(table):
             ["value: expected a force above zero, found 0", "below the noise write"],
         ),
         (12, ["bare,0.5"], ["expected 3 cells, found 2"]),
-        (13, ["bare,1e-320,uN"], ["1e-15 to 1000 N", "1e-320 uN"]),
+        (13, ["bare,1e-320,uN"], ["1 fN to 1 kN", "1e-320 uN"]),
     ]
     path = table("surface,value,unit", *(row for _, rows, _ in faults for row in rows))
     message = refusal(measured_forces, path, SURFACES, RADIUS)

@@ -8,7 +8,7 @@ import xarray as xr
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.finite_scan import LARGE_ENOUGH, RATIOS, finite_scan_ratio, with_sizes
+from hardcontact.contact.finite_scan import LARGE_ENOUGH, RATIOS, add_sizes, finite_scan_ratio
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import level, mirror_stitch
@@ -61,7 +61,7 @@ def test_the_share_of_a_window_matches_the_sum_over_its_pixels():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
     sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
-    sized_forces = with_sizes(
+    sized_forces = add_sizes(
         xr.Dataset(coords={"rho": rhos, "surface": ["a"]}),
         xr.Dataset(sizes, {"surface": ["a"]}),
         contact,

@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.random import generator
-from hardcontact.contact.all_surfaces import stacked_forces, with_spectrum_shifts
 from hardcontact.contact.contact import Contact
+from hardcontact.contact.stacked_datasets import add_spectrum_shifts, stacked_forces
 from hardcontact.inference.edges import edges_of_scans
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.mean_forces import Masters
@@ -124,7 +124,7 @@ def interval_of_one_scan(density, number):
 
     measured_scales = scales([(spectrum, np.ones(1))] * REALIZATIONS)
     sampled_scales = scales(sample_spectra(rngs, measurements, [None]))
-    shifted_scales = with_spectrum_shifts(measured_scales, sampled_scales)
+    shifted_scales = add_spectrum_shifts(measured_scales, sampled_scales)
     masters = Masters({"a": 1}, TILES, {"a": 99})
     edges = edges_of_scans(shifted_scales, xr.Dataset(), masters, 0.1, 0.95)
     return edges.edge_interval.sel(side="large").values.ravel()

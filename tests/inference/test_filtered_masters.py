@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from periodic_maps import height_map
 
-from hardcontact.contact.all_surfaces import stacked_forces
+from hardcontact.contact.stacked_datasets import stacked_forces
 from hardcontact.inference.filtered_masters import Filters, forces_at_cutoffs
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.

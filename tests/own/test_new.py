@@ -213,7 +213,7 @@ def test_all_problems_are_reported_at_once_and_nothing_is_written(folder, run):
     assert done.code == 1 and not done.out
     messages = [
         ["NAME", "letters", "'a/b'"], ["--radius", "nm", "5 N"], ["--preload", "N", "10"],
-        ["--tip", "nm", "3 s"], ["--work", "100 J/m2", "1e9 J/m2"], ["none.di", "no such file"],
+        ["--tip", "nm", "3 s"], ["--work", "100 J/m²", "1e9 J/m2"], ["none.di", "no such file"],
         ["odd{1}.nc", "without {, }"], ["my.csv: line 2", "unit"], ["my.csv: line 3", "b"],
     ]  # fmt: skip
     for message_parts in messages:
@@ -268,6 +268,12 @@ def test_an_unknown_option_is_refused_with_the_one_that_it_resembles(run, capsys
         (line,) = capsys.readouterr().err.splitlines()
         assert caught.value.code == 2
         assert_says(line, f"error: unrecognized arguments: {option}", "did you mean --hardness?")
+
+
+def test_an_unknown_command_is_refused_with_the_one_that_it_resembles(capsys):
+    with pytest.raises(SystemExit):
+        request.parse_arguments(["predcit", "one.nc"])
+    assert_says(capsys.readouterr().err, "'predcit'", "did you mean predict?")
 
 
 def test_an_interruption_ends_in_one_line(run, monkeypatch):

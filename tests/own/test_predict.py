@@ -18,7 +18,7 @@ from hardcontact.own.predict import predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-from hardcontact.theory.closed_form import closed_form, edges
+from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.prediction import trim_spectrum
 from hardcontact.theory.validity import nearest_errors, table_coordinates
 
@@ -153,7 +153,8 @@ def test_every_format_has_the_numbers_of_the_closed_form(table, tmp_path):
     coordinates = table_coordinates(trim_spectrum(spectrum), contact, prediction)
     force_interval = prediction.force * np.array(nearest_errors(coordinates, "force"))
     assert force["interval"] == pytest.approx(force_interval, rel=1e-5)
-    for name, edge in zip(("short_edge", "long_edge"), edges(spectrum, contact, 0.1), strict=True):
+    band = critical_band(spectrum, contact, 0.1)
+    for name, edge in zip(("short_edge", "long_edge"), band, strict=True):
         assert numbers[name]["value"] == pytest.approx(edge)
         assert numbers[name]["interval"][0] < edge
     with rows.open(newline="") as file:

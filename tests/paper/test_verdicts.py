@@ -16,6 +16,7 @@ from hardcontact.paper.verdicts import (
     sets_interval,
     stretch_interval,
     summary,
+    without_verdicts,
 )
 
 NONE = (np.nan, np.nan)
@@ -98,6 +99,14 @@ def test_a_truncated_table_is_refused(tmp_path):
     assert claims[["follows_from", "note"]].values.tolist() == [["", ""]]
     path.write_text("id,verdict,follows_from,note\nfirst,reprod")
     assert_says(refusal(read_verdicts, path), str(path), "whole table", "cut short")
+
+
+def test_claims_without_verdicts_are_read_back_and_counted_as_none(tmp_path):
+    path = tmp_path / "claims.csv"
+    path.write_text("id,frequency,verdict,follows_from,note\nfirst,0.99,reproduced,,\n")
+    without_verdicts(read_verdicts(path)).to_csv(path, index=False)
+    assert path.read_text().splitlines()[1].startswith("first,,,")
+    assert summary(read_verdicts(path))["claims"].sum() == 0
 
 
 # --- sets of scans ----------------------------------------------------------------------------

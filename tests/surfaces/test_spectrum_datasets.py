@@ -6,7 +6,7 @@ from measurements import map_of, two_sizes_and_a_line
 
 from hardcontact.base import dataset
 from hardcontact.base.random import generator
-from hardcontact.report.own_surfaces.artificial import artificial_bands
+from hardcontact.report.own_surfaces.artificial_roughness import artificial_bands
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, self_affine, spectrum_dataset

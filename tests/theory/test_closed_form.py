@@ -15,7 +15,7 @@ from hardcontact.theory.closed_form import (
     SINGLE_PEAKS,
     SMOOTH,
     closed_form,
-    edges,
+    critical_band,
     filtered_spectrum,
     gaussian_share,
 )
@@ -56,7 +56,7 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     assert (form.regime, form.freezing) == (SMOOTH, 0.0)
     nearly_smooth = closed_form(rough(0.02), contact())
     assert nearly_smooth.regime == SMOOTH and nearly_smooth.relative == pytest.approx(1, abs=0.03)
-    assert np.isnan(edges(flat, contact(), 0.1)).all()
+    assert np.isnan(critical_band(flat, contact(), 0.1)).all()
 
 
 def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
@@ -64,7 +64,7 @@ def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
     nearly_smooth = closed_form(rough(0.02), wide)
     smooth = closed_form(rough(0.0), wide)
     assert smooth.relative == pytest.approx(1.57) == pytest.approx(nearly_smooth.relative, abs=0.03)
-    assert np.isnan(edges(rough(0.02), wide, 0.1)).all()
+    assert np.isnan(critical_band(rough(0.02), wide, 0.1)).all()
 
 
 def test_a_single_smooth_summit_attracts_like_a_sphere_of_its_radius():
@@ -103,7 +103,7 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
 
 def test_the_force_has_left_the_tolerance_at_the_edges():
     spectrum = rough(17, 1000, 0.8, 10.0)
-    short, long = edges(spectrum, contact(), 0.1)
+    short, long = critical_band(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
     unfiltered = closed_form(spectrum, contact(), rough_below=False).relative
     for side, edge in (("small", short), ("large", long)):

@@ -23,7 +23,7 @@ API = (
 
 
 def __getattr__(name: str) -> Any:
-    """Return what programs use of the library, by its name in `API`, or its version."""
+    """Return a public name of the library, one of `API`, or its version."""
     if name == "__version__":
         return importlib.import_module("importlib.metadata").version("hardcontact")
     if name not in API:
@@ -32,5 +32,5 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """Return what programs use of the library."""
+    """Return the public names of the library."""
     return [*API, "__version__"]

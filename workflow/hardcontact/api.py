@@ -29,10 +29,10 @@ from hardcontact.config.arguments import (
 )
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE, Study
-from hardcontact.contact.all_surfaces import stacked_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
+from hardcontact.contact.stacked_datasets import stacked_forces
 from hardcontact.inference.edges import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.own.own_spectrum import own_spectrum

@@ -1,6 +1,7 @@
 # Claims: each statement of the paper beside what was computed.
 
 from hardcontact.paper.evaluation import DATASETS
+from hardcontact.report.paper_study.changed_inputs import paper_contact
 
 
 rule evaluate_claims:
@@ -10,11 +11,16 @@ rule evaluate_claims:
         sets=rules.judge_sets.output[0],
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED_TABLES["published_constants"],
+        published_table1=PUBLISHED_TABLES["published_table1"],
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
     retries: 0  # A fault of a statement would be there again.
     params:
-        canonical=parameters(datasets=DATASETS, confidence=STUDY["inference"]["confidence"]),
+        canonical=parameters(
+            datasets=DATASETS,
+            confidence=STUDY["inference"]["confidence"],
+            contact=paper_contact(STUDY),
+        ),
     script:
         "../scripts/evaluate_claims.py"

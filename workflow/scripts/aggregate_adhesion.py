@@ -2,7 +2,7 @@
 
 from hardcontact.base.dataset import read_all
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import stacked_pull_off_forces
+from hardcontact.contact.stacked_datasets import stacked_pull_off_forces
 
 with job(snakemake) as job:
     params = job.parameters

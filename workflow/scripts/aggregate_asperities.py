@@ -2,12 +2,12 @@
 
 from hardcontact.base.dataset import read_all, stack
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import with_names
+from hardcontact.contact.stacked_datasets import add_names
 
 with job(snakemake) as job:
     params = job.parameters
     scans = read_all(params["scans"], job.input.scans)
     job.write(
-        with_names(stack(scans, ["surface", "scan"]), params),
+        add_names(stack(scans, ["surface", "scan"]), params),
         title="asperities that carry the pull-off force of plastic contacts",
     )

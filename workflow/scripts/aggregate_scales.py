@@ -1,11 +1,11 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered force."""
 
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import (
+from hardcontact.contact.stacked_datasets import (
+    add_names,
+    add_spectrum_shifts,
+    add_transitions,
     read_masters,
-    with_names,
-    with_spectrum_shifts,
-    with_transitions,
 )
 
 with job(snakemake) as job:
@@ -13,10 +13,10 @@ with job(snakemake) as job:
     limits = params["realizations"], params["load"]
     forces = read_masters(params["surfaces"], job.input.masters, *limits)
     if job.input.sampled:  # There are none if all surfaces are substitutes.
-        sampled = read_masters(params["sampled_surfaces"], job.input.sampled, *limits)
-        forces = with_spectrum_shifts(forces, sampled)
+        sampled_forces = read_masters(params["sampled_surfaces"], job.input.sampled, *limits)
+        forces = add_spectrum_shifts(forces, sampled_forces)
     job.write(
-        with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(
+        add_transitions(add_names(forces, params), params["transitions"]).assign_attrs(
             {name: params[name] for name in ("rho", "sphere_radius")}
         ),
         title="plastic pull-off forces of filtered masters",

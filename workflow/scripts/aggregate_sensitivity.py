@@ -4,7 +4,7 @@ import xarray as xr
 
 from hardcontact.base.dataset import concatenate, read, read_all
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import with_names
+from hardcontact.contact.stacked_datasets import add_names
 from hardcontact.inference.hindcast import all_hindcasts
 from hardcontact.inference.mean_forces import fewest_places
 from hardcontact.inference.octaves import band_ratios_by_surface, sensitivities_by_surface
@@ -23,6 +23,6 @@ with job(snakemake) as job:
     if bands:  # Measured scans are too small for the long waves of the band.
         results.append(band_ratios_by_surface(bands, radius, rho, confidence))
     job.write(
-        with_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
+        add_names(xr.merge(results), params).assign_attrs(confidence=confidence, rho=rho),
         title="change of the pull-off force with the amplitude of each octave of wavelengths",
     )

@@ -8,12 +8,7 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.hindcast import (
-    RandomBody,
-    hindcast_forces,
-    last_octave,
-    pixel_forces,
-)
+from hardcontact.inference.hindcast import RandomBody, hindcast_forces, last_octave, pixel_forces
 from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum

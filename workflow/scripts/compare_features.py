@@ -5,15 +5,11 @@ from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.inference.published_fit import Pair, PublishedFit
-from hardcontact.paper.featured_draws import (
-    compare_with_published,
-    draws_by_surface,
-    no_draws,
-)
+from hardcontact.paper.featured_draws import compare_with_published, draws_by_surface, no_draws
 
 with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
-    measured = PublishedFit(
+    published_fit = PublishedFit(
         published.pull_off(job.input.published_pull_off),
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
     )
@@ -23,7 +19,7 @@ with job(snakemake) as job:
         compare_with_published(
             {kind: draws.sel(contact_model=PLASTIC) for kind, draws in kinds.items()},
             factor.sel(surface=surface, drop=True),
-            measured,
+            published_fit,
             surface,
         ).assign_attrs(label=job.parameters["labels"][surface])
         for surface, kinds in surfaces.items()

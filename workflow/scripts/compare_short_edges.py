@@ -1,10 +1,10 @@
-"""How forces and edges scale (scaling.nc), and what moves short edges (enhancement.nc)."""
+"""Exponents of forces and edges (scaling.nc), and causes of short edges (enhancement.nc)."""
 
 import xarray as xr
 
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
-from hardcontact.contact.all_surfaces import read_masters, with_names
+from hardcontact.contact.stacked_datasets import add_names, read_masters
 from hardcontact.inference.enhancement import edges_by_contact
 from hardcontact.inference.scaling import edge_exponents, force_exponent
 
@@ -25,7 +25,7 @@ with job(snakemake) as job:
         ]
     )
     job.write(
-        with_names(exponents, params).assign_attrs(
+        add_names(exponents, params).assign_attrs(
             area=area, tolerance=tolerance, confidence=confidence
         ),
         title="exponents of the pull-off force and of the edges of the critical band",
@@ -33,7 +33,7 @@ with job(snakemake) as job:
     )
     edges = edges_by_contact(forces["enhancement"], tolerance, sampling)
     job.write(
-        with_names(edges, params).assign_attrs(tolerance=tolerance, confidence=confidence),
+        add_names(edges, params).assign_attrs(tolerance=tolerance, confidence=confidence),
         title="short edges of plastic and rigid contact at two ranges of adhesion",
         output="enhancement",
     )

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import stack_sphere_scans
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
@@ -12,6 +11,7 @@ from hardcontact.contact.pull_off import (
     pull_off_of_pair,
     wider_window_change,
 )
+from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as job:

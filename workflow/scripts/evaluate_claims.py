@@ -1,17 +1,24 @@
-"""Statements of the paper, each with its computed number and its verdict."""
+"""Statements of the paper, each with its computed number; with the paper's inputs, its verdict."""
 
 from hardcontact.base import published
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.paper.evaluation import evaluate, read_statements
+from hardcontact.paper.verdicts import without_verdicts
+from hardcontact.report.paper_study.changed_inputs import changed_inputs
 
 with job(snakemake) as job:
     params = job.parameters
+    datasets = {name: read(job.input[name]) for name in params["datasets"]}
     claims = evaluate(
         read_statements(job.input.claims),
-        {name: read(job.input[name]) for name in params["datasets"]},
+        datasets,
         published.constants(job.input.published_constants),
         params["confidence"],
         read(job.input.sets),
     )
+    substrates = datasets["edges"]["surface"].values.tolist()
+    table1 = published.table1(job.input.published_table1)
+    if changed_inputs(params["contact"], substrates, table1):
+        claims = without_verdicts(claims)
     job.write_text(claims.to_csv(index=False, float_format="%.6g"), "claims")

@@ -6,7 +6,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, varied_master
+from hardcontact.inference.filtered_masters import Filters, filtered_pull_off, master_from_files
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -32,7 +32,7 @@ with job(snakemake) as job:
         else:
             generator_name = f"{side}-scale {params['generator_name']}"
             names = params["seed"], params["surface"], realization, generator_name
-            master = varied_master(
+            master = master_from_files(
                 side, generator(*names), sources.scans[index], sources.spectra[index], settings
             )
         forces[realization, side] = filtered_pull_off(

@@ -5,7 +5,7 @@ from hardcontact.base.dataset import concatenate, read, read_all, stack
 from hardcontact.base.job import job
 from hardcontact.base.statistics import Sampling
 from hardcontact.contact.contact import PLASTIC
-from hardcontact.inference.posterior import means_on_whole_surfaces, without_each_surface
+from hardcontact.inference.posterior import means_on_whole_surfaces, posteriors_without_each_surface
 
 with job(snakemake) as job:
     params = job.parameters
@@ -23,7 +23,7 @@ with job(snakemake) as job:
             surfaces, sets["sphere_factor"], sampling
         )
     posteriors = {
-        (name,): without_each_surface(mean_forces, published_forces, sampling)
+        (name,): posteriors_without_each_surface(mean_forces, published_forces, sampling)
         for name, mean_forces in forces.items()
     }
     job.write(

@@ -5,7 +5,7 @@ import pandas as pd
 from hardcontact.base import published
 from hardcontact.base.dataset import read, read_all
 from hardcontact.base.job import job
-from hardcontact.contact.all_surfaces import read_masters
+from hardcontact.contact.stacked_datasets import read_masters
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.judged_sets import SetSettings, gather_sources, judge_sets
 

@@ -111,7 +111,8 @@ class LogHandler(LogHandlerBase):
         """Show a job that failed, unless the study has shown why the cluster ended it."""
         if not fields["rule_msg"] and not fields["indent"]:
             logs = ", ".join(filter(os.path.isfile, fields["log"]))
-            self._say(f"Error in rule {fields['rule_name']}" + f": see {logs}" * bool(logs))
+            see = f": see {logs}" if logs else ""
+            self._say(f"Error in rule {fields['rule_name']}{see}")
 
     def _show_error(self, record: LogRecord, exception: str) -> None:
         """Show an error in one line, unless it repeats the failure of a job, which has a line."""
@@ -142,7 +143,7 @@ class LogHandler(LogHandlerBase):
         """Return the number of finished jobs, and the remaining time from the costs of jobs.
 
         The table of costs weighs as much as a PRIOR_SHARE of the run: finished jobs alone leave out
-        what the unfinished ones have done, which is most of the work at first.
+        the work of unfinished ones, which is most of it at first.
         """
         planned, finished = self._cost(self._planned), self._cost(self._done)
         prior = PRIOR_SHARE * planned

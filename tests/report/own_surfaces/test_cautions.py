@@ -15,7 +15,7 @@ from answer_inputs import (
 
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.report.own_surfaces.answer import surface_answers
-from hardcontact.report.own_surfaces.artificial import measurement_name
+from hardcontact.report.own_surfaces.artificial_roughness import measurement_name
 
 
 def all_cautions(**others):

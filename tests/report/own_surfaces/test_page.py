@@ -187,7 +187,7 @@ def test_a_hindcast_that_fails_or_lacks_an_octave_leaves_no_edge(ratio, lead):
         for note in own_answer(datasets(force=data), setting())["notes"]
         if note["code"] == "hindcast_small"
     ]
-    assert_says(note, "0.3 [" if ratio == 0.3 else "show no octave", "below 20 nm")
+    assert_says(note, "0.30 [0.27, 0.33]" if ratio == 0.3 else "show no octave", "below 20 nm")
 
 
 def test_ripples_of_the_filter_are_no_short_edge():
@@ -217,9 +217,9 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 @pytest.mark.parametrize(
     ("factor", "advice", "force", "amplitude", "gain"),
     [
-        (1, "Polish", "force", "less", "0.9 [0.4, 1.4] %."),
-        (-1, "Roughen", "force", "more", "0.9 [0.4, 1.4] %."),
-        (0.5, "Whether to polish", "force is not certain", "less", "0.45 [-0.05, 0.95] %."),
+        (1, "Polish", "force", "less", "0.90 [0.40, 1.40] %."),
+        (-1, "Roughen", "force", "more", "0.90 [0.40, 1.40] %."),
+        (0.4, "Whether to polish", "force is not certain", "less", "0.4 [-0.1, 0.9] %."),
     ],
 )
 def test_the_page_says_which_octave_to_polish_or_to_roughen(factor, advice, force, amplitude, gain):

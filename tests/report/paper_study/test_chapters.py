@@ -65,7 +65,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
     facts = claim_facts(evaluated())
     rows = facts["claims"]
     assert list(rows) == ["first", "second", "third"]
-    assert rows["first"]["computed_text"] == "3.25 [2.75, 3.75] nm"
+    assert rows["first"]["computed_text"] == "3.2 [2.8, 3.8] nm"
     assert rows["first"]["published_text"] == "3 nm"
     accepted = [row["accepted_text"] for row in rows.values()]
     assert accepted == ["2 nm to 4 nm", "above 1", "below 0.2"]
@@ -78,7 +78,7 @@ def test_facts_are_the_claims_with_their_numbers_as_printed():
 
 
 @pytest.mark.parametrize(
-    ("end", "interval"), [("high", "[2.75, 3.75 or more] nm"), ("low", "[2.75 or less, 3.75] nm")]
+    ("end", "interval"), [("high", "[2.8, 3.8 or more] nm"), ("low", "[2.8 or less, 3.8] nm")]
 )
 def test_a_claim_shows_the_open_end_of_its_interval(end, interval):
     rows = claim_facts(evaluated(open_end=end))["claims"]
@@ -126,7 +126,7 @@ def test_the_page_of_claims_opens_with_what_is_not_reproduced_and_names_limits_o
     page = Page(make_pages(table)["claims"])
     (item,) = page.texts["li"][-1:]
     printed = " ".join(item.split())
-    assert_says(printed, "Rms height: paper 3 nm, computed 3.25 [2.75, 3.75] nm.")
+    assert_says(printed, "Rms height: 3.2 [2.8, 3.8] nm; paper: 3 nm.")
     words = " ".join(page.texts["main"][0].split())
     assert words.index(printed) < words.index("3 statements of the paper")
     accepted = [row[2] for row in page.rows if len(row) == 6 and "accepted" in row[2]]
@@ -252,5 +252,5 @@ def test_statements_beside_other_contacts_have_numbers_and_no_verdicts():
     page = Page(make_pages(changed=changed)["claims"])
     assert_says(page.texts["p"][0], "hardness 30 GPa", "paper 25 GPa", "meaningless")
     (row,) = [row for row in page.rows if "first" in row[0]]
-    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.25 [2.75, 3.75] nm rms height"
+    assert row[-1].replace("\N{NO-BREAK SPACE}", " ").strip() == "3.2 [2.8, 3.8] nm rms height"
     assert not [text for text in page.values("class") if text.startswith("verdict-")]

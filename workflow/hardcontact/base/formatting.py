@@ -20,9 +20,6 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
-#: Width of an interval, relative to its number, below which a third digit is known: the second one
-#: of a number just above 1 is a tenth.
-NARROW_INTERVAL = 0.1
 #: Largest ratio of the ends of a printed interval; a wider one only says that scans are too few.
 MAX_END_RATIO = 100
 
@@ -32,9 +29,22 @@ def format_number(value: float, digits: int = 3) -> str:
     return f"{float(f'{value:.{digits}g}'):g}"
 
 
-def known_digits(value: float, low: float, high: float) -> int:
-    """Return how many digits of a number are known: three if its interval is narrow, else two."""
-    return 3 if high - low < NARROW_INTERVAL * abs(value) else 2
+def format_interval(value: float, low: float, high: float) -> list[str]:
+    """Return a number and both ends of its interval, with the same number of decimals.
+
+    The last digit is about a fifth of the interval's width or of the smallest number. If the ends
+    have one sign and differ by more than five times, each number has two digits instead.
+    """
+    numbers = (value, low, high)
+    finest = high - low
+    smallest, _, largest = sorted(map(abs, numbers))
+    if low > 0 or high < 0:
+        if largest > 5 * smallest:
+            return [format_number(number, 2) for number in numbers]
+        finest = min(finest, smallest)
+    last_digit = max(finest / 5, largest / 1000) or 1
+    exponent = math.floor(math.log10(last_digit))
+    return [f"{round(number, -exponent):z.{max(-exponent, 0)}f}" for number in numbers]
 
 
 def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:
@@ -49,18 +59,19 @@ def _format(
     digits: int,
     open_end: str = "",
 ) -> str:
-    """Return a number in the unit that fits best, with its interval if both ends are known."""
+    """Return a number in the unit that fits best, with its interval if both ends are known.
+
+    `digits` are those of a number without an interval.
+    """
     # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
     threshold = 1 - 0.5 * 10**-digits
     fitting = (name for name, size in units.items() if abs(value) >= threshold * size)
     name = next(fitting, list(units)[-1])
-    number, low, high = (
-        format_number(amount / units[name], digits) for amount in (value, *interval)
-    )
     if any(map(math.isnan, interval)):
-        return f"{number} {name}".rstrip()
-    low += " or less" * (open_end == "low")
-    high += " or more" * (open_end == "high")
+        return f"{format_number(value / units[name], digits)} {name}".rstrip()
+    number, low, high = format_interval(*(amount / units[name] for amount in (value, *interval)))
+    low += " or less" if open_end == "low" else ""
+    high += " or more" if open_end == "high" else ""
     return _bracketed(number, low, high, name)
 
 

@@ -57,7 +57,9 @@ def parse_quantity(text: object, unit: str) -> float:
         value = float(f"{float(match[1]) * FACTORS[unit][unit_symbol]:.12g}")
         if math.isfinite(value):
             return value
-    raise ValueError(f"expected {EXPECTED_QUANTITY[unit]}, found {reprlib.repr(text)}")
+    meant = " or ".join(name for name in FACTORS[unit] if name.lower() == unit_symbol.lower())
+    question = f" (did you mean {meant}?)" if meant and meant != unit_symbol else ""
+    raise ValueError(f"expected {EXPECTED_QUANTITY[unit]}, found {reprlib.repr(text)}{question}")
 
 
 def format_exact(value: float, unit: str) -> str:

@@ -39,7 +39,7 @@ def whole_file(path: str | Path) -> Iterator[str]:
 
 
 def remove_parts(path: str | Path) -> None:
-    """Remove what killed processes left of a file, which nobody else may be writing."""
+    """Remove the parts of a file that killed processes left; nobody else may be writing it."""
     path = Path(path)
     for part in path.parent.glob(f"{PART}*-{glob.escape(path.name)}"):
         part.unlink(missing_ok=True)

@@ -59,7 +59,7 @@ def _checked_claim(row: Row) -> Row:
 
 
 def _cell_faults(row: Row) -> Iterator[str]:
-    """Yield what is expected and found in each faulty cell of a row."""
+    """Yield the fault of each faulty cell of a row, as expected and found."""
     for name, (form, accepted) in FORMS.items():
         if not form.fullmatch(row[name]):
             yield f"{name}: expected {accepted}, found {quote_key(row[name])}"
@@ -69,9 +69,9 @@ def _cell_faults(row: Row) -> Iterator[str]:
         yield f"quantity: expected {accepted}, found {quote_key(row['quantity'])}"
     for name, words in COLUMNS.items():
         if words and row[name] not in words:
-            yield f"{name}: expected {_listed(words)}, found {quote_key(row[name])}"
+            yield f"{name}: expected {_join_words(words)}, found {quote_key(row[name])}"
     if not set(row["dataset"].split("+")) <= {*DATASETS, "paper"}:
-        datasets = _listed((*DATASETS, "paper"))
+        datasets = _join_words((*DATASETS, "paper"))
         yield f"dataset: expected {datasets}, with + between, found {quote_key(row['dataset'])}"
     for name in NUMBER_COLUMNS:
         if row[name] and not abs(parse_number(row[name])) >= 0:
@@ -82,6 +82,6 @@ def _cell_faults(row: Row) -> Iterator[str]:
         yield f"rule: expected interval, factor 2, below, above or order, found: {error}"
 
 
-def _listed(words: tuple[str, ...]) -> str:
+def _join_words(words: tuple[str, ...]) -> str:
     """Return words as a choice, in which nothing is named."""
     return "one of " + ", ".join(word or "nothing" for word in words)

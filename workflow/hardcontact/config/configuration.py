@@ -1,4 +1,4 @@
-"""Configurations as trees of keys, and what follows from their keys: contacts, also in words."""
+"""Configurations as trees of keys, and the contacts that they describe, also in words."""
 
 import os
 from collections.abc import Mapping

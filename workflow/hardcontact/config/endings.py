@@ -25,17 +25,17 @@ def log_answer(workflow: Any, page: str) -> None:
         for line in [*content["headline"], *content["verdicts"], *grave_notes]:
             logger.info(line)
         logger.info(f"The answer is made: open {page}")
-    _stop_looking()
+    _cancel_timers()
 
 
 def log_how_to_resume(workflow: Any) -> None:
     """Log, at the end of a failed or stopped run that makes files, that its command resumes it."""
     if any(job.output for job in workflow.dag.jobs):
         logger.error(RESUME)
-    _stop_looking()
+    _cancel_timers()
 
 
-def _stop_looking() -> None:
+def _cancel_timers() -> None:
     """End without waiting for Snakemake's timers, since no work is left."""
     for thread in threading.enumerate():
         if isinstance(thread, threading.Timer):
@@ -61,7 +61,7 @@ def stop_jobs_at_interrupt(workflow: Any) -> None:
     """End at Ctrl-C, of which jobs hear nothing; on a cluster, at the second one.
 
     Jobs would print tracebacks, and Snakemake would wait for them. On a cluster Snakemake first
-    cancels what it has submitted.
+    cancels the jobs that it has submitted.
     """
     if workflow.local_exec:
         # Threads and jobs that begin from here on inherit what is blocked.

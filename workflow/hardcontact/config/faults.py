@@ -88,11 +88,11 @@ def validate(model: type[Model], value: object, prefix: str = "") -> Model:
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        refuse_lines(_lines(model, error, prefix))
+        refuse_lines(_fault_lines(model, error, prefix))
         raise  # Only a validation error without any fault would come here.
 
 
-def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[str]:
+def _fault_lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[str]:
     faults = dict[str, str]()
     unknown = dict[tuple[int | str, ...], list[str]]()
     for fault in error.errors(include_url=False):
@@ -103,13 +103,13 @@ def _lines(model: type[BaseModel], error: ValidationError, prefix: str) -> list[
             lines = str(fault["ctx"]["error"]).splitlines()
             return [prefix.removesuffix("config key ") + line for line in lines]
         else:
-            faults.setdefault(_key(keys), _sentence(fault))
+            faults.setdefault(_join_key(keys), _describe_fault(fault))
     for keys, names in unknown.items():
-        faults[_key(keys)] = _unknown(model, section_model(model, keys), names)
+        faults[_join_key(keys)] = _describe_unknown(model, section_model(model, keys), names)
     return [f"{prefix}{key}: {faults[key]}" for key in sorted(faults)]
 
 
-def _key(keys: tuple[int | str, ...]) -> str:
+def _join_key(keys: tuple[int | str, ...]) -> str:
     return ".".join(map(quote_key, keys)) or "(top level)"
 
 
@@ -121,7 +121,7 @@ def section_model(model: type[BaseModel], keys: Iterable[int | str]) -> type[Bas
     return model
 
 
-def _sentence(fault: Mapping[str, Any]) -> str:
+def _describe_fault(fault: Mapping[str, Any]) -> str:
     """Return the accepted values and the value, as a sentence."""
     if fault["type"] == "value_error":
         return str(fault["ctx"]["error"])
@@ -130,10 +130,10 @@ def _sentence(fault: Mapping[str, Any]) -> str:
     return f"expected {accepted}, found {shorten(fault['input'])}"
 
 
-def _unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
+def _describe_unknown(model: type[BaseModel], section: type[BaseModel], names: list[str]) -> str:
     """Return the expected keys of a section, or those of the model that unknown keys resemble."""
     known_keys = list(section.model_fields)
-    written = {key: _written(key) for key, _ in key_fields(model)}
+    written = {key: _key_in_yaml(key) for key, _ in key_fields(model)}
     written |= {key.rpartition(".")[2]: text for key, text in written.items()}
     written |= {key: key for key in known_keys}
     matches = [difflib.get_close_matches(name, written, 1, SIMILARITY) for name in names]
@@ -152,7 +152,7 @@ def key_fields(section: type[BaseModel], prefix: str = "") -> Iterator[tuple[str
             yield f"{prefix}{name}", field
 
 
-def _written(key: str) -> str:
+def _key_in_yaml(key: str) -> str:
     """Return a key as YAML has it on one line, such as ``contact: {hardness: ...}``."""
     *sections, name = key.split(".")
     opened = "".join(f"{section}: {{" for section in sections)

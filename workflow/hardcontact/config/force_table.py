@@ -46,7 +46,7 @@ def measured_forces(
         f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
         "separated by commas; a column such as value (uN) needs no unit, one surface no name",
     )
-    rows = table.convert(lambda row: _force(defaults | dict(row), units, surfaces, radius))
+    rows = table.convert(lambda row: _parse_force(defaults | dict(row), units, surfaces, radius))
     names = ["surface", "mean", "median", "count", "place"]
     forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
     if columns == SUMMARIES:
@@ -90,20 +90,20 @@ def _split_units(header: Sequence[str]) -> tuple[list[str], dict[str, str]]:
 def _is_force_unit(unit: str) -> bool:
     """Return whether a unit is that of a force, or of a force over a radius."""
     try:
-        _in_newton("1", unit, radius=1.0)
+        _convert_to_newton("1", unit, radius=1.0)
     except ValueError:
         return False
     return True
 
 
-def _in_newton(number: str, unit: str, radius: float) -> float:
+def _convert_to_newton(number: str, unit: str, radius: float) -> float:
     """Return a force in N; a force over the radius of the probe (nm) is multiplied by it."""
     if unit.endswith("N/m"):
         return parse_quantity(f"{number} {unit}", "J/m2") * radius * 1e-9
     return parse_quantity(f"{number} {unit}", "N")
 
 
-def _force(
+def _parse_force(
     row: Row, units: Mapping[str, str], surfaces: Collection[str], radius: float
 ) -> tuple[str, float, float, int, str]:
     """Return surface, mean and median in N, count and place; refuse the first fault of a row."""
@@ -121,7 +121,7 @@ def _force(
                 f"{name}: expected forces above zero, found {quote_key(row[name])}: pull-off "
                 "counts as positive here, so take off the sign"
             )
-        force = _in_newton(row[name], units.get(name, row["unit"]), radius)
+        force = _convert_to_newton(row[name], units.get(name, row["unit"]), radius)
         if not FORCE_QUANTITY.low <= force <= FORCE_QUANTITY.high:
             written = f"{row[name]} {units.get(name, row['unit'])}"
             raise ValueError(f"{name}: expected {FORCE_QUANTITY.expects}, found {written}")

@@ -1,4 +1,4 @@
-"""The pixels of scans, what they permit, and the memory of masters."""
+"""The pixels of scans, the limits that follow from them, and the memory of masters."""
 
 import math
 from typing import NamedTuple

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from pydantic import Field, GetCoreSchemaHandler, WrapValidator
 from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.base.units import parse_quantity
+from hardcontact.base.units import format_exact, parse_quantity
 from hardcontact.config.faults import shorten
 
 
@@ -27,7 +27,7 @@ class Quantity:
     @property
     def expects(self) -> str:
         """The accepted values in words."""
-        return f"{self.low:g} to {self.high:g} {self.unit}"
+        return f"{format_exact(self.low, self.unit)} to {format_exact(self.high, self.unit)}"
 
     def number(self, text: object) -> float:
         """Return the number of a text. Raises ValueError if it is no quantity within the bounds."""

@@ -1,7 +1,7 @@
 """Limits of keys that follow from the pixels of scans and masters, and from memory.
 
-Each surface, each substrate with the sphere, and each master has a list of faults. Of each list
-only the first fault is reported: limits after it may assume those before.
+Each surface, each substrate with the sphere, and each master has a list of faults. Only the
+first fault of each list is reported, because later limits may assume earlier ones.
 """
 
 from collections.abc import Mapping

@@ -90,7 +90,7 @@ class Study(StudyKeys):
 
 
 def key_field(key: str) -> FieldInfo:
-    """Return what the model declares about a key, such as ``"sphere.radius"``."""
+    """Return the declaration of a key, such as ``"sphere.radius"``."""
     *sections, name = key.split(".")
     return section_model(Study, sections).model_fields[name]
 

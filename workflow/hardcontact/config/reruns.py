@@ -1,4 +1,4 @@
-"""What a run makes again: files whose records differ from what they would be made from now.
+"""The files that a run makes again: their records differ from their present origin.
 
 Times and Snakemake's own metadata do not count: they are lost or misleading after a copy, a power
 loss or a clock set back.
@@ -23,7 +23,7 @@ MAX_READ_SIZE = 1_000_000
 
 
 class Change(NamedTuple):
-    """What differs between the record of a file and the file that would be made now."""
+    """The differences between the record of a file and the file that would be made now."""
 
     recorded: set[str]  #: Parameters and versions of the record alone.
     current: set[str]  #: Parameters and versions of now alone.
@@ -44,7 +44,7 @@ class Reruns:
         self._lineages: dict[Any, str] = {}
 
     def change(self, job: Any, path: str) -> Change:
-        """Return what changed since a job made a file."""
+        """Return the changes since a job made a file."""
         try:
             record = read_record(path) or {}
             recorded = _named_values(record["parameters"]) | _named_values(record["versions"])
@@ -55,15 +55,15 @@ class Reruns:
         return Change(recorded - current, current - recorded, changed_inputs)
 
     def _changed_inputs(self, job: Any, record: Record) -> set[str]:
-        """Return inputs that changed; missing ones only if what leads to them changed."""
+        """Return inputs that changed; missing ones only if a file that leads to them changed."""
         if job not in self._inputs:
             self._inputs[job] = {path: self._digest(path) for path in _inputs(job)}
         inputs = self._inputs[job]
-        changed = {path for path, _ in inputs.items() ^ record["input_digests"].items()}
-        missing = {path for path, value in inputs.items() if value is None}
-        if missing and self._lineage(job) == record.get("lineage"):
-            return changed - missing
-        return changed
+        changed_paths = {path for path, _ in inputs.items() ^ record["input_digests"].items()}
+        missing_paths = {path for path, value in inputs.items() if value is None}
+        if missing_paths and self._lineage(job) == record.get("lineage"):
+            return changed_paths - missing_paths
+        return changed_paths
 
     def _digest(self, path: str) -> str | None:
         """Return the SHA-256 of a file, None if it is missing."""

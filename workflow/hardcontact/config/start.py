@@ -149,14 +149,14 @@ def _refuse_grids_of_paper(workflow: Any, config: Mapping[str, Any]) -> None:
 def _refuse_unnamed(config: Mapping[str, Any]) -> None:
     """Refuse other values for a study whose name is the project's own."""
     name = config["study"]
-    own = read_yaml("config/config.yaml")
+    project_config = read_yaml("config/config.yaml")
     if name == "quick":
-        own = merge(own, read_yaml("config/quick.yaml"))
-    if name != own["study"]:
+        project_config = merge(project_config, read_yaml("config/quick.yaml"))
+    if name != project_config["study"]:
         return
-    numbers, asked_numbers = numeric_configuration(own), numeric_configuration(config)
+    numbers, asked_numbers = numeric_configuration(project_config), numeric_configuration(config)
     changes = [
-        f"{key}: {shorten(get_key(config, key))} for {shorten(get_key(own, key))}"
+        f"{key}: {shorten(get_key(config, key))} for {shorten(get_key(project_config, key))}"
         for key, _ in key_fields(Study)
         if key != "quick" and get_key(numbers, key) != get_key(asked_numbers, key)
     ]

@@ -118,15 +118,15 @@ def user_table(
     try:
         text = decode(Path(path).read_bytes())
         head = text.partition("\n")[0]
-        used = next((mark for mark in (separator, ";", "\t") if mark in head), separator)
+        cell_separator = next((mark for mark in (separator, ";", "\t") if mark in head), separator)
         reader = csv.reader(
             io.StringIO(text, newline=None),
             strict=True,
-            delimiter=used,
-            quoting=csv.QUOTE_NONE if used == "\t" else csv.QUOTE_MINIMAL,
+            delimiter=cell_separator,
+            quoting=csv.QUOTE_NONE if cell_separator == "\t" else csv.QUOTE_MINIMAL,
         )
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
-        if used != separator:
+        if cell_separator != separator:
             rows = [(line, [DECIMAL.sub(r"\1.\2", cell) for cell in row]) for line, row in rows]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
@@ -153,7 +153,7 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
 
 
 def _segment_fault(row: Row, is_longest: bool, published: Collection[str]) -> str:
-    """Return what is expected and found in a faulty segment; no text if the segment is sound."""
+    """Return the fault of a segment, as expected and found; no text if the segment is sound."""
     model = row["model"]
     models = [name for name in SEGMENT_MODELS if not (is_longest and name == "power law")]
     if model not in models:

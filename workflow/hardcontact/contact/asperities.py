@@ -25,7 +25,7 @@ ASPERITY_UNITS = {
 }
 #: Share of the force that the patches of the fewest pixels carry.
 SHARE = 0.9
-#: Bins of the histogram of attractions.
+#: Bins of the histogram of attractions: one bin then holds few attractions to sort.
 BIN_COUNT = 4096
 
 
@@ -39,7 +39,7 @@ def asperities(
     share. The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
-    is_carrier = attraction >= _weakest_carrier(attraction, share, total)
+    is_carrier = attraction >= weakest_carrier(attraction, share, total)
     rows = np.flatnonzero(is_carrier.any(axis=1))
     columns = np.flatnonzero(is_carrier.any(axis=0))
     box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
@@ -49,7 +49,7 @@ def asperities(
     return forces[0], forces[:2].sum(), count, extent
 
 
-def _weakest_carrier(attraction: Floats, share: float, total: float) -> float:
+def weakest_carrier(attraction: Floats, share: float, total: float) -> float:
     """Return the smallest attraction of the fewest pixels that carry a share of the total.
 
     A histogram finds the few attractions to sort: those of the bin in which the share is reached.
@@ -95,9 +95,9 @@ def _half_width(distance: Floats, profile: Floats, share: float) -> int:
 
 
 def _distance_from_centre(profile: Floats) -> Floats:
-    """Return the distance in pixels of each place (n,) from the centre of a profile of force."""
-    place = np.arange(len(profile))
-    return np.asarray(place - profile @ place / profile.sum())
+    """Return the distance in pixels of each pixel (n,) from the centre of a profile of force."""
+    position = np.arange(len(profile))
+    return np.asarray(position - profile @ position / profile.sum())
 
 
 def asperities_of_pair(
@@ -107,7 +107,7 @@ def asperities_of_pair(
     share: float,
     ranges: Sequence[float],
 ) -> xr.Dataset:
-    """Return which asperities carry the force of some plastic contacts.
+    """Return the sizes of the asperities that carry the force of some plastic contacts.
 
     The indices (contact, 2) are row and column in the array of contacts; ranges of adhesion are in
     nm. Returns the variables of ASPERITY_UNITS (contact, rho).

@@ -18,11 +18,11 @@ from hardcontact.surfaces.height_map import HeightMap
 Floats = NDArray[np.float64]
 
 #: Pixels along a side of a tile, tiles along a side of a group, tiles that are read at once, and
-#: contacts that are searched at once.
+#: contacts that are searched at once. They change the time alone.
 TILE = 32
 GROUP = 16
 BATCH = 256
-CONTACTS = 50
+CONTACT_BATCH = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,12 +45,12 @@ class Tiles:
         """
         count = self.maxima.shape[0]
         start = positions - window // 2
-        first = self._tile_number(start)
-        last = self._tile_number(start + window - 1)
-        tile = first[..., None] + np.arange((last - first).max() + 1)
-        index = tile % count
-        offset = tile // count * self.pixels + index * TILE - positions[..., None]
-        return offset, index, tile <= last[..., None]
+        first_tile = self._tile_number(start)
+        last_tile = self._tile_number(start + window - 1)
+        tiles = first_tile[..., None] + np.arange((last_tile - first_tile).max() + 1)
+        index = tiles % count
+        offset = tiles // count * self.pixels + index * TILE - positions[..., None]
+        return offset, index, tiles <= last_tile[..., None]
 
     def _tile_number(self, pixel: NDArray[np.int_]) -> NDArray[np.int_]:
         """Return the number of the tile of a pixel along one axis, counted on over periods."""
@@ -146,9 +146,9 @@ class _Windows:
         """Return the bounds (contact, group), groups numbered by rows within the window."""
         contacts, axes, tiles = self.low.shape
         low = self.low.reshape(contacts, axes, tiles // GROUP, GROUP).min(axis=-1)
-        first = self.index[:, :, ::GROUP]
+        groups = self.index[:, :, ::GROUP]
         bounds = low[:, 0, :, None] + low[:, 1, None, :]
-        bounds -= self.substrate.group_maxima[first[:, 0, :, None], first[:, 1, None, :]]
+        bounds -= self.substrate.group_maxima[groups[:, 0, :, None], groups[:, 1, None, :]]
         if self.roughness is not None:
             bounds -= self.roughness.maxima.max()
         return np.asarray(bounds.reshape(contacts, -1))
@@ -283,11 +283,11 @@ def all_lowest_gaps(bodies: Bodies, contact_pixel_count: int) -> dict[tuple[int,
     numbers = range(len(geometry.positions))
     places = [(i, j) for i in numbers for j in numbers]
     positions = geometry.positions[np.array(places)]
+    starts = range(0, len(places), CONTACT_BATCH)
+    batches = [positions[start : start + CONTACT_BATCH] for start in starts]
     contacts = [
         contact
-        for start in range(0, len(places), CONTACTS)
-        for contact in lowest_gaps(
-            substrate, roughness, geometry, positions[start : start + CONTACTS], contact_pixel_count
-        )
+        for batch in batches
+        for contact in lowest_gaps(substrate, roughness, geometry, batch, contact_pixel_count)
     ]
     return dict(zip(places, contacts, strict=True))

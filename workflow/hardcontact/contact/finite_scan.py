@@ -30,7 +30,7 @@ def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
     return next(ratios, (1.0, 1.0))
 
 
-def with_sizes(
+def add_sizes(
     force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
 ) -> xr.Dataset:
     """Return predicted forces (surface) with sizes of scans, window and pixels.

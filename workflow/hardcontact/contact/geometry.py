@@ -40,7 +40,7 @@ class ContactGeometry:
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
     def window_mask(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
-        """Return which offsets (pixels) from the apex lie in the analysis window."""
+        """Return the mask of offsets (pixels) from the apex that lie in the analysis window."""
         return (offsets >= -(self.window // 2)) & (offsets < self.window // 2)
 
     def offsets(self) -> NDArray[np.int_]:
@@ -104,8 +104,8 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
     if sphere is not None:
         sphere = _in_native_precision(sphere)
         fine = min(substrate.pixel_size, sphere.pixel_size)
-        substrate = _on_pixels(substrate, fine)
-        rough = _on_pixels(sphere, fine)
+        substrate = _refine(substrate, fine)
+        rough = _refine(sphere, fine)
         # The origin of a stitched map is a corner of the scan, the apex in the middle of it.
         middle = rough.pixels // 4
         heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
@@ -145,7 +145,7 @@ def _in_native_precision(surface: HeightMap) -> HeightMap:
     return replace(surface, heights=surface.heights.astype(precision, copy=False))
 
 
-def _on_pixels(surface: HeightMap, pixel_size: float) -> HeightMap:
+def _refine(surface: HeightMap, pixel_size: float) -> HeightMap:
     """Return a periodic map on pixels of a size (nm), its period changed by up to half of one."""
     pixels = max(round(surface.size / pixel_size), surface.pixels)
     if pixels != surface.pixels:

@@ -218,7 +218,7 @@ def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) ->
 def wider_window_change(
     pairs: Iterable[Bodies], contact: Contact, forces: xr.DataArray
 ) -> xr.Dataset:
-    """Return how much the plastic force changes in a window larger by a period on each side.
+    """Return the change of the plastic force in a window larger by a period on each side.
 
     The forces (pair, contact, contact) in N at 1 J/m² are those at the range of the contact. The
     pairs have one substrate; the largest relative change over contacts and pairs is returned.

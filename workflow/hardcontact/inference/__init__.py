@@ -1,1 +1,1 @@
-"""What forces tell: means and intervals, edges of the band, range and work of adhesion."""
+"""Inference from forces: means and intervals, edges of the band, range and work of adhesion."""

@@ -81,7 +81,7 @@ def pooled_band(edges: xr.Dataset) -> tuple[float, float]:
 def describe_edges(
     edges: xr.Dataset, scales: xr.Dataset, tolerance: float, confidence: float
 ) -> xr.Dataset:
-    """Return edges.nc: edges with the names of the surfaces and what the edges hold for."""
+    """Return edges.nc: edges with the names of the surfaces and the settings that they hold for."""
     return edges.assign(label=scales["label"], basis=scales["basis"]).assign_attrs(
         tolerance=tolerance,
         confidence=confidence,

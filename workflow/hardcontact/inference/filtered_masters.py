@@ -106,7 +106,7 @@ def filtered_pull_off(
     return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 
 
-def varied_master(
+def master_from_files(
     side: str, rng: np.random.Generator, scan: str, spectrum: str, settings: Mapping[str, Any]
 ) -> HeightMap:
     """Return the master of one side, from the files of a scan and of its spectrum.

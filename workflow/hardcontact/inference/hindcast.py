@@ -1,8 +1,8 @@
 """Hindcast: artificial roughness replaces the last octave of wavelengths that a scan shows.
 
 If the force then changes, a random surface cannot extrapolate the roughness of this scan. On a
-Gaussian surface the octave of the scan is as random as the artificial octaves. Wider pixels tell
-how much the pixels of the scan change the force on it.
+Gaussian surface the octave of the scan is as random as the artificial octaves. Wider pixels
+show by how much the pixels of the scan change the force on it.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -165,9 +165,9 @@ def _artificial_octave(
 
     surface = random_surface(rng, 2 * body.pixels, stitched.pixel_size, octave_density)
     # A smaller scan of the sphere is continued by its mirror images, as that of the map is.
-    place = np.arange(stitched.pixels // 2) % (2 * body.pixels)
-    place = np.minimum(place, 2 * body.pixels - 1 - place)
-    corner = replace(surface, heights=surface.heights[np.ix_(place, place)])
+    pixel = np.arange(stitched.pixels // 2) % (2 * body.pixels)
+    pixel = np.minimum(pixel, 2 * body.pixels - 1 - pixel)
+    corner = replace(surface, heights=surface.heights[np.ix_(pixel, pixel)])
     return np.asarray(mirror_stitch(corner).heights)
 
 
@@ -238,6 +238,6 @@ def pixel_factors(force: xr.Dataset) -> xr.DataArray:
     It is at most that by which wider pixels multiply it
     (tests/benchmarks/validate_random_surfaces.py); 1 for substitutes.
     """
-    without_factor = xr.ones_like(force["surface"], dtype=float)
-    factors: xr.DataArray = force.get("wide_pixel_ratio", without_factor).fillna(1).clip(min=1)
+    unchanged = xr.ones_like(force["surface"], dtype=float)
+    factors: xr.DataArray = force.get("wide_pixel_ratio", unchanged).fillna(1).clip(min=1)
     return factors

@@ -118,8 +118,8 @@ def fit_measured(
     pixel_factors: by which finer pixels may divide the force on each surface.
     Returns fit.nc; by contact_model the variables of `_fit_model`.
     """
-    measured = set(forces.surface)
-    surfaces = [name for name in adhesion.surface.values.tolist() if name in measured]
+    measured_surfaces = set(forces.surface)
+    surfaces = [name for name in adhesion.surface.values.tolist() if name in measured_surfaces]
     surface_forces = [forces[forces.surface == name] for name in surfaces]
     tests = [measured_tests(rows) for rows in surface_forces]
     repeated = [int(look_repeated(rows)) for rows in surface_forces]
@@ -186,10 +186,10 @@ def _sampled_forces(surface_forces: SurfaceForces, surface: str, sampling: Sampl
         )
     ]
     for index, variance in enumerate(surface_forces.place_variances):
-        place = sampling.generator("place on the sphere").standard_t(
+        samples = sampling.generator("place on the sphere").standard_t(
             variance.freedom, sampling.samples
         )
-        deviations[index] = deviations[index] + place * np.sqrt(variance.value)
+        deviations[index] = deviations[index] + samples * np.sqrt(variance.value)
     return np.asarray(surface_forces.mean * np.exp(np.stack(deviations, axis=1)))
 
 
@@ -332,7 +332,7 @@ def add_extrapolated_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
 
 
 def _logarithmic_errors(data: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return how far the ends of an interval lie below and above a value, in the logarithm.
+    """Return the distances of the ends of an interval below and above a value, in the logarithm.
 
     A lower end of zero is no bound: it lies infinitely far below.
     """

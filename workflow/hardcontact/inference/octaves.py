@@ -231,9 +231,9 @@ def band_parts(
     """
     for shortest, longest in bands:
         series = filtered_series(surface, "small", [shortest, longest], surface.pixels)
-        without_shorter = next(series).heights.copy()
+        band_and_longer = next(series).heights.copy()
         longer = next(series).heights
-        heights = (without_shorter - longer, without_shorter, surface.heights - longer)
+        heights = (band_and_longer - longer, band_and_longer, surface.heights - longer)
         yield {
             name: replace(surface, heights=part_heights)
             for name, part_heights in zip(BAND_PARTS, heights, strict=True)

@@ -87,7 +87,7 @@ def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Samp
     return describe_samples(ranges[index], np.exp(log_works), sampling.confidence)
 
 
-def without_each_surface(
+def posteriors_without_each_surface(
     mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling
 ) -> xr.Dataset:
     """Return the `posterior` of all surfaces and without one at a time: (left_out)."""

@@ -34,8 +34,8 @@ from hardcontact.inference.fit import (
 #: Labels of the pairs of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 
-#: Works of adhesion (J/m²) of the error map.
-WORKS = np.geomspace(1e-3, 10.0, 501)
+#: Works of adhesion (J/m²) of the error map, in steps of 2 %.
+MAPPED_WORKS = np.geomspace(1e-3, 10.0, 501)
 #: Largest number of local minima of the error.
 MAX_MINIMA = 3
 
@@ -168,7 +168,7 @@ def fit_model(
     variables |= force_curves(forces, means, mean_samples, reference_index, sampling)
     coordinates = {
         "rho_fine": ("rho_fine", ranges, NM),
-        "work": ("work", WORKS, JOULE_PER_M2),
+        "work": ("work", MAPPED_WORKS, JOULE_PER_M2),
         "minimum": np.arange(1, MAX_MINIMA + 1),
     }
     return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
@@ -188,8 +188,8 @@ def _error_variables(
     curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray, threshold: float
 ) -> dict[str, Any]:
     """Return the error map, its local minima, and the region of small error."""
-    errors = mean_relative_error(curves, targets, WORKS)
-    region_range, region_work = error_region(errors, ranges, WORKS, threshold)
+    errors = mean_relative_error(curves, targets, MAPPED_WORKS)
+    region_range, region_work = error_region(errors, ranges, MAPPED_WORKS, threshold)
     work, smallest_errors = fit_work(curves, targets)
     minima = local_minima(smallest_errors, MAX_MINIMA)
     padding = (0, MAX_MINIMA - len(minima))

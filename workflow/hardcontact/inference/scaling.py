@@ -30,8 +30,8 @@ def force_exponent(forces: xr.Dataset, area: float, confidence: float) -> xr.Dat
     Forces come from `stacked_forces`, at the nearest area in contact (nm²). The fit is by least
     squares of ln F against ln R, the interval is over realizations.
     """
-    large = forces["unfiltered_pull_off_force"].sel(side="large")
-    means = large.sel(area=area, method="nearest").mean(CONTACT_AXES)
+    long_wave_forces = forces["unfiltered_pull_off_force"].sel(side="large")
+    means = long_wave_forces.sel(area=area, method="nearest").mean(CONTACT_AXES)
     logarithms = xr.DataArray(np.log(means)).assign_coords(radius=np.log(means["radius"]))
     slopes = logarithms.polyfit("radius", 1)["polyfit_coefficients"].sel(degree=1, drop=True)
     interval = student_interval(slopes, confidence, "realization").transpose("surface", "bound")

@@ -1,1 +1,1 @@
-"""The commands: `hardcontact new` and `hardcontact predict`."""
+"""The commands: `hardcontact new`, `predict`, `verify` and `compare`."""

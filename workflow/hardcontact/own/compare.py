@@ -9,11 +9,15 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import xarray as xr
+
+from hardcontact.base.dataset import read
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.own.command_line import CommandLine
 from hardcontact.own.output import output_faults, write_output
+from hardcontact.report.paired_changes import SET_DATASETS, add_paired_intervals, pairing
 from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
-from hardcontact.report.templates import Frame, rendered, rendered_lines
+from hardcontact.report.templates import Frame, render_document, render_lines
 
 ANSWER = "answer.json"
 
@@ -43,13 +47,19 @@ def compare(arguments: Namespace) -> str:
     names = [answer["study"] for answer in answers]
     if names[0] == names[1]:
         names = [arguments.first, arguments.second]
-    facts = {"studies": names, "digits": EQUAL_DIGITS, **compare_answers(*answers)._asdict()}
+    comparison = compare_answers(*answers)
+    first, second = (_read_sets(path) for path in paths)
+    facts = {"studies": names, "digits": EQUAL_DIGITS, "pairing": pairing(first, second)}
+    facts |= comparison._asdict()
+    if facts["pairing"] == "paired":
+        facts["numbers"] = add_paired_intervals(comparison.numbers, first, second)
+        facts["confidence"] = first["sets"].attrs["confidence"]
     if arguments.html is not None:
-        page = rendered("compare.html", Frame(version("hardcontact")), "comparison", **facts)
+        page = render_document("compare.html", Frame(version("hardcontact")), "comparison", **facts)
         if arguments.html == "-":
             return page
         write_output(arguments.html, page)
-    return "\n".join(_aligned(rendered_lines("compare.txt", **facts)))
+    return "\n".join(_aligned(render_lines("compare.txt", **facts)))
 
 
 def _answer_path(path: str) -> str:
@@ -74,6 +84,14 @@ def _read_answer(path: str) -> dict[str, Any]:
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{path}: expected the answer of a study, found another file") from error
     return answer
+
+
+def _read_sets(path: str) -> dict[str, xr.Dataset]:
+    """Return the datasets of sets of scans beside answer.json; empty if one is not there."""
+    paths = {name: Path(path).parent / f"{name}.nc" for name in SET_DATASETS}
+    if not all(dataset_path.is_file() for dataset_path in paths.values()):
+        return {}
+    return {name: read(dataset_path) for name, dataset_path in paths.items()}
 
 
 def _aligned(lines: Sequence[str]) -> list[str]:

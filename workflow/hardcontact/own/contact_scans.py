@@ -65,9 +65,10 @@ def contact_scans(
 ) -> tuple[list[Entry], list[str]]:
     """Return the scans that contacts are made on, those of a surface on one grid, and reasons.
 
-    Of the grids that resolve the interaction radius, the smallest that is large enough for the
-    largest search size of all surfaces is taken, or else the largest. Surfaces are thus compared
-    on one size if possible. Raises ValueError, with a line for each surface without a height map.
+    The scans are on the smallest grid that resolves the interaction radius and is large enough for
+    the largest search size of all surfaces; if none is, on the largest that resolves it. Surfaces
+    are thus compared on one size if possible. Raises ValueError, with a line for each surface
+    without a height map.
     """
     groups = _groups(entries)
     sphere_groups = groups.pop(sphere) if sphere is not None else []

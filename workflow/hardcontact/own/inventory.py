@@ -94,7 +94,7 @@ def inventory(
 ) -> tuple[list[Entry], list[str], list[str]]:
     """Return the topographies of files, lines on those that are left out, and problems.
 
-    Left out are unusable members of containers, and scans of a place that an earlier scan shows.
+    Unusable members of containers, and scans of a place that an earlier scan shows, are left out.
     Tip radius and `map_size`, the longer side, are in nm; with `unit` they serve files that state
     none. `channel` is that of files that are not containers, empty for the file's own choice.
     """

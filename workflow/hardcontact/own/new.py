@@ -103,7 +103,7 @@ def new_study(arguments: Namespace) -> str:
     faults += [*file_faults, *scan_faults]
     checks: list[Callable[[], Any]] = [
         partial(refuse_lines, [*name_faults(arguments), *faults]),
-        *_checks(
+        *_input_checks(
             arguments,
             table_rows(entries, contact_entries=[], tip_radius=tip_text),
             [source.surface for source in sources],
@@ -138,7 +138,7 @@ def new_study(arguments: Namespace) -> str:
     return "\n".join(report)
 
 
-def _checks(
+def _input_checks(
     arguments: Namespace,
     rows: Sequence[Mapping[str, str]],
     surfaces: Sequence[str],

@@ -14,21 +14,23 @@ def output_faults(
 
     `inputs` are words for files by their paths. An output may be None, or - for the terminal.
     """
-    taken = {os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()}
+    reserved = {
+        os.path.realpath(path): f"another file than {words}" for path, words in inputs.items()
+    }
     for option, path in outputs.items():
         if path is None:
             continue
-        place = path if path == "-" else os.path.realpath(path)
-        if place in taken:
-            yield f"--{option}: expected {taken[place]}, found {path}"
-        elif path != "-" and (not Path(place).parent.is_dir() or Path(place).is_dir()):
+        real_path = path if path == "-" else os.path.realpath(path)
+        if real_path in reserved:
+            yield f"--{option}: expected {reserved[real_path]}, found {path}"
+        elif path != "-" and (not Path(real_path).parent.is_dir() or Path(real_path).is_dir()):
             yield f"--{option}: expected a file in a folder that exists, found {path}"
-        elif Path(place).is_file() and not overwrite:
+        elif Path(real_path).is_file() and not overwrite:
             yield (
                 f"--{option}: expected a new file, found {path}: take another name, or add "
                 "--overwrite"
             )
-        taken[place] = f"another file than that of --{option}"
+        reserved[real_path] = f"another file than that of --{option}"
 
 
 def write_output(path: str, text: str) -> None:

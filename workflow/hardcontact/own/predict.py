@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import pandas as pd
 
-from hardcontact.base.formatting import format_length, format_quantity, known_digits
+from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
@@ -226,7 +226,6 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
         lstrip_blocks=True,
     )
     environment.filters |= {"length": format_length, "quantity": format_quantity}
-    environment.filters["known_digits"] = known_digits
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
     report = environment.get_template("prediction.txt").render(

@@ -14,7 +14,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import bounds, with_interval
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.contact.contact import CONTACT_AXES, PLASTIC, Contact
-from hardcontact.contact.finite_scan import with_sizes
+from hardcontact.contact.finite_scan import add_sizes
 from hardcontact.contact.smooth_sphere import assumed_modulus
 from hardcontact.inference.hindcast import pixel_factors, widen_interval
 from hardcontact.inference.mean_forces import (
@@ -89,7 +89,7 @@ def force_dataset(
         name: search_size(spectrum, contact.radius, contact.area)
         for name, spectrum in spectra_by_surface.items()
     }
-    force = with_sizes(force, topography, contact, search_sizes)
+    force = add_sizes(force, topography, contact, search_sizes)
     scatter = [
         force_scatter(spectrum, contact, tolerance, confidence)
         for spectrum in spectra_by_surface.values()
@@ -102,7 +102,7 @@ def force_dataset(
 def force_scatter(
     spectrum: Spectrum, contact: Contact, tolerance: float, confidence: float
 ) -> xr.Dataset:
-    """Return how the force scatters over the places of a surface.
+    """Return the scatter of the force over the places of a surface.
 
     Returns ``weibull_modulus``, the standard deviation of ln F, ``log_force_std``, and
     ``contacts_needed`` for a mean that is within the relative tolerance with the confidence.

@@ -18,12 +18,7 @@ from hardcontact.inference.octaves import (
     strongest_octaves,
 )
 from hardcontact.own.own_spectrum import OwnSpectrum
-from hardcontact.own.scan_force import (
-    CONTACTS,
-    obstacle_to_force,
-    stitched_map,
-    window_of_scan,
-)
+from hardcontact.own.scan_force import CONTACTS, obstacle_to_force, stitched_map, window_of_scan
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.theory.closed_form import closed_form

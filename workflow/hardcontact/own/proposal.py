@@ -182,18 +182,18 @@ def _master_choices(
     finest = max(2 * scan.size / small_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
     shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.range) / 16)
-    small = _cutoffs(4 * finest, size, effort.cutoffs)
-    large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
-    small_transition, large_transition, reason = transitions
-    large_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
-    edge = f"mirrored scans along a side, {format_length(2 * size * tiles)}"
+    short_cutoffs = _cutoffs(4 * finest, size, effort.cutoffs)
+    long_cutoffs = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
+    short_transition, long_transition, reason = transitions
+    long_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    tiles_reason = f"mirrored scans along a side, {format_length(2 * size * tiles)}"
     yield Choice("scales.small.pixels", small_pixels, f"{format_length(finest)} a pixel")
-    yield Choice("scales.small.transition", _nm(small_transition), reason)
-    yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
+    yield Choice("scales.small.transition", _nm(short_transition), reason)
+    yield Choice("scales.small.cutoffs", short_cutoffs, "from four pixels to the size of the scan")
     yield Choice("scales.large.pixels", large_pixels, "those of the scans")
-    yield Choice("scales.large.tiles", tiles, edge)
-    yield Choice("scales.large.transition", _nm(large_transition), large_reason)
-    yield Choice("scales.large.cutoffs", large, "to half the size of the master")
+    yield Choice("scales.large.tiles", tiles, tiles_reason)
+    yield Choice("scales.large.transition", _nm(long_transition), long_reason)
+    yield Choice("scales.large.cutoffs", long_cutoffs, "to half the size of the master")
 
 
 def _small_pixels(scan: Entry, contact: Contact, max_pixels: int) -> int:
@@ -276,7 +276,7 @@ def _decisive_scans(
 
 
 def _is_rougher(scan: Entry, others: Sequence[Entry], wavelength: float) -> bool:
-    """Return whether not all scans of the other body, if any, have more power at a wavelength."""
+    """Return whether a scan of the other body has no more power at a wavelength, or none exists."""
     index = nearest_bin(wavelength)
     exceeds = [other.density[index] > scan.density[index] for other in others]
     return not (exceeds and all(exceeds))

@@ -1,4 +1,4 @@
-"""What the owner of scans should know of them before a study: cautions, and refusals."""
+"""Cautions about scans before a study, and refusals of scans that it cannot use."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -9,16 +9,11 @@ import xarray as xr
 
 from hardcontact.base.number import Number
 from hardcontact.config.grids import Grid, minimum_range, periods_in_window
-from hardcontact.contact.all_surfaces import stack_sphere_scans
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
-from hardcontact.contact.geometry import (
-    CONTACTS_A_PLACE,
-    SPHERE_PLACES,
-    bodies,
-    places_on_sphere,
-)
+from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES, bodies, places_on_sphere
 from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
 from hardcontact.inference.octaves import force_function

@@ -24,7 +24,7 @@ def verify_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def verify(arguments: Namespace) -> tuple[str, int]:
-    """Return what does not match, in words, and the exit code; nothing is written.
+    """Return the files that do not match, in words, and the exit code; nothing is written.
 
     Raises ValueError, with one line, if the folder has no files of a study.
     """
@@ -59,5 +59,5 @@ def _other_keys(results: Path) -> Iterator[str]:
     current = key_values(apply_effort(current | {"effort": recorded["effort"]}))
     for key, value in key_values(recorded).items():
         if canonical(value) != canonical(current.get(key)):
-            now = shorten(current[key]) if key in current else "no value"
-            yield f"{results} was made with {key} {shorten(value)}, here {now}"
+            present_value = shorten(current[key]) if key in current else "no value"
+            yield f"{results} was made with {key} {shorten(value)}, here {present_value}"

@@ -1,1 +1,1 @@
-"""Statements of the paper: the numbers they are about, the verdicts, the pages that show them."""
+"""Statements of the paper: the numbers that they are about, sets of substitutes, verdicts."""

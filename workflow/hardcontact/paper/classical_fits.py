@@ -15,13 +15,12 @@ from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.inference import fit
 from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
 
-#: Works of adhesion (J/m²) among which the best fit is searched.
-WORKS = np.geomspace(1e-3, 10, 401)
-#: Exponents of power laws of roughness parameters.
+#: Works of adhesion (J/m²) among which the best fit is searched first.
+SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
+#: Exponents of power laws of roughness parameters that are searched first.
 EXPONENTS = np.linspace(-8, 8, 321)
+#: Repetitions of a search on a grid 20 times finer about the best value: it is then known to 1e-5.
 REFINEMENTS = 3
-
-
 #: Smallest force of a model, relative to the target, for which a work of adhesion is fitted.
 MIN_FORCE_RATIO = 1e-3
 
@@ -57,15 +56,15 @@ def fit_classical_work(
         _, work, error = fit.fit_range_and_work(forces[..., None], target)
         return work, error
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
-    works = np.broadcast_to(WORKS, (*roughness.height.shape[:-1], WORKS.size))
-    step = np.log(WORKS[1] / WORKS[0])
+    works = np.broadcast_to(SEARCHED_WORKS, (*roughness.height.shape[:-1], SEARCHED_WORKS.size))
+    step = np.log(SEARCHED_WORKS[1] / SEARCHED_WORKS[0])
     for refinement in range(REFINEMENTS + 1):
         forces = model.force(works[..., None, :], columns, sphere)
         errors = fit.mean_relative_error(forces, target, np.ones(1))[..., 0]
         best, error = fit.minimum_along_axis(errors, works)
         if refinement < REFINEMENTS:
             finer_works = best[..., None] * np.exp(step * np.linspace(-1, 1, 41))
-            works = np.clip(finer_works, WORKS[0], WORKS[-1])
+            works = np.clip(finer_works, SEARCHED_WORKS[0], SEARCHED_WORKS[-1])
             step /= 20
     return np.where(error < 1 - MIN_FORCE_RATIO, best, np.nan), error
 

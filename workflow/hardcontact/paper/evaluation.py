@@ -119,7 +119,7 @@ def evaluate(
 
 
 class _Common(NamedTuple):
-    """What all claims are judged with, as for `evaluate`."""
+    """The inputs with which all claims are judged, as for `evaluate`."""
 
     topography: xr.Dataset
     constants: pd.DataFrame

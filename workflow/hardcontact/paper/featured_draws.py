@@ -109,7 +109,7 @@ def draws_by_surface(
 def compare_with_published(
     draws: Mapping[str, xr.Dataset],
     sphere_factor: xr.DataArray,
-    measured: PublishedFit,
+    published_fit: PublishedFit,
     surface: str,
 ) -> xr.Dataset:
     """Return the plastic forces (features, draw) of draws at the published pair.
@@ -117,8 +117,8 @@ def compare_with_published(
     sphere_factor: (rho) force on the rough sphere relative to a smooth one. ``agrees`` is 1 if mean
     and median force are within MAX_FORCE_FACTOR of the published ones.
     """
-    targets: dict[Any, float] = measured.forces.loc[surface].to_dict()
-    rho, work = measured.pair
+    targets: dict[Any, float] = published_fit.forces.loc[surface].to_dict()
+    rho, work = published_fit.pair
     kinds = []
     for kind_draws in draws.values():
         forces = kind_draws["pull_off_force"] * sphere_factor

@@ -98,7 +98,7 @@ def force_at_shortest_range_over_smallest(adhesion: xr.Dataset) -> xr.Dataset:
 
 
 def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return by how much the force on a smooth sphere and plane varies (no dimensions).
+    """Return the variation of the force on a smooth sphere and plane (no dimensions).
 
     It is the largest force relative to the smallest over the computed ranges, minus one.
 

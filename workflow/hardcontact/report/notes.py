@@ -1,9 +1,9 @@
-"""Notes of an answer: what its numbers alone do not tell, in words."""
+"""Notes of an answer: cautions and explanations beside its numbers, in words."""
 
 from collections.abc import Sequence
 from typing import Any
 
-from hardcontact.report.templates import rendered_text
+from hardcontact.report.templates import render_text
 
 
 def note(
@@ -17,5 +17,5 @@ def substitutes_note(labels: Sequence[str]) -> list[dict[str, Any]]:
     """Return the note that these surfaces are substitutes, or none if all are measured."""
     if not labels:
         return []
-    text = rendered_text("substitutes.txt", substitutes=labels)
+    text = render_text("substitutes.txt", substitutes=labels)
     return [note("caution", text, "substitutes", grave=True)]

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from hardcontact.report.quantities import numbers_by_name
-from hardcontact.report.templates import Frame, rendered
+from hardcontact.report.templates import Frame, render_document
 
 
 def render_page(
@@ -22,7 +22,7 @@ def render_page(
         {**surface, "numbers": numbers_by_name(answer, surface["name"])}
         for surface in answer["surfaces"]
     ]
-    return rendered(
+    return render_document(
         "answer.html",
         frame,
         "answer",

@@ -11,7 +11,6 @@ from hardcontact.base.formatting import (
     PRINTED_UNITS,
     format_as_paper,
     format_quantity,
-    known_digits,
 )
 from hardcontact.base.number import Number, plain
 from hardcontact.base.statistics import bounds
@@ -108,8 +107,8 @@ def in_words(number: Number, digits: int = 3) -> str:
 
 
 def rounded(number: Number) -> str:
-    """Return a number in words, with as many digits as its interval leaves."""
-    return in_words(number, known_digits(number.value, number.low, number.high))
+    """Return a number in words, with two digits if it has no interval."""
+    return in_words(number, 2)
 
 
 def _unbounded(number: Number, digits: int) -> str:

@@ -31,25 +31,32 @@ class ComparedNumber(NamedTuple):
     name: str
     first: Number
     second: Number
+    #: Ends of the interval of `change`, from sets of scans that both studies share.
+    change_interval: tuple[float, float] = (math.nan, math.nan)
 
     @property
     def change(self) -> Number:
         """The `ratio` second / first; if it is not positive, the `difference` second - first."""
         first, second = self.first.value, self.second.value
         if first * second > 0:
-            return Number("ratio", second / first)
-        return Number("difference", second - first, self.first.unit)
+            return Number("ratio", second / first, "1", *self.change_interval)
+        return Number("difference", second - first, self.first.unit, *self.change_interval)
 
     @property
     def agreement(self) -> str:
         """Whether both are "equal", "same" within their intervals, or "different".
 
-        "no_interval": neither has one. "unknown": one of them is not known.
+        "changed", "unchanged": the interval of the change has or lacks only changes. "no_interval":
+        neither number has one. "unknown": one of them is not known.
         """
         if is_equal(self.first, self.second):
             return "equal"
         if not (is_known(self.first) and is_known(self.second)):
             return "unknown"
+        low_change, high_change = self.change_interval
+        if math.isfinite(low_change):
+            no_change = 1 if self.change.name == "ratio" else 0
+            return "unchanged" if low_change <= no_change <= high_change else "changed"
         if is_bare(self.first) and is_bare(self.second):
             return "no_interval"
         low, high = zip(interval(self.first), interval(self.second), strict=True)
@@ -83,7 +90,7 @@ def compare_answers(first: Mapping[str, Any], second: Mapping[str, Any]) -> Comp
     ]
     given = [pair for pair in pairs if pair.first.source in INPUT_SOURCES]
     inputs = [
-        ChangedInput(*pair)
+        ChangedInput(pair.surface, pair.name, pair.first, pair.second)
         for pair in given
         if pair.name.replace("_", " ") not in first["contact"] and pair.agreement != "equal"
     ]

@@ -24,13 +24,13 @@ NO_BREAK = re.compile(
 
 
 class Frame(NamedTuple):
-    """What stands around every page of a study."""
+    """The facts that all pages of a study share."""
 
     version: str  #: Of this program.
     pages: Sequence[str] = ()  #: Names of the pages in the folder `report`, in their order.
 
 
-def rendered(template: str, frame: Frame, page: str, **facts: Any) -> str:
+def render_document(template: str, frame: Frame, page: str, **facts: Any) -> str:
     """Return a page, by its name, as one HTML document that needs no network.
 
     The template is a file of workflow/report/templates. The facts are the names that it uses.
@@ -55,7 +55,7 @@ def rendered(template: str, frame: Frame, page: str, **facts: Any) -> str:
     )
 
 
-def rendered_lines(template: str, **facts: Any) -> list[str]:
+def render_lines(template: str, **facts: Any) -> list[str]:
     """Return the lines of a template that are not empty, as plain text."""
     from markupsafe import Markup
 
@@ -64,9 +64,9 @@ def rendered_lines(template: str, **facts: Any) -> list[str]:
     return [line for line in lines if line]
 
 
-def rendered_text(template: str, **facts: Any) -> str:
+def render_text(template: str, **facts: Any) -> str:
     """Return a template as one paragraph of plain text."""
-    return " ".join(rendered_lines(template, **facts))
+    return " ".join(render_lines(template, **facts))
 
 
 @cache
@@ -110,7 +110,7 @@ def _policy(script: str) -> str:
 
 
 def _share_of_decades(value: float, low: float, high: float) -> float:
-    """Return where a value lies between two others on a logarithmic axis, from 0 to 1."""
+    """Return the position of a value between two others on a logarithmic axis, from 0 to 1."""
     share = math.log(value / low) / math.log(high / low)
     return min(max(share, 0.0), 1.0)
 

@@ -31,14 +31,14 @@ def combine_maps(rng: np.random.Generator, substrate: HeightMap, sphere: HeightM
     Both maps are mirror-stitched; the sphere's shape is subtracted.
     """
     pixels = substrate.pixels // 2
-    roughness = _on_pixels(sphere, substrate.pixel_size).heights
+    roughness = _resample(sphere, substrate.pixel_size).heights
     rows, columns = (start + np.arange(pixels) for start in rng.integers(len(roughness), size=2))
     sphere_heights = roughness[np.ix_(rows % len(roughness), columns % len(roughness))]
     heights = substrate.heights[:pixels, :pixels] + sphere_heights
     return mirror_stitch(replace(substrate, heights=heights.astype(np.float32)))
 
 
-def _on_pixels(surface: HeightMap, pixel_size: float) -> HeightMap:
+def _resample(surface: HeightMap, pixel_size: float) -> HeightMap:
     """Return a periodic map on pixels of about this size (nm), without waves too short for them."""
     pixels = round(surface.size / pixel_size)
     if pixels < surface.pixels:
@@ -67,9 +67,9 @@ def combine_spectra(substrate: xr.Dataset, sphere: xr.Dataset) -> xr.Dataset:
             "expected wavelengths at which the rougher of both bodies was measured, found none: "
             "scan surface and sphere at the same wavelengths"
         )
-    used = measurements.isel(measurement=reliable.any(axis=1))
-    shortest = float(used["shortest_reliable"].min())
-    longest = float(used["longest_reliable"].max())
+    reliable_measurements = measurements.isel(measurement=reliable.any(axis=1))
+    shortest = float(reliable_measurements["shortest_reliable"].min())
+    longest = float(reliable_measurements["longest_reliable"].max())
     short_body, long_body = (
         sphere if is_sphere[nearest_bin(end)] else substrate for end in (shortest, longest)
     )

@@ -41,7 +41,7 @@ class HeightMap:
     def __repr__(self) -> str:
         """Return pixels, their size and the rms height."""
         counts = " x ".join(map(str, reversed(self.heights.shape)))
-        kind = "periodic, " * self.periodic + self.basis
+        kind = f"periodic, {self.basis}" if self.periodic else self.basis
         return (
             f"HeightMap({counts} pixels of {format_length(self.pixel_size)}, rms height "
             f"{format_length(float(self.heights.std()))}, {kind})"

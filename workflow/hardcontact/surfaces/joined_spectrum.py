@@ -143,14 +143,8 @@ def sample_spectra(
     spectra = _measured_spectra(measurements, tip_radii)
     for rng in rngs:
         bands = [
-            band
-            if radius is not None or measurement.kind != "map"
-            else limit_by_tip(
-                band, measurement, float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
-            )
-            for measurement, radius, band in zip(
-                measurements, spectra.radii, spectra.bands, strict=True
-            )
+            _sample_band(rng, *properties)
+            for properties in zip(measurements, spectra.radii, spectra.bands, strict=True)
         ]
         reliable = spectra.reliable(bands)
         if reliable.any(axis=0).sum() < MIN_BINS:
@@ -167,6 +161,16 @@ def sample_spectra(
             curve, hurst, spectra.long_waves, rng.uniform(), hurst_change
         )
         yield Spectrum(WAVEVECTORS, spectrum * np.exp(mean_calibration)), np.exp(calibration / 2)
+
+
+def _sample_band(
+    rng: np.random.Generator, measurement: HeightMap, radius: float | None, band: ReliableBand
+) -> ReliableBand:
+    """Return the band of a measurement, sampled for a map whose tip radius is not known."""
+    if radius is not None or measurement.kind != "map":
+        return band
+    tip_radius = float(np.exp(rng.uniform(*np.log(UNKNOWN_TIP_RADII))))
+    return limit_by_tip(band, measurement, tip_radius)
 
 
 def _fit_hurst_without_lines(bins: MeanBins, lines: NDArray[np.bool_]) -> HurstFit:

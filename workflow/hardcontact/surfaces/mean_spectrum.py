@@ -18,13 +18,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
     waves_in_bins,
 )
-from hardcontact.surfaces.spectrum import (
-    BIN_CENTRES,
-    BIN_WIDTH,
-    HALF_DECADE_BINS,
-    Floats,
-    Spectrum,
-)
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_WIDTH, HALF_DECADE_BINS, Floats, Spectrum
 
 #: Standard deviation of the change of the slope d ln C/d ln q over a decade; it grows with the root
 #: of the decades. A roll-off changes the slope by 2 + 2H, some 3.6, once in three measured decades.

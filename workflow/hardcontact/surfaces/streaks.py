@@ -28,8 +28,8 @@ MAX_FILLINGS = 20
 def find_streaks(heights: Floats) -> Mask:
     """Return the mask (y, x) of the narrowest streaks along x, either all above or all below.
 
-    The ends of a streak may be lower than what tells it from the surface. A line between two
-    streaks is not one: of both signs, that with more pixels counts.
+    The ends of a streak may stand out less than the pixels by which it is found. A line between two
+    streaks looks like one of the other sign: only the sign with more pixels counts.
     """
     for width in STREAK_WIDTHS:
         along = [_run_lengths(_candidates(steps)) for steps in _distances(heights, width)]
@@ -60,10 +60,10 @@ def fill_streaks(heights: Floats) -> tuple[Floats, Mask]:
 
 
 def _distances(heights: Floats, width: int) -> tuple[Floats, Floats]:
-    """Return how far pixels are above, and below, both lines a width before and after.
+    """Return the heights of pixels above, and below, both lines a width before and after.
 
     Distances are in typical steps. The first and the last line have one line beside them; wider
-    streaks at an edge are not told from steps.
+    streaks at an edge are not distinguished from steps.
     """
     padded = np.pad(heights, ((width, width), (0, 0)), constant_values=np.nan)
     before, after = padded[: -2 * width], padded[2 * width :]

@@ -183,7 +183,7 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
     return filtered or Spectrum(spectrum.wavevector, np.zeros_like(spectrum.density))
 
 
-def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
+def critical_band(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
     """Return the short and the long edge (nm) of the band of wavelengths that decide the force.
 
     Without all shorter or all longer wavelengths the force changes by the tolerance; NaN if it

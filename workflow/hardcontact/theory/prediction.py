@@ -16,18 +16,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER
-from hardcontact.surfaces.spectrum import (
-    MIN_BINS,
-    WAVEVECTORS,
-    Spectrum,
-    all_scales_rms,
-)
-from hardcontact.theory.closed_form import (
-    ClosedForm,
-    closed_form,
-    edges,
-    smooth_force,
-)
+from hardcontact.surfaces.spectrum import MIN_BINS, WAVEVECTORS, Spectrum, all_scales_rms
+from hardcontact.theory.closed_form import ClosedForm, closed_form, critical_band, smooth_force
 from hardcontact.theory.pull_off_statistics import predict_statistics
 from hardcontact.theory.validity import (
     EDGE_FOUND,
@@ -113,7 +103,7 @@ def prediction(
     checks += [change, *validated_ranges(waves, contact, form)]
     validated = is_known_inside and all(number.status in (NEGLIGIBLE, INSIDE) for number in checks)
     point = table_coordinates(waves, contact, form)
-    ends = zip(EDGE_NAMES, edges(waves, contact, tolerance), strict=True)
+    ends = zip(EDGE_NAMES, critical_band(waves, contact, tolerance), strict=True)
     numbers = [
         *inputs,
         _force_number("pull_off_force", form, point, validated),
@@ -235,7 +225,9 @@ def _extrapolated_numbers(
         validated = is_known_inside and is_validated(extrapolated, contact, form)
         point = table_coordinates(extrapolated, contact, form)
         yield _force_number("extrapolated_force", form, point, validated)
-        for end, edge in zip(EDGE_NAMES, edges(extrapolated, contact, tolerance), strict=True):
+        for end, edge in zip(
+            EDGE_NAMES, critical_band(extrapolated, contact, tolerance), strict=True
+        ):
             yield _edge_number(f"extrapolated_{end}", end, edge, point, validated)
         yield Number("extrapolated_to", float(2 * np.pi / extrapolated.wavevector[-1]), "nm")
         yield Number("extrapolated_rolloff", rolloff, "nm")

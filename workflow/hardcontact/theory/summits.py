@@ -134,7 +134,8 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
     waves: from `rough_waves`.
     radius: radius of the sphere in nm.
     area: area in contact, load over hardness, in nm².
-    Returns the lowest level has the probability that no point rises above it.
+    Returns the levels with their probabilities; that of the lowest level is the probability that no
+        point rises above it.
     """
     radii, clumps, bearing = clumps_above(waves, radius)
     # No clump rises above the last level; there a clump has its own area.

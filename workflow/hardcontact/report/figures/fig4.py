@@ -11,11 +11,7 @@ from matplotlib.lines import Line2D
 from hardcontact.base.formatting import format_share
 from hardcontact.contact.contact import PLASTIC
 from hardcontact.report.figures import drawing, panels, style
-from hardcontact.report.figures.values import (
-    summarize_sets,
-    value_and_bounds,
-    value_and_interval,
-)
+from hardcontact.report.figures.values import summarize_sets, value_and_bounds, value_and_interval
 
 MEGAPASCAL = 1e6
 DRAWN_MAP_PIXELS = 640  # along a side of the map of the pressure

@@ -10,7 +10,7 @@ from hardcontact.base.number import Number
 from hardcontact.inference.octaves import strongest_octaves
 from hardcontact.report.figures.values import mean_free_heights
 from hardcontact.report.notes import note, substitutes_note
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     MEASUREMENT_LENGTHS,
     measurement_name,
     measurements,
@@ -41,7 +41,7 @@ from hardcontact.report.own_surfaces.forces import (
     preferred_fit,
 )
 from hardcontact.report.quantities import all_quantities, number_of
-from hardcontact.report.templates import rendered_lines, rendered_text
+from hardcontact.report.templates import render_lines, render_text
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.reliable_band import MIN_PIXELS, MIN_WAVES_IN_SIZE, OTHER_BODY
 
@@ -82,7 +82,7 @@ def own_answer(datasets: Datasets, setting: Setting) -> dict[str, Any]:
         "version": setting.version,
         "effort": setting.effort,
         "kind": "own surfaces",
-        "headline": rendered_lines(
+        "headline": render_lines(
             "own_headline.txt",
             surfaces=surfaces,
             chosen=chosen,
@@ -132,19 +132,19 @@ def _surface_answer(
         numbers += pair_numbers(data.force, setting.pairs)
     if data.fit is not None and name in data.fit["surface"].values:
         numbers += measured_numbers(preferred_fit(data.fit).sel(surface=name), data)
-    by_name = {number.name: number for number in numbers}
-    surface_cautions = cautions(data, by_name)
-    edges = [by_name[name] for name in EDGES.values()]
+    named_numbers = {number.name: number for number in numbers}
+    surface_cautions = cautions(data, named_numbers)
+    edges = [named_numbers[name] for name in EDGES.values()]
     measurements = next_measurements(edges, data.spectra)
     numbers += [
         *_caution_numbers(surface_cautions),
         *[number._replace(name=f"{edge}_{code}_limit") for edge, code, number, _ in measurements],
         *_scan_numbers(data),
     ]
-    by_name = {number.name: number for number in numbers}
+    named_numbers = {number.name: number for number in numbers}
     basis = str(data.topography["basis"].item())
-    verdict = surface_verdict(by_name)
-    return SurfaceAnswer(name, label, basis, by_name, verdict, surface_cautions, measurements)
+    verdict = surface_verdict(named_numbers)
+    return SurfaceAnswer(name, label, basis, named_numbers, verdict, surface_cautions, measurements)
 
 
 def _octave_numbers(data: Datasets) -> Iterator[Number]:
@@ -173,17 +173,17 @@ def _study_numbers(datasets: Datasets, setting: Setting) -> list[Number]:
 def _notes(
     surfaces: list[SurfaceAnswer], numbers: Mapping[str, Number], fit_text: str
 ) -> list[dict[str, Any]]:
-    """Return what the numbers alone do not tell, in words: cautions, what to measure, the fit."""
+    """Return the notes in words: cautions, measurements to make next, the fit."""
     notes = substitutes_note([surface.label for surface in surfaces if surface.basis != "measured"])
     several = len(surfaces) > 1
     for surface in surfaces:
         facts = {"label": surface.label, "several": several}
         for caution in surface.cautions:
-            text = rendered_text("own_caution.txt", caution=caution, **facts)
+            text = render_text("own_caution.txt", caution=caution, **facts)
             notes.append(note("caution", text, caution.code, surface.name, grave=caution.grave))
         limits = {"min_pixels": MIN_PIXELS, "min_waves": MIN_WAVES_IN_SIZE}
         for measurement in surface.next:
-            text = rendered_text("own_next.txt", measurement=measurement, **facts, **limits)
+            text = render_text("own_next.txt", measurement=measurement, **facts, **limits)
             notes.append(note("next", text, measurement.code, surface.name))
     if fit_text:
         notes.append(note("fit", fit_text, numbers["fit_region_range"].status))
@@ -191,8 +191,8 @@ def _notes(
 
 
 def _fit_text(numbers: Mapping[str, Number]) -> str:
-    """Return which ranges and works agree with all measured forces, nothing without forces."""
-    return rendered_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
+    """Return the fit in words: ranges and works that agree with all forces; nothing without any."""
+    return render_text("own_fit.txt", n=numbers) if "fit_range" in numbers else ""
 
 
 def _caution_numbers(surface_cautions: list[Caution]) -> Iterator[Number]:
@@ -225,7 +225,7 @@ def _scan_numbers(data: Datasets) -> Iterator[Number]:
 
 
 def _shortest_by(scan: xr.Dataset) -> str:
-    """Return what ends the reliable wavelengths of a measurement, nothing if none is reliable.
+    """Return the limit of the shortest reliable wavelengths; an empty text if none is reliable.
 
     A scan of the smoother body may be reliable, though the other body's waves count.
     """
@@ -234,7 +234,7 @@ def _shortest_by(scan: xr.Dataset) -> str:
 
 
 def _surface_head(surface: SurfaceAnswer, spectra: xr.Dataset) -> dict[str, Any]:
-    """Return what is known of one surface besides numbers: its name, verdict and measurements."""
+    """Return the head of one surface in answer.json: its name, verdict and measurements."""
     scans = split_measurements(measurements(spectra.sel(surface=surface.name)))
     return {
         "name": surface.name,

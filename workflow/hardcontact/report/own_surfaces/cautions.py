@@ -14,7 +14,7 @@ from hardcontact.base.number import Number
 from hardcontact.contact.finite_scan import SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.inference.curve_edges import RIPPLES
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     fails_hindcast,
     measurement_name,
     measurements,
@@ -169,7 +169,7 @@ def _strong_work(numbers: Mapping[str, Number]) -> Caution | None:
 
 
 def _few_tests(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return a caution if the tests are too few to tell how much they scatter."""
+    """Return a caution if the tests are too few for an estimate of their scatter."""
     force = numbers.get("measured_force")
     if force is None:
         return None
@@ -262,7 +262,7 @@ def _conditional_intervals(force: xr.Dataset) -> Caution | None:
 
 
 def _sphere_places(numbers: Mapping[str, Number]) -> Caution | None:
-    """Return by how much the force depends on the place at which a rough sphere touches."""
+    """Return a caution on the place at which a rough sphere touches, which changes the force."""
     if "place_factor" not in numbers:
         return None
     return Caution("sphere_places", numbers={"factor": numbers["place_factor"]})
@@ -331,7 +331,7 @@ def _ripples(edges: xr.Dataset) -> Caution | None:
 
 
 def _tail(data: Datasets) -> Caution:
-    """Return how the spectrum goes on below the wavelengths measured."""
+    """Return the caution on the extrapolation of the spectrum to short wavelengths."""
     spectra = data.spectra
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
     quantile = NormalDist().inv_cdf((1 + data.edges.attrs["confidence"]) / 2)
@@ -349,7 +349,7 @@ def _tail(data: Datasets) -> Caution:
 
 
 def _long_waves(data: Datasets) -> Caution | None:
-    """Return how the spectrum goes on above the wavelengths measured, if it is extrapolated."""
+    """Return a caution on the extrapolation of the spectrum to long wavelengths, if any."""
     rolloff = data.spectra["rolloff"].item()
     if not np.isfinite(rolloff):
         return None

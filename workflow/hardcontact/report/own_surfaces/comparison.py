@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from hardcontact.base.number import Number
-from hardcontact.report.own_surfaces.artificial import shown_octaves
+from hardcontact.report.own_surfaces.artificial_roughness import shown_octaves
 from hardcontact.report.own_surfaces.datasets import Datasets, forces_at_range
 from hardcontact.report.quantities import number_of
 from hardcontact.surfaces.spectrum import Floats, spectrum_of_dataset

@@ -1,4 +1,4 @@
-"""The edges of the band of an own surface, the verdict on its scans, and what to measure next."""
+"""The edges of the band of an own surface, the verdict on its scans, and further measurements."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.number import Number
 from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.inference.edges import computed_cutoffs
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     classify_edge,
     fails_hindcast,
@@ -61,7 +61,7 @@ class Verdict(NamedTuple):
 
 
 def interval_status(source: xr.DataArray) -> str:
-    """Return why a number has no interval: contacts touch few places, or scans do not bound it."""
+    """Return the status of a number without interval: few places touch, or no scan bounds it."""
     return "few_places" if source.item() == "few_places" else "no_interval"
 
 
@@ -79,7 +79,7 @@ def edge_number(side_edges: xr.Dataset, name: str, source: str = "computed") -> 
 
 
 def resolves_nothing(edges: xr.Dataset) -> bool:
-    """Return whether no cutoff changes the force on one surface, which is that of a smooth one."""
+    """Return whether no cutoff changes the force on one surface: it is that on a smooth surface."""
     short, long = [edge_number(edges.sel(side=side), EDGES[side]) for side in SIDES]
     return (short.status, long.status) == ("open_above", "open_below")
 
@@ -138,7 +138,7 @@ def next_measurements(edges: Iterable[Number], spectra: xr.Dataset) -> list[Meas
 
 
 def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
-    """Return what would find an edge.
+    """Return the measurement that would find an edge.
 
     Its limit is the edge, or its bound, or the nearest wavelength beyond it at which no scan is
     reliable.
@@ -165,8 +165,11 @@ def _next_measurement(edge: Number, spectra: xr.Dataset) -> Measurement:
 
 def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
     """Return the verdict on one surface from its numbers by name."""
-    short, long = _whole(numbers["short_edge"]), _whole(numbers["long_edge"])
-    force = _whole(numbers["force_mean"])
+    short, long = (
+        _drop_partial_interval(numbers["short_edge"]),
+        _drop_partial_interval(numbers["long_edge"]),
+    )
+    force = _drop_partial_interval(numbers["force_mean"])
     sides = [side for side in SIDES if f"force_extrapolated_{side}" in numbers]
     sources = {short.source, long.source, numbers["force_mean_change"].source}
     if numbers["force_mean"].status == "few_places":
@@ -187,7 +190,7 @@ def surface_verdict(numbers: Mapping[str, Number]) -> Verdict:
     return Verdict(answer, band, short, long, force, known)
 
 
-def _whole(number: Number) -> Number:
+def _drop_partial_interval(number: Number) -> Number:
     """Return a number without its interval if an end of it is not known."""
     is_whole = np.isfinite([number.low, number.high]).all() or np.isnan(number.value)
     return number if is_whole else bare(number)

@@ -19,7 +19,7 @@ from hardcontact.inference.edges import computed_cutoffs
 from hardcontact.report.figures import drawing, panels, style
 from hardcontact.report.figures.listing import FILE_KINDS, describe_figure
 from hardcontact.report.figures.values import mean_free_heights, value_and_interval
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     fails_hindcast,
     measurement_name,
@@ -93,8 +93,8 @@ def draw_maps(datasets: Datasets) -> Figure:
     """Draw the first levelled scan of each surface, and of the sphere."""
     labels = datasets.labels()
     topography = datasets.topography
-    others = topography.sel(surface=~topography["surface"].isin(list(labels)))
-    names = labels | dict(zip(others["surface"].values, others["label"].values, strict=True))
+    spheres = topography.sel(surface=~topography["surface"].isin(list(labels)))
+    names = labels | dict(zip(spheres["surface"].values, spheres["label"].values, strict=True))
     colours = style.colours(labels)
     figure, column = _titled_panels(names.values(), 3.3)
     for axes, name in zip(column, names, strict=True):

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     NEARLY_ALL,
     fails_hindcast,
     parts_of_change,
@@ -19,7 +19,7 @@ from hardcontact.report.quantities import ends_only, number_of
 from hardcontact.surfaces.synthesis import SIDES
 
 
-def with_status(number: Number, source: xr.DataArray) -> Number:
+def add_status(number: Number, source: xr.DataArray) -> Number:
     """Return a number; if it has no interval, its status says why."""
     if np.isfinite([number.low, number.high]).any() or number.status not in ("", "no_interval"):
         return number
@@ -36,7 +36,7 @@ def force_numbers(data: Datasets) -> list[Number]:
     share = float(np.ptp(quantiles["quantile"].values))
     smooth = 2 * np.pi * 1e-9 * force.attrs["sphere_radius"] * force.attrs["work_of_adhesion"]
     return [
-        with_status(mean, force["interval_source"]),
+        add_status(mean, force["interval_source"]),
         _change_from_smooth(data),
         *_extrapolated_forces(data),
         Number("force_median", median, "N"),
@@ -74,7 +74,7 @@ def _extrapolated_forces(data: Datasets) -> list[Number]:
         name = f"force_extrapolated_{side}"
         number = extrapolated_number(force, "extrapolated_force", name, data)
         numbers += [
-            with_status(number, force["extrapolated_force_interval_source"]),
+            add_status(number, force["extrapolated_force_interval_source"]),
             number_of(force, "transition", "nm", name=f"{name}_start"),
             number_of(force, "extrapolation_end", "nm", name=f"{name}_end"),
         ]
@@ -169,7 +169,7 @@ def measured_numbers(fit: xr.Dataset, data: Datasets) -> list[Number]:
 
 
 def fit_numbers(fit: xr.Dataset) -> list[Number]:
-    """Return which ranges and works of adhesion agree with all measured forces.
+    """Return the ranges and works of adhesion that agree with all measured forces.
 
     The fit is the part of fit.nc for one contact model. `fit_exact_pairs` counts the pairs that
     give the forces of two surfaces by construction. `fit_gap` lies between ranges that agree.

@@ -19,7 +19,7 @@ from hardcontact.report.notes import note, substitutes_note
 from hardcontact.report.paper_study.changed_inputs import changed_inputs, paper_contact
 from hardcontact.report.paper_study.claims import claim_facts
 from hardcontact.report.quantities import all_quantities, number_of
-from hardcontact.report.templates import rendered_lines, rendered_text
+from hardcontact.report.templates import render_lines, render_text
 
 #: Claims with numbers in the answer, by the names of these numbers.
 ANSWER_CLAIMS = {
@@ -76,8 +76,8 @@ def paper_answer(
         "version": version,
         "effort": "quick" if facts["coarse"] else configuration["effort"],
         "kind": "paper",
-        "headline": rendered_lines("paper_headline.txt", changed=changed, **facts),
-        "verdicts": [] if changed else rendered_lines("paper_verdicts.txt", **facts),
+        "headline": render_lines("paper_headline.txt", changed=changed, **facts),
+        "verdicts": [] if changed else render_lines("paper_verdicts.txt", **facts),
         "contact": contact,
         "changed": changed,
         "assumed": [],
@@ -118,7 +118,7 @@ def _notes(topography: xr.Dataset, facts: Mapping[str, Any]) -> list[dict[str, A
     is_substitute = (topography["basis"] == "substitute").values
     notes = substitutes_note(topography["label"].values[is_substitute].tolist())
     if facts["featured"]:
-        notes.append(note("features", rendered_text("paper_features.txt", **facts)))
+        notes.append(note("features", render_text("paper_features.txt", **facts)))
     return notes
 
 

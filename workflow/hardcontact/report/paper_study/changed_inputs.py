@@ -6,16 +6,21 @@ from typing import Any
 import pandas as pd
 
 from hardcontact.config.configuration import contact_words
-from hardcontact.config.model import Study
+from hardcontact.config.model import CONTACT_QUANTITIES, Study
 
 #: The name of `scales.sphere_roughness` among the inputs of contacts.
 SPHERE_ON_MASTERS = "sphere on masters"
 
 
 def paper_contact(configuration: Mapping[str, Any]) -> dict[str, str]:
-    """Return what contacts of a study of the paper are computed for, as printed."""
+    """Return the inputs of the contacts of a study of the paper, as printed.
+
+    The work of adhesion is no input, because it is fitted to the published forces.
+    """
+    words = contact_words(configuration)
+    del words[CONTACT_QUANTITIES["work"][1]]
     sphere = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
-    return contact_words(configuration) | {SPHERE_ON_MASTERS: sphere}
+    return words | {SPHERE_ON_MASTERS: sphere}
 
 
 def changed_inputs(
@@ -27,8 +32,8 @@ def changed_inputs(
     grids and repetitions are no other inputs.
     """
     paper_inputs = paper_contact(Study().model_dump(warnings=False))
-    paper_inputs["coatings"] = _listed(table1["surface"])
-    inputs = {**contact, "coatings": _listed(substrates)}
+    paper_inputs["coatings"] = _join_surfaces(table1["surface"])
+    inputs = {**contact, "coatings": _join_surfaces(substrates)}
     return [
         {"input": name, "paper": paper_value, "study": inputs[name]}
         for name, paper_value in paper_inputs.items()
@@ -36,6 +41,6 @@ def changed_inputs(
     ]
 
 
-def _listed(surfaces: Sequence[str] | pd.Series) -> str:
+def _join_surfaces(surfaces: Sequence[str] | pd.Series) -> str:
     """Return the ids of surfaces in words, in alphabetical order."""
     return ", ".join(sorted(set(surfaces)))

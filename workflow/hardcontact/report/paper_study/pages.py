@@ -12,7 +12,7 @@ from hardcontact.report.page import render_page
 from hardcontact.report.paper_study.answer import ANSWER_CLAIMS
 from hardcontact.report.paper_study.chapters import convert_chapter
 from hardcontact.report.paper_study.claims import claim_facts
-from hardcontact.report.templates import Frame, rendered
+from hardcontact.report.templates import Frame, render_document
 
 
 def paper_page(
@@ -40,7 +40,7 @@ def figures_page(
 ) -> str:
     """Return the page of all figures of the paper's study, and of Table 1 from `table1_rows`."""
     chapters = groupby(PAPER_FIGURES, key=lambda name: describe_figure(name).chapter)
-    return rendered(
+    return render_document(
         "figures.html",
         frame,
         "figures",
@@ -68,12 +68,12 @@ def report_pages(
     """
     confidence = configuration["inference"]["confidence"]
     facts = claim_facts(claims) | {"changed": changed, "confidence": confidence}
-    pages = {"claims": rendered("claims.html", frame, "claims", **facts)}
+    pages = {"claims": render_document("claims.html", frame, "claims", **facts)}
     for name, text in texts.items():
         chapter = convert_chapter(text, frame.pages)
-        pages[name] = rendered("chapter.html", frame, name, chapter=chapter)
+        pages[name] = render_document("chapter.html", frame, name, chapter=chapter)
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
-    pages["parameters"] = rendered(
+    pages["parameters"] = render_document(
         "parameters.html", frame, "parameters", parameters=parameters, versions=versions
     )
     return pages

@@ -20,7 +20,7 @@ class NamedSurfaces(TypedDict):
     basis: Mapping[str, str]
 
 
-def with_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
+def add_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
     """Return a dataset with the label and the basis of each of its surfaces."""
     surfaces = dataset["surface"].values.tolist()
     return dataset.assign(
@@ -49,7 +49,7 @@ def stacked_pull_off_forces(scans: Parts, named_surfaces: NamedSurfaces) -> xr.D
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
     largest = forces["contact_pixel_count"].max([*dimensions, "sphere_scan"], keep_attrs=True)
-    return with_names(forces.assign(contact_pixel_count=largest), named_surfaces)
+    return add_names(forces.assign(contact_pixel_count=largest), named_surfaces)
 
 
 def stacked_elastic_contacts(scans: Parts, named_surfaces: NamedSurfaces) -> xr.Dataset:
@@ -67,7 +67,7 @@ def stacked_elastic_contacts(scans: Parts, named_surfaces: NamedSurfaces) -> xr.
     for (surface, _), scan in scans.items():
         pressures.setdefault((surface,), scan[["pressure"]])
     pressure = stack(pressures, ["surface"]).pressure
-    return with_names(contacts.assign(pressure=pressure), named_surfaces)
+    return add_names(contacts.assign(pressure=pressure), named_surfaces)
 
 
 def stacked_forces(masters: Parts) -> xr.Dataset:
@@ -114,16 +114,16 @@ def read_masters(
     return stacked_forces(masters)
 
 
-def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
+def add_spectrum_shifts(scales: xr.Dataset, sampled: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with the changes that another spectrum makes.
 
-    `scales` has masters with the most likely spectra; `varied` those with sampled spectra and the
+    `scales` has masters with the most likely spectra; `sampled` those with sampled spectra and the
     same random numbers. The changes ``log_ratio_shift`` and ``log_unfiltered_force_shift`` of the
-    logarithms of ratio and mean force are NaN if there is no varied master.
+    logarithms of ratio and mean force are NaN if there is no sampled spectrum.
     """
-    whole = "unfiltered_pull_off_force"
-    ratio = varied["filtered_force_ratio"] / scales["filtered_force_ratio"]
-    mean = varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES)
+    unfiltered = "unfiltered_pull_off_force"
+    ratio = sampled["filtered_force_ratio"] / scales["filtered_force_ratio"]
+    mean = sampled[unfiltered].mean(CONTACT_AXES) / scales[unfiltered].mean(CONTACT_AXES)
     shifts = xr.Dataset(
         {"log_ratio_shift": np.log(ratio), "log_unfiltered_force_shift": np.log(mean)}
     )
@@ -132,7 +132,7 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     return scales.merge(shifts, join="left", compat="no_conflicts")
 
 
-def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
+def add_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
     """Return forces of masters with the ``transition`` (side) in nm to artificial roughness."""
     attributes = {"units": "nm", "long_name": "wavelength at which artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]

@@ -39,12 +39,12 @@ def artificial_bands(spectra: xr.Dataset) -> list[tuple[float, float]]:
     ends = zip(
         reliable["shortest_reliable"].values, reliable["longest_reliable"].values, strict=True
     )
-    reached = float(spectra["shortest_measured"])
-    bands = [(0.0, reached)]
+    longest_covered = float(spectra["shortest_measured"])
+    bands = [(0.0, longest_covered)]
     for shortest, longest in sorted((float(low), float(high)) for low, high in ends):
-        if shortest > reached:
-            bands.append((reached, shortest))
-        reached = max(reached, longest)
+        if shortest > longest_covered:
+            bands.append((longest_covered, shortest))
+        longest_covered = max(longest_covered, longest)
     return [*bands, (float(spectra["longest_measured"]), np.inf)]
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
 
-from hardcontact.report.own_surfaces.artificial import (
+from hardcontact.report.own_surfaces.artificial_roughness import (
     artificial_bands,
     measurements,
     overlaps_any,

@@ -3,7 +3,7 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.contact import all_surfaces
+from hardcontact.contact import stacked_datasets
 
 DESCRIBED = {"labels": {"a": "A", "b": "B"}, "basis": {"a": "measured", "b": "substitute"}}
 CONTACTS = ("contact_y", "contact_x")
@@ -26,12 +26,12 @@ def test_forces_of_all_pairs_are_stacked_with_nan_for_missing_pairs():
     pairs = {key: pair_forces(float(k), 10 + k) for k, key in enumerate(keys)}
     changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
     scans = {
-        scan: all_surfaces.stack_sphere_scans(
+        scan: stacked_datasets.stack_sphere_scans(
             {key[2]: pair for key, pair in pairs.items() if key[:2] == scan}
         ).assign(wider_window_change=((), change, {"units": "1"}))
         for scan, change in changes.items()
     }
-    forces = all_surfaces.stacked_pull_off_forces(scans, DESCRIBED)
+    forces = stacked_datasets.stacked_pull_off_forces(scans, DESCRIBED)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
         pair_labels = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
         np.testing.assert_array_equal(forces.pull_off_force.sel(pair_labels), k)

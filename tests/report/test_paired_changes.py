@@ -1,0 +1,104 @@
+"""Changes between two studies: the scatter that their sets of scans share cancels."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from hardcontact.base.number import Number
+from hardcontact.report.paired_changes import add_paired_intervals, pairing
+from hardcontact.report.paper_study.answer import FORCE_UNITS
+from hardcontact.report.study_comparison import ComparedNumber
+from hardcontact.surfaces.height_map import TABLE1_METRICS
+
+SETS = 20_000
+SCATTER = 0.01
+SAMPLING = {
+    "chunks": [["uncd", 1, 15]], "draw_chunks": [], "pooled": ["uncd"], "masters": ["uncd"],
+    "realizations": 20, "load": "H25GPa-F10uN",
+    "settings": {"seed": 2021, "realizations": 5, "tolerance": 0.1},
+}  # fmt: skip
+
+
+def study(factor=1.0, scatter=0.0, rms=11.0, **settings):
+    """A study of one coating, whose numbers scatter over sets of scans that all studies share.
+
+    They are multiplied by a factor that has a log-normal scatter of its own.
+    """
+    shared, own = np.random.default_rng(1).standard_normal((2, SETS))
+    numbers = factor * np.exp(0.3 * shared + scatter * own)
+    fits = (("set", "contact_model"), np.stack([numbers, numbers], axis=1))
+    edges = (("set", "side", "group"), np.tile(numbers[:, None, None], (1, 2, 1)))
+    sets = xr.Dataset(
+        {
+            "value": (("set", "claim"), numbers[:, None]), "range_of_adhesion": fits,
+            "work_of_adhesion": fits, "edge": edges,
+        },
+        {
+            "claim": ["edge_small_pooled"], "contact_model": ["rigid", "plastic"],
+            "side": ["small", "large"], "group": ["uncd"], "surface": ["uncd"],
+        },
+        {
+            "confidence": 0.95,
+            "parameters": json.dumps(SAMPLING | {"settings": SAMPLING["settings"] | settings}),
+        },
+    )  # fmt: skip
+    metrics = {name: (("surface", "scan"), [[rms, rms + 1]]) for name in TABLE1_METRICS.values()}
+    labels = {"label": ("surface", ["UNCD"])}
+    masters = {"unfiltered_wavelength": ("surface", [5.0]), "transition": ("side", [20.0, 2500.0])}
+    coordinates = {"surface": ["uncd"]}
+    return {
+        "sets": sets,
+        "topography": xr.Dataset(metrics | labels, coordinates),
+        "scales": xr.Dataset(masters, coordinates),
+        "features": xr.Dataset(
+            {name: (("features", "draw"), numbers[None]) for name in FORCE_UNITS},
+            {"features": ["bumps"]},
+        ),
+    }
+
+
+def compared(factor):
+    """Numbers whose intervals overlap; sets have no octaves."""
+    names = [("", "octave_1"), ("", "short_edge"), ("", "bumps_mean_force"), ("UNCD", "long_edge")]
+    return [
+        ComparedNumber(surface, name, Number(name, 1, "", 0.5, 2), Number(name, factor, "", 0.5, 2))
+        for surface, name in names
+    ]
+
+
+def test_shared_scatter_cancels_from_the_change():
+    """Quantiles of the normal distribution: 95 % lie within 1.96 deviations."""
+    first, second = study(), study(1.05, SCATTER, tolerance=0.2)
+    assert pairing(first, second) == "paired"
+    numbers = add_paired_intervals(compared(1.05), first, second)
+    assert [number.agreement for number in numbers] == ["changed"] * 3 + ["same"]
+    ends = 1.05 * np.exp(1.96 * SCATTER * np.array([-1, 1]))
+    for number in numbers[:3]:
+        assert number.change.value == 1.05
+        assert (number.change.low, number.change.high) == pytest.approx(ends, rel=5e-4)
+
+
+def test_a_change_smaller_than_its_scatter_is_not_resolved():
+    numbers = add_paired_intervals(compared(1.01), study(), study(1.01, SCATTER))
+    assert {number.agreement for number in numbers[1:]} == {"unchanged"}
+
+
+def test_a_study_beside_itself_does_not_change():
+    numbers = add_paired_intervals(compared(1), study(), study())
+    assert {number.change[1:5] for number in numbers[1:]} == {(1, "1", 1, 1)}
+    assert {number.agreement for number in numbers} == {"equal"}
+
+
+@pytest.mark.parametrize(
+    ("other", "reason"),
+    [
+        ({}, "no_sets"),
+        (study(seed=2022), "other_scans"),
+        (study(realizations=4), "other_scans"),
+        (study(rms=11.1), "other_scans"),
+    ],
+)
+def test_studies_of_other_scans_are_not_paired(other, reason):
+    assert pairing(study(), other) == pairing(other, study()) == reason

@@ -1,0 +1,123 @@
+"""Changes between two studies with the same sets of scans, set by set: their scatter cancels.
+
+Random numbers of a set depend on the seed, the surface and the number of the set alone, not on the
+contacts. Datasets of a study are its `SET_DATASETS`.
+"""
+
+import json
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.contact.contact import PLASTIC
+from hardcontact.paper.verdicts import sets_interval, stretch_interval
+from hardcontact.report.paper_study.answer import (
+    ANSWER_CLAIMS,
+    EDGE_SIDES,
+    FITTED_UNITS,
+    FORCE_UNITS,
+)
+from hardcontact.report.study_comparison import ComparedNumber
+from hardcontact.surfaces.height_map import TABLE1_METRICS
+
+SET_DATASETS = ("sets", "topography", "scales", "features")
+#: Parameters of sets.nc that decide which scans and masters a set has.
+SAMPLING_PARAMETERS = ("chunks", "draw_chunks", "pooled", "masters", "realizations")
+SAMPLING_SETTINGS = ("seed", "realizations")
+#: Relative difference of equal surfaces: far more than other processors cause, 7e-16.
+TOLERANCE = 1e-6
+
+
+def pairing(first: Mapping[str, xr.Dataset], second: Mapping[str, xr.Dataset]) -> str:
+    """Return "paired" if two studies have the same sets of scans, otherwise why they do not.
+
+    "no_sets": a study has no datasets. "other_scans": seeds or recorded surfaces differ.
+    """
+    if not (first and second):
+        return "no_sets"
+    surfaces = [_recorded_surfaces(study) for study in (first, second)]
+    same_seeds = _sampling(first["sets"]) == _sampling(second["sets"])
+    if not same_seeds or surfaces[0].sizes != surfaces[1].sizes:
+        return "other_scans"
+    same_surfaces = all(
+        np.allclose(surfaces[0][name], surfaces[1][name], TOLERANCE, 0, equal_nan=True)
+        for name in surfaces[0]
+    )
+    return "paired" if same_surfaces else "other_scans"
+
+
+def _sampling(sets: xr.Dataset) -> list[Any]:
+    """Return the parameters of sets.nc that decide which scans and masters a set has."""
+    parameters = json.loads(sets.attrs["parameters"])
+    settings = parameters["settings"]
+    return [
+        *(parameters[name] for name in SAMPLING_PARAMETERS),
+        *(settings[name] for name in SAMPLING_SETTINGS),
+    ]
+
+
+def _recorded_surfaces(study: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return what a study records of its scans, and of its masters."""
+    scans = study["topography"][list(TABLE1_METRICS.values())]
+    return xr.merge([scans, study["scales"][["unfiltered_wavelength", "transition"]]], join="outer")
+
+
+def add_paired_intervals(
+    numbers: Iterable[ComparedNumber],
+    first: Mapping[str, xr.Dataset],
+    second: Mapping[str, xr.Dataset],
+) -> list[ComparedNumber]:
+    """Add the intervals of changes between paired studies, as far as sets have the numbers.
+
+    Numbers that changed beyond their interval come first.
+    """
+    first_values, second_values = _set_numbers(first), _set_numbers(second)
+    confidence = first["sets"].attrs["confidence"]
+    compared = [
+        _with_interval(number, first_values[key], second_values[key], confidence)
+        if (key := (number.surface, number.name)) in first_values and key in second_values
+        else number
+        for number in numbers
+    ]
+    return sorted(compared, key=lambda number: number.agreement != "changed")
+
+
+def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.DataArray]:
+    """Return the numbers (set,) or (draw,) of all sets by the label of the surface and their name.
+
+    The label is empty for the whole study, and names are those of answer.json.
+    """
+    sets, labels = study["sets"], study["topography"]["label"]
+    claims = {
+        ("", name): sets["value"].sel(claim=claim)
+        for name, claim in ANSWER_CLAIMS.items()
+        if claim in sets["claim"].values
+    }
+    fits = {
+        ("", prefix + name): sets[name].sel(contact_model=PLASTIC)
+        for name in FITTED_UNITS
+        for prefix in ("", "all_surfaces_")
+    }
+    edges = {
+        (labels.sel(surface=surface).item(), name): sets["edge"].sel(side=side, group=surface)
+        for name, (side, _) in EDGE_SIDES.items()
+        for surface in sets["surface"].values
+    }
+    forces = {
+        ("", f"{kind}_{name}"): study["features"][name].sel(features=kind)
+        for kind in study["features"]["features"].values
+        for name in FORCE_UNITS
+    }
+    return claims | fits | edges | forces
+
+
+def _with_interval(
+    number: ComparedNumber, first: xr.DataArray, second: xr.DataArray, confidence: float
+) -> ComparedNumber:
+    """Return a number with the interval of its change, from both numbers (set,) of each set."""
+    changes = second / first if number.change.name == "ratio" else second - first
+    interval = sets_interval(changes.values, confidence)
+    low, high = stretch_interval(interval, number.change.value)
+    return number._replace(change_interval=(float(low), float(high)))
