@@ -28,6 +28,7 @@ PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify
     const page = frame.contentDocument, root = page.documentElement, images = [...page.images]
     const texts = [...page.querySelectorAll("p, td, li, figcaption, small")]
     return {
+      title: page.title,
       screen: root.clientWidth,
       overflow: root.scrollWidth - root.clientWidth,
       pictures: images.length,
@@ -39,10 +40,11 @@ PROBE = """<script>onload = () => { document.body.dataset.shown = JSON.stringify
     }})) }</script>"""
 
 
-def measure_page(html, folder):
-    """Open a page at each of WIDTHS (pixels) and return measures, lengths in pixels."""
+def measure_pages(pages, folder):
+    """Open each page at each of WIDTHS (pixels) and return the measures, lengths in pixels."""
     frames = "".join(
         f'<iframe width="{width}" height="844" style="border: 0" srcdoc="{escape(html)}"></iframe>'
+        for html in pages
         for width in WIDTHS
     )
     return _run_in_browser(frames + PROBE, folder)

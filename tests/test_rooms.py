@@ -16,15 +16,15 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 762,
+    "base": 763,
     "surfaces": 3431,
     "contact": 1388,
     "inference": 1591,
     "theory": 639,
     "paper": 1462,
     "config": 2373,
-    "own": 2157,
-    "report": 3498,
+    "own": 2161,
+    "report": 3499,
     "api": 215,
 }
 NO_CODE = {

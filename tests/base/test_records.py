@@ -8,10 +8,8 @@ from pathlib import Path
 
 import pytest
 from refusals import assert_says, refusal
-from repository import PAPER, merged, run_snakemake
-from studies import TINY_PATTERNS, TINY_SOURCES
+from repository import PAPER, merged
 
-from hardcontact.base import dataset
 from hardcontact.base.origin import Origin, canonical, digest, digests, keep_records, record_path
 from hardcontact.base.verification import check, traced_records
 from hardcontact.own import new
@@ -148,6 +146,8 @@ def test_parameters_of_an_archive_are_compared_with_those_of_now(study, changes,
 
 # The tiny study
 
+FINAL = "results/tiny"
+
 
 @pytest.mark.study
 def test_a_finished_study_has_no_faults(finished, monkeypatch):
@@ -159,47 +159,10 @@ def test_a_finished_study_has_no_faults(finished, monkeypatch):
     assert int(re.search(r"(\d+) files checked", counts)[1]) > store_count
 
 
-FINAL = "results/tiny"
-STITCHED = TINY_PATTERNS.stitched.format(
-    surface="ncd", sources=TINY_SOURCES["ncd"], scan=2, shape="flat"
-)
-#: Changed files, and some outputs made from each.
-CHANGED = {
-    f"{FINAL}/adhesion.nc": [f"{FINAL}/fit.nc", f"{FINAL}/claims.csv"],
-    f"{FINAL}/edges.nc": [f"{FINAL}/figures/fig6.svg"],
-    f"{FINAL}/figures/fig6.svg": [],
-    STITCHED: [f"{FINAL}/indent.nc"],
-    "resources/paper/table1.csv": [f"{FINAL}/answer.html"],
-    "workflow/hardcontact/contact/indents.py": [f"{FINAL}/indent.nc"],
-}
-
-
-@pytest.mark.study
-def test_changed_and_missing_files_are_named_with_all_their_outputs(finished_copy):
-    for path in CHANGED:
-        if path.endswith(".nc"):
-            altered_dataset = dataset.read(finished_copy / path).assign_attrs(comment="another")
-            dataset.write(altered_dataset, finished_copy / path)
-        else:
-            with open(finished_copy / path, "a") as file:
-                file.write("\n")
-    (finished_copy / FINAL / "figures/fig1.png").unlink()
-    run = run_snakemake(finished_copy, "verify")
-    assert run.returncode == 1 and "Traceback" not in run.stdout
-    assert f"{FINAL}/figures/fig1.png: expected a file of the study, found none" in run.stdout
-    for path, outputs in CHANGED.items():
-        if path.startswith("results/"):
-            assert f"{path}: is not the file that the study wrote" in run.stdout
-        for output in outputs:
-            faults = re.findall(rf"^{output}: does not match its input (.*)$", run.stdout, re.M)
-            assert [path in fault.split(", ") for fault in faults] == [True], (output, path)
-
-
 @pytest.mark.study
 def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch):
     monkeypatch.chdir(finished)
-    records = traced_records("results/tiny")
-    results = Path("results/tiny")
+    records, results = traced_records(FINAL), Path(FINAL)
     made = {
         path.as_posix()
         for path in results.rglob("*.*")

@@ -5,7 +5,7 @@ from functools import cache
 
 import pytest
 from answer_inputs import datasets, fit, open_edges, setting, spectra, topography
-from browser import SCHEMES, WIDTHS, audit_page, measure_page, needs_browser, run_on_page
+from browser import SCHEMES, WIDTHS, audit_page, measure_pages, needs_browser, run_on_page
 from html_page import Page
 from paper_study import CITATION, FRAME, make_figures_page, make_page, open_claims, svg
 from repository import PAPER, ROOT
@@ -58,10 +58,10 @@ def test_axe_finds_what_is_wrong(tmp_path):
     assert {"image-alt", "color-contrast"} <= set(faults)
 
 
-@pytest.mark.parametrize("name", ["own", "own, with a long name", "claims", "parameters"])
-def test_page_fits_every_screen(name, tmp_path):
-    frames = measure_page(page_of(name), tmp_path)
-    assert [frame["screen"] for frame in frames] == list(WIDTHS)
+def test_pages_fit_every_screen(tmp_path):
+    names = ["own", "own, with a long name", "claims", "parameters"]
+    frames = measure_pages(map(page_of, names), tmp_path)
+    assert [frame["screen"] for frame in frames] == len(names) * list(WIDTHS)
     for frame in frames:
         assert frame["overflow"] == 0 and frame["requests"] == 0, frame
         assert frame["smallest"] >= 12, frame

@@ -6,6 +6,7 @@ import math
 import re
 import subprocess
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -68,8 +69,9 @@ def render_text(template: str, **facts: Any) -> str:
     return " ".join(render_lines(template, **facts))
 
 
+@cache
 def _environment() -> Any:
-    """Return the environment in which templates of pages are render_document."""
+    """Return the environment in which templates of pages are rendered; it compiles each once."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
@@ -78,8 +80,7 @@ def _environment() -> Any:
     )  # fmt: skip
     environment.filters |= {
         "printed": quantities.printed, "words": quantities.in_words, "rounded": quantities.rounded,
-        "bare": quantities.bare,
-        "percent": format_share, "share_of_decades": _share_of_decades,
+        "bare": quantities.bare, "percent": format_share, "share_of_decades": _share_of_decades,
         "unbroken": unbroken, "base64": _base64,
     }  # fmt: skip
     environment.globals["caption"] = caption
