@@ -80,3 +80,9 @@ def finished_copy(finished, tmp_path):
     """Copy the finished tiny study, to be changed, and remove the copy (90 MB) afterwards."""
     yield shutil.copytree(finished, tmp_path / "copy")
     shutil.rmtree(tmp_path / "copy")
+
+
+@pytest.fixture
+def few_cutoffs(monkeypatch):
+    """Search edges of predictions between a few cutoffs, in a third of the time."""
+    monkeypatch.setattr("hardcontact.theory.closed_form.CUTOFFS", 20)

@@ -20,7 +20,7 @@ RANGE, WORK = 5.6, 0.05
 def new(folder, *arguments):
     """Run `hardcontact new` in a copy of the repository."""
     words = ["new", *map(str, arguments)]
-    return run_program(folder, "hardcontact.own.new", words, environment(folder))
+    return run_program(folder, "hardcontact.commands.command_line", words, environment(folder))
 
 
 def quick(folder, name, *arguments, overlays=()):

@@ -2,7 +2,7 @@
 
 import json
 
-from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 

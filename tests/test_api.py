@@ -26,8 +26,8 @@ import hardcontact as hc
 from hardcontact import api
 from hardcontact.base.number import Number, plain
 from hardcontact.base.random import generator
+from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
-from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.surfaces.spectrum import smooth_rolloff
 
 DOCS = ROOT / "resources/docs"

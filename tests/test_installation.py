@@ -8,7 +8,7 @@ import sys
 import pytest
 from repository import CACHES, ROOT
 
-from hardcontact.own.predict import predict, predict_arguments
+from hardcontact.commands.predict import predict, predict_arguments
 
 SCAN = ROOT / "resources/examples/demo.txt"
 PROGRAM = """

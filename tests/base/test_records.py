@@ -12,8 +12,8 @@ from repository import PAPER, merged
 
 from hardcontact.base.origin import Origin, canonical, digest, digests, keep_records, record_path
 from hardcontact.base.verification import check, traced_records
-from hardcontact.own import new
-from hardcontact.own.verify import verify, verify_arguments
+from hardcontact.commands import command_line
+from hardcontact.commands.verify import verify, verify_arguments
 
 # A small study: source.txt -> store/a.nc -> results/final.nc -> results/table.csv
 
@@ -119,7 +119,7 @@ def test_a_command_checks_an_archive_from_elsewhere_and_writes_nothing(
     files = files_of(study)
     monkeypatch.chdir("/")
     monkeypatch.setattr(sys, "argv", ["hardcontact", "verify", str(study / "results/first")])
-    assert new.main() == int(faulty)
+    assert command_line.main() == int(faulty)
     assert "results/first: 2 files checked" in capsys.readouterr().out
     assert files_of(study) == files
 

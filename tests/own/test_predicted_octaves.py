@@ -10,14 +10,14 @@ from measurements import PIXEL, map_of
 
 import hardcontact as hc
 from hardcontact.base.random import generator
+from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.contact.contact import Contact
 from hardcontact.inference.octaves import FACTORS, STEP
 from hardcontact.own import predicted_octaves
-from hardcontact.own.contact_scans import window_on_scans
 from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
-from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.own.predicted_octaves import derivatives_in_closed_form, derivatives_on_scan
 from hardcontact.own.scan_force import SHORT_RANGE, TOO_LARGE, obstacle_to_force
+from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
 

@@ -13,10 +13,10 @@ from refusals import assert_says, refusal
 
 import hardcontact as hc
 from hardcontact.base.random import generator
+from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.config.model import Study
 from hardcontact.contact.geometry import contact_positions, window_pixels
 from hardcontact.own import scan_force
-from hardcontact.own.predict import predict, predict_arguments
 from hardcontact.own.scan_force import add_force_on_scan, stitched_map, window_of_scan
 from hardcontact.surfaces.height_map import level
 

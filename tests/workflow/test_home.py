@@ -50,7 +50,7 @@ def test_an_unknown_user_plans_and_predicts(repository):
         cwd=repository, env=variables, capture_output=True, text=True,
     )  # fmt: skip
     assert run.returncode == 0, run.stdout + run.stderr
-    command = "import sys; from hardcontact.own.new import main; sys.exit(main())"
+    command = "import sys; from hardcontact.commands.command_line import main; sys.exit(main())"
     run = subprocess.run(
         [*user, "env", "-u", "HOME", sys.executable, "-c", command, "predict", "missing.nc"],
         cwd=repository, env=variables, capture_output=True, text=True,

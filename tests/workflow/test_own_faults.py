@@ -144,7 +144,7 @@ def test_a_read_only_folder_is_named(copy):
     assert_says(line, f"{RESULTS}: expected a folder to write to, found")
 
 
-VERIFY = "import sys; from hardcontact.own.new import main; sys.exit(main())"
+VERIFY = "import sys; from hardcontact.commands.command_line import main; sys.exit(main())"
 
 
 def test_verify_writes_nothing_and_needs_no_snakemake(copy, tmp_path):

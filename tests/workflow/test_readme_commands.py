@@ -154,7 +154,9 @@ def typed_in(folder, readme):
     runs = []
     for program, *words in calls(folder, typed):
         if program == "hardcontact" and "--help" not in words:
-            run = run_program(folder, "hardcontact.own.new", words, environment(folder))
+            run = run_program(
+                folder, "hardcontact.commands.command_line", words, environment(folder)
+            )
             assert run.returncode == 0, (words, run.stdout)
         elif program == "snakemake":
             runs.append(words)

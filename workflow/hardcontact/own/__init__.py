@@ -1,1 +1,1 @@
-"""The commands: `hardcontact new`, `predict`, `verify` and `compare`."""
+"""Forces on own surfaces: spectra of scans, predictions, and what of them scans show."""

@@ -17,7 +17,7 @@ from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
 from hardcontact.inference.octaves import force_function
-from hardcontact.own.contact_scans import window_on_scans
+from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.theory.closed_form import closed_form, smooth_force

@@ -9,10 +9,10 @@ from pathlib import Path
 from hardcontact.base.code import ROOT
 from hardcontact.base.origin import canonical, read_record
 from hardcontact.base.verification import check
+from hardcontact.commands.parser import CommandLine
 from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
 from hardcontact.config.faults import shorten
 from hardcontact.config.model import QUICK_SUFFIX
-from hardcontact.own.command_line import CommandLine
 
 
 def verify_arguments(arguments: Sequence[str]) -> Namespace:

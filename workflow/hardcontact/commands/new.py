@@ -4,8 +4,6 @@ It reads the files, prints their contents, proposes a value for each key, and wr
 a table of surfaces. If there are problems, it prints one line for each and writes nothing.
 """
 
-import os
-import sys
 from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
@@ -14,6 +12,25 @@ from typing import Any
 
 from hardcontact.base.code import ROOT
 from hardcontact.base.whole_file import whole_file
+from hardcontact.commands.inventory import (
+    SPECTRUM,
+    Entry,
+    entries_by_surface,
+    inventory,
+    printed_table,
+    table_rows,
+)
+from hardcontact.commands.proposal import Choice, Proposal, propose
+from hardcontact.commands.request import (
+    SPHERE,
+    QuantityOption,
+    implausible_quantities,
+    list_sources,
+    name_faults,
+    parse_quantities,
+    path_from_root,
+)
+from hardcontact.commands.scan_cautions import refuse_unreliable
 from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import refuse_all, refuse_lines, validate
 from hardcontact.config.force_table import measured_forces
@@ -22,64 +39,6 @@ from hardcontact.config.limits import check_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, numeric_configuration
 from hardcontact.config.selection import CONTACT, SurfaceRow
 from hardcontact.contact.contact import Contact
-from hardcontact.own.inventory import (
-    SPECTRUM,
-    Entry,
-    entries_by_surface,
-    inventory,
-    printed_table,
-    table_rows,
-)
-from hardcontact.own.proposal import Choice, Proposal, propose
-from hardcontact.own.request import (
-    SPHERE,
-    QuantityOption,
-    implausible_quantities,
-    list_sources,
-    name_faults,
-    parse_arguments,
-    parse_quantities,
-    path_from_root,
-)
-from hardcontact.own.scan_cautions import refuse_unreliable
-
-
-def main() -> int:
-    """Carry out the command line: `new`, `predict`, `verify`, `compare`; return the exit code."""
-    try:
-        # A terminal would obey control characters, and tables are written in UTF-8.
-        refuse_lines(
-            f"{word!r}: expected printable characters in UTF-8, found others"
-            for word in sys.argv[1:]
-            if not word.isprintable()
-        )
-        if sys.argv[1:2] == ["predict"]:
-            from hardcontact.own.predict import predict, predict_arguments
-
-            print(predict(predict_arguments(sys.argv[2:])))
-        elif sys.argv[1:2] == ["verify"]:
-            from hardcontact.own.verify import verify, verify_arguments
-
-            words, code = verify(verify_arguments(sys.argv[2:]))
-            print(words, flush=True)
-            return code
-        elif sys.argv[1:2] == ["compare"]:
-            from hardcontact.own.compare import compare, compare_arguments
-
-            print(compare(compare_arguments(sys.argv[2:])))
-        else:
-            print(new_study(parse_arguments(sys.argv[1:])))
-        sys.stdout.flush()
-    except BrokenPipeError:  # The reader of the output has ended, such as `head`.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except ValueError as error:
-        for line in dict.fromkeys(str(error).splitlines()):
-            print(f"error: {line}", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print("Stopped before anything was written.", file=sys.stderr)
-        return 130
-    return 0
 
 
 def new_study(arguments: Namespace) -> str:

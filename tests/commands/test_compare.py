@@ -10,7 +10,7 @@ from refusals import assert_says, refusal
 from repository import PAPER, merged
 
 from hardcontact.base.number import Number
-from hardcontact.own.compare import compare, compare_arguments
+from hardcontact.commands.compare import compare, compare_arguments
 from hardcontact.report.study_comparison import ComparedNumber, compare_answers
 
 HARDER = merged(PAPER, {"study": "harder", "contact": {"hardness": "30 GPa"}})

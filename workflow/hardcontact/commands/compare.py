@@ -12,9 +12,9 @@ from typing import Any
 import xarray as xr
 
 from hardcontact.base.dataset import read
+from hardcontact.commands.output import output_faults, write_output
+from hardcontact.commands.parser import CommandLine
 from hardcontact.config.faults import refuse_all, refuse_lines
-from hardcontact.own.command_line import CommandLine
-from hardcontact.own.output import output_faults, write_output
 from hardcontact.report.paper_study.paired_changes import (
     SET_DATASETS,
     add_paired_intervals,

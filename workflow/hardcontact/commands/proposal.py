@@ -8,20 +8,20 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
-from hardcontact.config import model
-from hardcontact.config.grids import CONTACT_PIXELS, periods_in_window
-from hardcontact.contact.bearing_area import TILE
-from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import window_pixels
-from hardcontact.own.contact_scans import (
+from hardcontact.commands.contact_scans import (
     WindowChoice,
     choose_window,
     contact_scans,
     count_tiles,
     search_sizes,
 )
-from hardcontact.own.inventory import FILLING, Entry
-from hardcontact.own.scan_cautions import scan_cautions
+from hardcontact.commands.inventory import FILLING, Entry
+from hardcontact.commands.scan_cautions import scan_cautions
+from hardcontact.config import model
+from hardcontact.config.grids import CONTACT_PIXELS, periods_in_window
+from hardcontact.contact.bearing_area import TILE
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import window_pixels
 from hardcontact.surfaces.reliable_band import LIMIT_NAMES
 from hardcontact.surfaces.spectrum import nearest_bin
 

@@ -13,22 +13,22 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.base.number import Number, plain
-from hardcontact.config.faults import refuse_all, refuse_lines
-from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
-from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import assumed_modulus
-from hardcontact.inference.hindcast import WIDE_PIXEL
-from hardcontact.own.command_line import CommandLine
-from hardcontact.own.output import output_faults, write_output
-from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
-from hardcontact.own.predicted_octaves import predicted_octaves
-from hardcontact.own.request import (
+from hardcontact.commands.output import output_faults, write_output
+from hardcontact.commands.parser import CommandLine
+from hardcontact.commands.request import (
     QuantityOption,
     add_shared_options,
     implausible_quantities,
     one_pixel_touches,
     parse_quantities,
 )
+from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.model import CONTACT_QUANTITIES, NONE, Study
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.smooth_sphere import assumed_modulus
+from hardcontact.inference.hindcast import WIDE_PIXEL
+from hardcontact.own.own_spectrum import OwnSpectrum, own_spectrum
+from hardcontact.own.predicted_octaves import predicted_octaves
 from hardcontact.own.rough_sphere import combine_bodies
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.both_bodies import sphere_share

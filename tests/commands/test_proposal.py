@@ -12,15 +12,15 @@ from measurements import uncd
 from refusals import assert_says, refusal
 from repository import PAPER
 
+from hardcontact.commands.contact_scans import contact_scans, search_sizes
+from hardcontact.commands.inventory import Entry
+from hardcontact.commands.new import values_by_key
+from hardcontact.commands.proposal import propose
+from hardcontact.commands.request import Source
 from hardcontact.config.configuration import set_keys
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.contact import Contact
-from hardcontact.own.contact_scans import contact_scans, search_sizes
-from hardcontact.own.inventory import Entry
-from hardcontact.own.new import values_by_key
-from hardcontact.own.proposal import propose
-from hardcontact.own.request import Source
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES

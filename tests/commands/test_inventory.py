@@ -7,9 +7,9 @@ import pytest
 from refusals import assert_says
 from scan_files import container, scan
 
-from hardcontact.own import inventory as module
-from hardcontact.own.inventory import inventory, table_rows
-from hardcontact.own.request import Source, list_sources, parse_arguments
+from hardcontact.commands import inventory as module
+from hardcontact.commands.inventory import inventory, table_rows
+from hardcontact.commands.request import Source, list_sources, parse_arguments
 
 
 def source(path, **others):

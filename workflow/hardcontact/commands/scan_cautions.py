@@ -5,6 +5,9 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
+from hardcontact.commands.contact_scans import WindowChoice
+from hardcontact.commands.inventory import Entry, entries_by_surface, entry_contradiction_lines
+from hardcontact.commands.request import one_pixel_touches
 from hardcontact.config.faults import refuse_lines
 from hardcontact.contact.finite_scan import (
     LARGE_ENOUGH,
@@ -12,9 +15,6 @@ from hardcontact.contact.finite_scan import (
     finite_scan_ratio,
     window_share,
 )
-from hardcontact.own.contact_scans import WindowChoice
-from hardcontact.own.inventory import Entry, entries_by_surface, entry_contradiction_lines
-from hardcontact.own.request import one_pixel_touches
 from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS

@@ -11,10 +11,10 @@ from known_spectra import contact_of_area, rough
 from prediction_command import numbers_of, printed
 from refusals import assert_says, refusal
 
+from hardcontact.commands import request
+from hardcontact.commands.predict import predict_arguments
 from hardcontact.contact.smooth_sphere import PAPER_MODULUS, assumed_modulus
-from hardcontact.own import request
 from hardcontact.own.own_spectrum import table_spectrum
-from hardcontact.own.predict import predict_arguments
 from hardcontact.surfaces.extrapolated_spectrum import extrapolate_short_waves, fit_hurst_exponent
 from hardcontact.surfaces.measured_spectrum import CALIBRATION_SCATTER, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

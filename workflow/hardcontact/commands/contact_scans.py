@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.base.formatting import format_length
+from hardcontact.commands.inventory import Entry, entries_by_surface
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import (
     MAP_PIXELS,
@@ -19,19 +20,13 @@ from hardcontact.config.grids import (
 )
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH
-from hardcontact.own.inventory import Entry, entries_by_surface
+from hardcontact.own.scan_window import window_on_scans
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 from hardcontact.theory.summits import search_size
 
 #: Fewest pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well, a
 #: tenth of those in the paper (1.7 µm at 5.6 nm, on pixels of 4.9 nm: 343).
 MIN_RADIUS_PIXELS = 32
-#: Height of the sphere above its apex at the border of the window, relative to the range of
-#: adhesion (14 in the paper) and to the rms height.
-RANGES_IN_WINDOW = 14
-RMS_IN_WINDOW = 4
-#: Largest number of mirrored scans along a side of the window: all have the same summits.
-MAX_IMAGES = 10
 #: The longest range of adhesion (nm) that is proposed if none is given: that of the paper's study.
 LONGEST_RANGE = 40.0
 #: Edge of the large-scale master relative to that of a scan, and to the window.
@@ -206,34 +201,6 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
         radius,
         rho,
     )
-
-
-def window_on_scans(
-    rms_height: float, finest: float, smallest: float, radius: float, rho: float
-) -> tuple[float, str]:
-    """Return the side of a window (nm), and the reason.
-
-    All lengths are in nm: the largest rms height of scans, their finest pixels and smallest size,
-    radius of the sphere and range of adhesion.
-    """
-    height = RANGES_IN_WINDOW * rho
-    height_words = f"{RANGES_IN_WINDOW} ranges of adhesion"
-    if RMS_IN_WINDOW * rms_height > height:
-        height = RMS_IN_WINDOW * rms_height
-        height_words = f"{RMS_IN_WINDOW} rms heights"
-    window, reason = min(
-        (
-            2 * math.sqrt(2 * radius * height),
-            f"at its border the sphere is {height_words} above its apex",
-        ),
-        (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
-        (
-            2 * MAX_IMAGES * smallest,
-            f"{MAX_IMAGES} mirrored scans, which all have the same summits",
-        ),
-    )
-    digit = 10.0 ** (math.floor(math.log10(window)) - 2)
-    return float(f"{math.floor(window / digit) * digit:.3g}"), reason
 
 
 def _shortest_range(

@@ -10,14 +10,14 @@ from refusals import assert_says
 from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
+from hardcontact.commands import command_line, new, request
+from hardcontact.commands.new import overlay_text, values_by_key
+from hardcontact.commands.predict import predict, predict_arguments
+from hardcontact.commands.proposal import Choice
 from hardcontact.config import checks
 from hardcontact.config.configuration import apply_effort, assumed_quantities, set_keys
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.selection import surface_table
-from hardcontact.own import new, request
-from hardcontact.own.new import overlay_text, values_by_key
-from hardcontact.own.predict import predict, predict_arguments
-from hardcontact.own.proposal import Choice
 
 NAME = "a-test.of_new"
 
@@ -43,7 +43,7 @@ def run(monkeypatch, capsys):
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["hardcontact", "new", *map(str, arguments)])
-        code = new.main()
+        code = command_line.main()
         output = capsys.readouterr()
         return SimpleNamespace(code=code, out=output.out, errors=output.err.splitlines())
 
@@ -280,7 +280,7 @@ def test_an_interruption_ends_in_one_line(run, monkeypatch):
     def interrupted(arguments):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(new, "parse_arguments", interrupted)
+    monkeypatch.setattr(command_line, "parse_arguments", interrupted)
     done = run("mine", "a.nc")
     assert done.code == 130 and len(done.errors) == 1
 

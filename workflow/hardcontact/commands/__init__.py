@@ -1,0 +1,1 @@
+"""The commands: `hardcontact new`, `predict`, `verify` and `compare`."""

@@ -1,0 +1,40 @@
+"""The window of contacts on own scans."""
+
+import math
+
+from hardcontact.config.grids import MAP_PIXELS
+
+#: Height of the sphere above its apex at the border of the window, relative to the range of
+#: adhesion (14 in the paper) and to the rms height.
+RANGES_IN_WINDOW = 14
+RMS_IN_WINDOW = 4
+#: Largest number of mirrored scans along a side of the window: all have the same summits.
+MAX_IMAGES = 10
+
+
+def window_on_scans(
+    rms_height: float, finest: float, smallest: float, radius: float, rho: float
+) -> tuple[float, str]:
+    """Return the side of a window (nm), and the reason.
+
+    All lengths are in nm: the largest rms height of scans, their finest pixels and smallest size,
+    radius of the sphere and range of adhesion.
+    """
+    height = RANGES_IN_WINDOW * rho
+    height_words = f"{RANGES_IN_WINDOW} ranges of adhesion"
+    if RMS_IN_WINDOW * rms_height > height:
+        height = RMS_IN_WINDOW * rms_height
+        height_words = f"{RMS_IN_WINDOW} rms heights"
+    window, reason = min(
+        (
+            2 * math.sqrt(2 * radius * height),
+            f"at its border the sphere is {height_words} above its apex",
+        ),
+        (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
+        (
+            2 * MAX_IMAGES * smallest,
+            f"{MAX_IMAGES} mirrored scans, which all have the same summits",
+        ),
+    )
+    digit = 10.0 ** (math.floor(math.log10(window)) - 2)
+    return float(f"{math.floor(window / digit) * digit:.3g}"), reason
