@@ -19,7 +19,7 @@ BUDGET = {
     "base": 763,
     "surfaces": 3432,
     "contact": 1388,
-    "inference": 1591,
+    "inference": 1601,
     "theory": 647,
     "paper": 1463,
     "config": 2374,

@@ -26,7 +26,7 @@ from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE, mean_pull_off_of_pair
-from hardcontact.inference.edges import edges_of_curves
+from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Floats, Spectrum, SpectrumFunction, spectrum_of_dataset

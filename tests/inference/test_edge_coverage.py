@@ -10,7 +10,7 @@ import xarray as xr
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.stacked_datasets import add_spectrum_shifts, stacked_forces
-from hardcontact.inference.edges import edges_of_scans
+from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.inference.mean_forces import Masters
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch

@@ -6,7 +6,7 @@ import xarray as xr
 from known_masters import LARGE, SMALL, scales
 
 from hardcontact.base.statistics import jackknife_interval
-from hardcontact.inference.edges import edges_of_scans
+from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import Masters
 
 

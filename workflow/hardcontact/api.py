@@ -33,7 +33,7 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
 from hardcontact.contact.stacked_datasets import stacked_forces
-from hardcontact.inference.edges import edges_of_curves
+from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.own.scan_force import add_force_on_scan

@@ -3,7 +3,8 @@
 from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.edges import describe_edges, edges_of_scans
+from hardcontact.inference.edges import describe_edges
+from hardcontact.inference.edges_of_scans import edges_of_scans
 from hardcontact.inference.mean_forces import Masters, fewest_places
 from hardcontact.own.predicted_force import force_dataset
 

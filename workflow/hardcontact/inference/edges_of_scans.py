@@ -1,0 +1,142 @@
+"""The critical band of own surfaces, whose masters share few scans.
+
+The roughness of the surface goes on beyond the ends of the scans, so an edge before the first
+cutoff is open. Intervals come from parts of the scans.
+"""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.base.statistics import BOUNDS, with_interval
+from hardcontact.inference.curve_edges import (
+    RIPPLES,
+    Edge,
+    RatioCurve,
+    edge_interval,
+    find_edge,
+    logarithmic_limits,
+    shows_ripples,
+)
+from hardcontact.inference.edges import EDGE, RATIO, edge_variables
+from hardcontact.inference.hindcast import widen_interval
+from hardcontact.inference.mean_forces import (
+    MasterForces,
+    Masters,
+    half_width_over_masters,
+    summarize_masters,
+)
+from hardcontact.inference.scan_parts import logarithmic_interval
+
+
+def edges_of_scans(
+    scales: xr.Dataset,
+    sensitivity: xr.Dataset,
+    masters: Masters,
+    tolerance: float,
+    confidence: float,
+) -> xr.Dataset:
+    """Return the edges of the band of every surface, with intervals from scans or their parts.
+
+    `scales` are the forces on filtered masters, as in scales.nc. An interval of a ratio runs from
+    zero to infinity if it is not bounded; ``interval_is_conditional`` is 1 if it is conditional on
+    one or two scans. The error of the hindcast in sensitivity.nc widens the intervals.
+    """
+    curves = summarize_masters(scales, masters, lambda forces: _ratios(forces, confidence))
+    if "hindcast_ratio" in sensitivity:
+        curves = _widen_ratios(curves, sensitivity["hindcast_ratio"])
+    edges = edges_of_curves(curves, tolerance)
+    if "filtered_scan_ratio" in sensitivity:
+        edges = _without_ripples(edges, sensitivity["filtered_scan_ratio"] < 1 - tolerance)
+    curves = curves.transpose("surface", "side", ...)
+    sources = curves[["interval_is_conditional", "interval_source", "interval_scans"]]
+    return (
+        curves[["filtered_force_ratio", "filtered_force_ratio_interval"]]
+        .merge(sources.isel(side=0, drop=True))
+        .merge(edges)
+    )
+
+
+def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
+    """Return the ratios of one surface and side, their intervals, and the source of these."""
+    half = half_width_over_masters(
+        masters, lambda filtered, unfiltered: filtered / unfiltered, "log_ratio_shift", confidence
+    )
+    ratio = masters.forces.filtered_force_ratio.mean("realization").values
+    interval = logarithmic_interval(ratio, half)
+    axis = "cutoff_wavelength"
+    return xr.Dataset(
+        with_interval("filtered_force_ratio", axis, ratio, interval, RATIO, confidence)
+        | {
+            "interval_is_conditional": int(masters.scan_parts.are_quarters),
+            "interval_source": masters.scan_parts.source,
+            "interval_scans": masters.scan_parts.scans,
+        },
+        {axis: masters.forces[axis].variable},
+    )
+
+
+def _widen_ratios(curves: xr.Dataset, hindcast_ratio: xr.DataArray) -> xr.Dataset:
+    """Return ratios whose intervals contain the error of artificial roughness (surface, side).
+
+    The error of the logarithm of a ratio is at most this logarithm.
+    """
+    log_error = abs(np.log(hindcast_ratio.reindex(surface=curves["surface"]).fillna(1)))
+    log_ratio = abs(np.log(curves["filtered_force_ratio"]))
+    return widen_interval(curves, "filtered_force_ratio", np.exp(np.minimum(log_error, log_ratio)))
+
+
+def _without_ripples(edges: xr.Dataset, has_ripples: xr.DataArray) -> xr.Dataset:
+    """Return edges without the short edges of scans on which the filter ripples (surface)."""
+    is_rippled = has_ripples.reindex(surface=edges["surface"], fill_value=False)
+    is_kept = ~is_rippled | (edges["side"] != "small")
+    known = edges.where(is_kept)
+    return known.assign(edge_status=edges["edge_status"].where(is_kept, RIPPLES)).transpose(
+        "surface", "side", ...
+    )
+
+
+def edges_of_curves(ratios: xr.Dataset, tolerance: float) -> xr.Dataset:
+    """Return the edges of several curves with the cutoffs between which they lie.
+
+    Ratios are ``filtered_force_ratio`` (..., cutoff_wavelength) with its interval, NaN at cutoffs
+    that a curve does not have; side is a coordinate. Over the other dimensions ``edge``,
+    ``edge_bound`` and ``edge_interval`` are in nm, NaN if they are open; ``edge_status`` is that of
+    `Edge`. A curve that `shows_ripples` has no edge.
+    """
+    dimensions = [dim for dim in ratios["filtered_force_ratio"].dims if dim != "cutoff_wavelength"]
+    shape = [ratios.sizes[dim] for dim in dimensions]
+    edges = []
+    intervals = []
+    for index in np.ndindex(*shape):
+        curve, lowest, highest = _curve_with_interval(
+            ratios.isel(dict(zip(dimensions, index, strict=True))), tolerance
+        )
+        if shows_ripples(curve):
+            edges.append(Edge(np.nan, np.nan, RIPPLES))
+            intervals.append(np.full(2, np.nan))
+        else:
+            edges.append(find_edge(curve))
+            intervals.append(edge_interval(curve, lowest, highest))
+    variables = edge_variables(edges, dimensions, shape)
+    interval = np.reshape(intervals, (*shape, 2))
+    variables["edge_interval"] = ((*dimensions, "bound"), interval, EDGE)
+    return xr.Dataset(variables, {dim: ratios[dim] for dim in dimensions} | {"bound": BOUNDS})
+
+
+def _curve_with_interval(
+    ratios: xr.Dataset, tolerance: float
+) -> tuple[RatioCurve, np.ndarray, np.ndarray]:
+    """Return one curve with the low and the high ends (k,) of the intervals of its values."""
+    side = str(ratios["side"].item())
+    ratios = ratios.dropna("cutoff_wavelength", subset=["filtered_force_ratio"])
+    ratios = ratios.sortby("cutoff_wavelength", ascending=side == "small")
+    ratio = ratios["filtered_force_ratio"].values
+    interval = ratios["filtered_force_ratio_interval"].values
+    if not np.isnan(interval).all():
+        # Where the other ratios have intervals, a ratio without one is the same in all parts.
+        interval = np.where(np.isnan(interval), ratio[:, None], interval)
+    with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
+        lowest, highest = np.log(interval).T
+    cutoffs = ratios["cutoff_wavelength"].values
+    curve = RatioCurve(side, cutoffs, np.log(ratio), logarithmic_limits(tolerance))
+    return curve, lowest, highest
