@@ -1,6 +1,6 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
-A contact at the pixel c sees the substrate at the unfolded indices c + u along one axis, u from
+A contact at the pixel c sees the substrate at the unfolded indices c + k along one axis, k from
 -window/2 to window/2 - 1; the substrate continues itself periodically.
 """
 
@@ -33,9 +33,9 @@ class ContactGeometry:
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
-        """Return the height (nm) of the sphere along one axis, u pixels from its apex: (u p)²/2R.
+        """Return the height (nm) of the sphere along one axis, k pixels from its apex: (k p)²/2R.
 
-        The height at (u, v) is the sum of both axes; this makes the force sum separable.
+        The height at (k, l) is the sum of both axes; this makes the force sum separable.
         """
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
@@ -58,7 +58,7 @@ class Bodies:
     geometry: ContactGeometry
 
     def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
-        """Return the height s - t (k, l) of the sphere in nm, k and l pixels from its apex."""
+        """Return the height y - u (k, l) of the rough sphere in nm, k and l pixels from its apex."""
         shape = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
         if self.roughness is not None:
             period = self.roughness.pixels

@@ -1,9 +1,15 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
-The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums of all contacts are
-a product over both axes, of a rough one a correlation with a kernel. Contact pixels are subtracted
-from the sum over all pixels, in the precision of the heights. That costs as many digits as
-exp(penetration/rho) has, so that short ranges leave them out beforehand, in double precision.
+The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
+substrate) and substrate z. On a smooth sphere exp(-y/rho) is a product of one factor an axis, so
+the sums of all contacts are one matrix product, G exp(z/rho) G^T, where G is exp(-y/rho) along an
+axis for every contact. On a rough sphere they are the correlation of exp(z/rho) with the kernel
+exp((u - y)/rho).
+
+Contact pixels do not count. `_sums_by_subtraction` subtracts them from the sum over all pixels: it
+is fast, but loses the digits of exp(penetration/rho). At short ranges and on rough spheres
+`_sums_by_omission` therefore sets them to zero before it sums. Exponentials are relative to the
+highest points of z and u, so that none overflows.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -110,9 +116,9 @@ def _products(
     blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
     folds: Sequence[NDArray[np.floating]],
 ) -> Floats:
-    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
+    """Return G exp((z - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
 
-    A block has its rows and the exponentials (rows, n) at each range; the folds G are `folded`.
+    A block has its rows and the exponentials (rows, n) at each range; `folded` gives G.
     """
     columns = [np.ascontiguousarray(fold.T) for fold in folds]
     sums = np.zeros((len(folds), *[len(folds[0])] * 2))
@@ -197,7 +203,7 @@ def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[floa
 
 
 def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
-    """Return exp(-s/rho) along one axis, summed over images in the window: (contact, n)."""
+    """Return G = exp(-y/rho) along one axis, summed over images in the window: (contact, n)."""
     offset = geometry.offsets()
     weight = np.exp(-geometry.paraboloid(offset) / rho)
     positions = geometry.positions
@@ -252,16 +258,17 @@ def _sums_by_omission(bodies: Bodies, contacts: Contacts, rhos: Sequence[float])
     roughness = bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
     touching = substrate.heights[contact_pixels.row, contact_pixels.column].astype(float)
-    h_max = float(substrate.heights.max())
-    t_max = 0.0 if roughness is None else float(roughness.heights.max())
+    highest_substrate = float(substrate.heights.max())
+    highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
+    highest = highest_substrate + highest_roughness
     sums_outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
     sums = sphere_terms(bodies, contact_pixels, rhos)
     for k, (rho, (total, factor)) in enumerate(zip(rhos, sums, strict=True)):
-        attraction = exponential(touching, h_max, rho)
+        attraction = exponential(touching, highest_substrate, rho)
         for contact in contacts:
             sums_outside[k][contact] = contact_pixels.outside_sum(
-                contact, total[contact], attraction * factor(contact), h_max + t_max, rho
+                contact, total[contact], attraction * factor(contact), highest, rho
             )
     return sums_outside
 
@@ -273,7 +280,6 @@ def _smooth_sphere_terms(
     pixels = bodies.substrate.pixels
     row = contact_pixels.row
     column = contact_pixels.column
-    # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
     blocks = _blocks_without_contacts(bodies.substrate.heights, contact_pixels, rhos)
     totals = _products(blocks, folds)
@@ -288,7 +294,7 @@ def _smooth_sphere_terms(
 def _rough_sphere_terms(
     bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield the same of a rough sphere, relative to the highest point t_max of its roughness."""
+    """Yield the same of a rough sphere, relative to the highest point of its roughness."""
     assert bodies.roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions
@@ -312,7 +318,7 @@ def _rough_sphere_terms(
 def _kernel(
     pixels: int, attraction: NDArray[np.floating], geometry: ContactGeometry, rho: float
 ) -> Floats:
-    """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
+    """Return exp((u - max(u) - y)/rho) on (n, n) offsets from the apex, summed over images."""
     period = len(attraction)
     weights = _folded_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))
@@ -328,7 +334,7 @@ def _kernel(
 def _folded_by_shift(
     pixels: int, period: int, geometry: ContactGeometry, rho: float
 ) -> dict[int, Floats]:
-    """Return exp(-s/rho) along one axis, summed over images of the same shift of the roughness."""
+    """Return exp(-y/rho) along one axis, summed over images of the same shift of the roughness."""
     weights: dict[int, Floats] = {}
     reach = -(-geometry.window // (2 * pixels))
     for image in range(-reach, reach):
