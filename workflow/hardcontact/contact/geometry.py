@@ -58,7 +58,7 @@ class Bodies:
     geometry: ContactGeometry
 
     def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
-        """Return the height y - u (k, l) of the rough sphere in nm, k and l pixels from its apex."""
+        """Return the height y - u (k, l) of a rough sphere in nm, k and l pixels from its apex."""
         shape = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
         if self.roughness is not None:
             period = self.roughness.pixels
