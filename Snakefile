@@ -17,7 +17,7 @@ include: "workflow/rules/scales.smk"
 include: "workflow/rules/octaves.smk"
 
 
-if COMPARED_WITH_PAPER:
+if IS_PAPER_STUDY:
 
     report: "workflow/report/workflow.rst"
 

@@ -7,8 +7,7 @@ import yaml
 from paper_numbers import SUBSTRATES
 from repository import PAPER, ROOT, ROWS, TINY, merged
 
-from hardcontact.config import checks
-from hardcontact.config import selection as surface_table
+from hardcontact.config import checks, selected_surfaces
 from hardcontact.config.files import Files
 from hardcontact.config.model import numeric_configuration
 from hardcontact.config.patterns import STORE_KEYS, Patterns, store_digests
@@ -19,7 +18,7 @@ SOURCES = "0123abcd"
 #: The paths of the tiny study.
 TINY_NUMBERS = numeric_configuration(merged(PAPER, yaml.safe_load((ROOT / TINY).read_text())))
 TINY_PATTERNS = Patterns("results/tiny", "results/store-tiny", "ruby", store_digests(TINY_NUMBERS))
-TINY_SOURCES = surface_table.source_digests(
+TINY_SOURCES = selected_surfaces.source_digests(
     pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False).assign(
         path=lambda table: [str(ROOT / path) for path in table.path]
     )
@@ -49,12 +48,12 @@ def surfaces(text, folder):
     """Read a table of surfaces of this text, with paths relative to the repository's root."""
     path = folder / "surfaces.tsv"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    return surface_table.surface_table(path)
+    return selected_surfaces.surface_table(path)
 
 
 def check(config, folder, text=ROWS):
     """Check a configuration in numbers with a table of surfaces of this text."""
-    table = surface_table.selected_scans(surfaces(text, folder), config["scans"])
+    table = selected_surfaces.selected_scans(surfaces(text, folder), config["scans"])
     checks.check_study(config, table, SUBSTRATES)
 
 
@@ -71,7 +70,7 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
     Surfaces that are measured have files.
     """
     table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
-    table = table.assign(use=surface_table.CONTACT, tip_radius="")
+    table = table.assign(use=selected_surfaces.CONTACT, tip_radius="")
     rows = table[table.scan.isin(scans)].copy()
     is_measured = rows.surface.isin(measured_surfaces)
     rows.loc[is_measured, "source"] = "measured"
@@ -79,4 +78,4 @@ def files(*values, scans=(1, 2), measured_surfaces=()):
         f"{row.surface}-{row.scan}.nc" for row in rows[is_measured].itertuples()
     ]
     sources = dict.fromkeys(rows.surface, SOURCES)
-    return Files(numbers(*values), surface_table.Selection(rows, "ruby", sources), PATTERNS)
+    return Files(numbers(*values), selected_surfaces.Selection(rows, "ruby", sources), PATTERNS)

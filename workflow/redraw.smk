@@ -15,7 +15,7 @@ include: "rules/common.smk"
 write_pins()
 
 
-if COMPARED_WITH_PAPER:
+if IS_PAPER_STUDY:
 
     report: "report/workflow.rst"
 

@@ -1,4 +1,4 @@
-"""The closed form and computed forces and edges on designed surfaces: prediction.csv.
+"""The closed form and computed forces and edges on designed surfaces: designed_surfaces.csv.
 
     python tests/benchmarks/validate_prediction.py [--surfaces 160] [--table FILE]
 
@@ -32,7 +32,7 @@ from hardcontact.theory.closed_form import closed_form, critical_band
 from hardcontact.theory.summits import spectrum_between
 from hardcontact.theory.validity import table_coordinates
 
-TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/prediction.csv"
+TABLE = Path(__file__).parents[2] / "workflow/hardcontact/theory/designed_surfaces.csv"
 SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
 CONTACTS, CUTOFFS = 8, 12
 #: Limits of each input, sampled evenly in its logarithm except for the Hurst exponent; lengths in

@@ -17,7 +17,7 @@ from hardcontact.commands.proposal import Choice
 from hardcontact.config import checks
 from hardcontact.config.configuration import apply_effort, assumed_quantities, set_keys
 from hardcontact.config.model import numeric_configuration
-from hardcontact.config.selection import surface_table
+from hardcontact.config.selected_surfaces import surface_table
 
 NAME = "a-test.of_new"
 

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
 from repository import PAPER, merged
 
-from hardcontact.config import checks
-from hardcontact.config import selection as surface_table
+from hardcontact.config import checks, selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.files import PRELOAD_SHARES
 from hardcontact.config.grids import realization_pixels
@@ -93,7 +92,7 @@ def accepted(overlay):
     """Return the configuration in numbers, or None if the study is refused."""
     try:
         config = numeric_configuration(merged(PAPER, overlay))
-        table = surface_table.surface_table("config/surfaces.tsv")
+        table = selected_surfaces.surface_table("config/surfaces.tsv")
         checks.check_study(config, table, SUBSTRATES)
     except ValueError:
         return None

@@ -14,7 +14,7 @@ from studies import replace_value
 
 from hardcontact.config import checks
 from hardcontact.config.model import numeric_configuration
-from hardcontact.config.selection import selected_scans, surface_table
+from hardcontact.config.selected_surfaces import selected_scans, surface_table
 
 pytestmark = pytest.mark.usefixtures("project_folder")
 LEAVES = sorted(leaves(PAPER))

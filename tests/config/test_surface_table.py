@@ -7,7 +7,7 @@ from repository import ROWS
 from scan_files import scan
 from studies import own_scans, surfaces
 
-from hardcontact.config.selection import source_digests, surface_table
+from hardcontact.config.selected_surfaces import source_digests, surface_table
 
 FIRST = ROWS.splitlines()[1]
 HEADER = ROWS.partition("\n")[0]

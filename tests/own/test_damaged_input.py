@@ -16,7 +16,7 @@ from SurfaceTopography import Topography
 from hardcontact.config.configuration import refuse_unreadable
 from hardcontact.config.force_table import measured_forces
 from hardcontact.config.model import numeric_configuration
-from hardcontact.config.selection import surface_table
+from hardcontact.config.selected_surfaces import surface_table
 from hardcontact.config.tables import refuse_description
 from hardcontact.own.own_spectrum import own_spectrum
 from hardcontact.surfaces.scans import list_scans, read_scan

@@ -1,4 +1,15 @@
 # The configuration and the paths of all rules, and the code that a script really uses.
+#
+# Names that the rules of all files use:
+#   STUDY          the configuration: nested dictionaries, with quantities in nm, N, Pa and J/m²
+#   PATTERNS       the path of each kind of file, with wildcards in braces
+#   RANGES         the ranges of adhesion (nm) at which forces on scans are computed
+#   SAMPLING       the seed, the number of random samples and the confidence of intervals
+#   IS_PAPER_STUDY whether results are compared with the paper; false for own surfaces
+#   PAGES          title and category of each page of the report that is no figure
+#   ANSWER         answer.html and answer.json
+#   parameters     turns the parameters of a script into one text
+# surfaces.smk makes those that depend on the table of surfaces.
 
 from hardcontact.base.code import code_inputs, page_templates
 from hardcontact.base.origin import canonical
@@ -11,12 +22,9 @@ from hardcontact.config.model import NONE, PAPER
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = study_patterns(STUDY)
 RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
-#: How intervals follow from random samples.
 SAMPLING = STUDY["inference"] | {"seed": STUDY["seed"]}
-COMPARED_WITH_PAPER = STUDY["published"] == PAPER
-#: Category and title of each page of the report that is no figure.
+IS_PAPER_STUDY = STUDY["published"] == PAPER
 PAGES = read_yaml("workflow/report/pages.yaml")
-#: The answer of a study, and the page that shows it.
 ANSWER = {
     "page": report(
         PATTERNS.result("answer.html"),

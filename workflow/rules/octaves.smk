@@ -4,7 +4,7 @@ from hardcontact.config.files import SHORTEST_WHOLE_RANGE
 from hardcontact.surfaces.synthesis import SIDES
 
 # Bands need whole surfaces: scans are too small for their long waves.
-BAND_SURFACES = FILES.substitutes if COMPARED_WITH_PAPER else []
+BAND_SURFACES = FILES.substitutes if IS_PAPER_STUDY else []
 
 
 rule compute_whole:

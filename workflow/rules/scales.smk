@@ -4,7 +4,7 @@ from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters of sampled spectra, which own surfaces alone have.
-SAMPLED_MASTERS = [] if COMPARED_WITH_PAPER else FILES.filtered_masters("sampled")
+SAMPLED_MASTERS = [] if IS_PAPER_STUDY else FILES.filtered_masters("sampled")
 
 
 rule synthesize_masters:

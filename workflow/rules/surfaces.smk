@@ -1,4 +1,11 @@
 # The surfaces of the study, and the lists of their files.
+#
+# Names that the rules of all files use:
+#   SELECTION      the surfaces of the table, with their labels, scans and source files
+#   SPHERE         the name of the sphere's surface
+#   NAMED_SURFACES the label of each surface, and whether it was measured or is a substitute
+#   FILES          the paths of the files of a surface, and the lists of files of a rule
+#   CONTACT        the keys of `contact`, with the radius of the sphere and the range of adhesion (nm)
 
 from hardcontact.config.files import Files
 from hardcontact.config.patterns import any_name_pattern
@@ -8,7 +15,6 @@ SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 FILES = Files(STUDY, SELECTION, PATTERNS)
-#: The contact with masters and whole surfaces.
 CONTACT = STUDY["contact"] | {
     "radius": STUDY["sphere"]["radius"],
     "range": STUDY["scales"]["range"],

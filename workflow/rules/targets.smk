@@ -3,7 +3,7 @@
 from hardcontact.report.figures.listing import FILE_KINDS, PAPER_FIGURES
 
 #: The datasets of each target that makes some; `fit` of own surfaces needs own forces.
-if COMPARED_WITH_PAPER:
+if IS_PAPER_STUDY:
     DATASETS_OF_TARGETS = {
         "topography": ["topography"],
         "adhesion": ["adhesion", "contact"],
@@ -24,13 +24,13 @@ else:
     }
 FIGURE_FILES = {
     figure: [PATTERNS.figure(figure, kind) for kind in FILE_KINDS]
-    for figure in (PAPER_FIGURES if COMPARED_WITH_PAPER else [])
+    for figure in (PAPER_FIGURES if IS_PAPER_STUDY else [])
 }
 TARGETS = {
     target: [PATTERNS.dataset(name) for name in names]
     for target, names in DATASETS_OF_TARGETS.items()
 }
-if COMPARED_WITH_PAPER:
+if IS_PAPER_STUDY:
     TARGETS["claims"] = [PATTERNS.result("claims.csv")]
     TARGETS["figures"] = list(FIGURE_FILES.values())
     TARGETS["pages"] = [PATTERNS.page(page) for page in PAGES]

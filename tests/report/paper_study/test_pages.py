@@ -20,7 +20,7 @@ from refusals import assert_says
 from repository import PAPER, merged
 
 from hardcontact.base.formatting import format_as_paper
-from hardcontact.paper.selection import LARGER_PIXELS
+from hardcontact.paper.claim_selection import LARGER_PIXELS
 from hardcontact.paper.verdicts import UNTESTABLE, VERDICTS, summary
 from hardcontact.report.figures.listing import PAPER_FIGURES
 from hardcontact.report.quantities import numbers_by_name

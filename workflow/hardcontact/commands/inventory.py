@@ -10,7 +10,7 @@ import numpy as np
 from hardcontact.base.formatting import format_length
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
-from hardcontact.config.selection import CONTACT
+from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.mean_spectrum import contradiction_lines, contradictions
 from hardcontact.surfaces.measured_spectrum import measured_psd

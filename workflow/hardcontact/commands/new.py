@@ -37,7 +37,7 @@ from hardcontact.config.force_table import measured_forces
 from hardcontact.config.key_tables import commented_yaml
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import CONTACT_QUANTITIES, NONE, SMOOTH_SPHERE, numeric_configuration
-from hardcontact.config.selection import CONTACT, SurfaceRow
+from hardcontact.config.selected_surfaces import CONTACT, SurfaceRow
 from hardcontact.contact.contact import Contact
 
 

@@ -228,7 +228,7 @@ def _report(inputs: Inputs, numbers: Mapping[str, Number], arguments: Namespace)
     environment.filters |= {"length": format_length, "quantity": format_quantity}
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in CONTACT_QUANTITIES.items()}
-    report = environment.get_template("prediction.txt").render(
+    report = environment.get_template("predict.txt").render(
         file=arguments.file,
         verbose=arguments.verbose,
         numbers=numbers,

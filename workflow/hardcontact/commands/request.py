@@ -13,7 +13,7 @@ from hardcontact.commands.parser import CommandLine
 from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
-from hardcontact.config.selection import LABEL, TIP_RADIUS
+from hardcontact.config.selected_surfaces import LABEL, TIP_RADIUS
 from hardcontact.surfaces.height_map import LEVELLING
 from hardcontact.surfaces.scans import MASKS
 

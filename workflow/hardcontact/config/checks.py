@@ -17,7 +17,7 @@ from hardcontact.config.grids import PIXEL_SIZES, Grid, same_grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH_SPHERE
 from hardcontact.config.patterns import PUBLISHED_TABLES, study_patterns
-from hardcontact.config.selection import CONTACT
+from hardcontact.config.selected_surfaces import CONTACT
 from hardcontact.config.tables import refuse_description, refuse_paper_surface
 from hardcontact.surfaces.height_map import HeightMap, read_height_map, require_map
 from hardcontact.surfaces.scans import read_scan

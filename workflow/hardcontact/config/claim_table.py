@@ -7,8 +7,8 @@ from pathlib import Path
 from hardcontact.base.dataset import read_meanings
 from hardcontact.config.faults import quote_key, refuse_lines
 from hardcontact.config.tables import Row, parse_number, user_table
+from hardcontact.paper.claim_selection import WITHOUT_SCAN
 from hardcontact.paper.evaluation import DATASETS, DERIVED_QUANTITIES, NUMBER_COLUMNS
-from hardcontact.paper.selection import WITHOUT_SCAN
 from hardcontact.paper.verdicts import accepted_range
 from hardcontact.surfaces.roughness_table import TABLE1_VARIABLES
 

@@ -15,7 +15,7 @@ from hardcontact.config.configuration import set_keys
 from hardcontact.config.faults import key_fields
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.keys import StudyKeys
-from hardcontact.config.selection import SurfaceRow
+from hardcontact.config.selected_surfaces import SurfaceRow
 
 CONFIGURATION = Path("config/config.yaml")
 README = Path("config/README.md")

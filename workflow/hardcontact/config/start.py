@@ -30,7 +30,12 @@ from hardcontact.config.faults import key_fields, refuse_all, shorten
 from hardcontact.config.model import NONE, Study, numeric_configuration
 from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.reruns import plan_by_records
-from hardcontact.config.selection import Selection, selected_scans, source_digests, surface_table
+from hardcontact.config.selected_surfaces import (
+    Selection,
+    selected_scans,
+    source_digests,
+    surface_table,
+)
 
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.

@@ -9,7 +9,7 @@ from typing import Any
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
 from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, values_of_keys
-from hardcontact.config.selection import Selection
+from hardcontact.config.selected_surfaces import Selection
 from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES
 
 # Rows of lists: their fields are wildcards of patterns.

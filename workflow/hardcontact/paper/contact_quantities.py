@@ -1,7 +1,7 @@
 """Numbers about contact, classical models and effective works of adhesion.
 
 Lengths in nm, forces in N, pressures in Pa. Each function returns a number, a dataset of `value`
-and `value_interval` (`paper.numbers`); its dimensions are in brackets.
+and `value_interval` (`paper.claim_numbers`); its dimensions are in brackets.
 """
 
 import numpy as np
@@ -9,7 +9,7 @@ import xarray as xr
 
 from hardcontact.base.statistics import bounds
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
-from hardcontact.paper.numbers import (
+from hardcontact.paper.claim_numbers import (
     absolute_value,
     decades,
     mean_over_contacts,

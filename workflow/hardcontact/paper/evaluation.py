@@ -2,7 +2,7 @@
 
 A claim names a number by dataset, quantity (a variable or a derived quantity) and selection. Its
 rule turns the number, its interval and the published limits into a verdict. A number is a dataset
-of `value` and `value_interval`, as from `paper.numbers`.
+of `value` and `value_interval`, as from `paper.claim_numbers`.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -16,8 +16,8 @@ import xarray as xr
 
 from hardcontact.base.statistics import bounds
 from hardcontact.paper import contact_quantities, force_quantities, inference_quantities
-from hardcontact.paper.numbers import variable_as_number
-from hardcontact.paper.selection import (
+from hardcontact.paper.claim_numbers import variable_as_number
+from hardcontact.paper.claim_selection import (
     WITHOUT_SCAN,
     SelectedLabels,
     claim_basis,

@@ -2,7 +2,7 @@
 
 Forces in N, lengths in nm. The reference range is the computed range nearest to the attribute
 `reference_rho`. Each function returns a number, a dataset of `value` and `value_interval`
-(`paper.numbers`); its dimensions are in brackets.
+(`paper.claim_numbers`); its dimensions are in brackets.
 """
 
 from collections.abc import Callable
@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 from scipy import special
 
-from hardcontact.paper.numbers import (
+from hardcontact.paper.claim_numbers import (
     mean_over_contacts,
     mean_over_scans,
     number_with_interval,

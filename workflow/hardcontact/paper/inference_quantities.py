@@ -1,7 +1,7 @@
 """Numbers about range and work of adhesion, and about the scales of roughness.
 
 Forces in N, lengths in nm, works of adhesion in J/m². Each function returns a number as
-`paper.numbers` defines it; its dimensions are in brackets. `paper` contains the numbers of
+`paper.claim_numbers` defines it; its dimensions are in brackets. `paper` contains the numbers of
 resources/paper/parameters.csv by name.
 """
 
@@ -11,7 +11,7 @@ from scipy import constants, special
 
 from hardcontact.base.statistics import bounds
 from hardcontact.inference.edges import POOLED, edges_or_bounds
-from hardcontact.paper.numbers import (
+from hardcontact.paper.claim_numbers import (
     mean_over_contacts,
     mean_over_scans,
     number_with_interval,

@@ -25,7 +25,7 @@ from hardcontact.surfaces.spectrum import Spectrum, roll_off
 from hardcontact.theory.closed_form import ClosedForm, contact_share
 
 #: Designed surfaces, computed and predicted; resources/validation/README.md describes the columns.
-VALIDATION = Path(__file__).with_name("prediction.csv")
+VALIDATION = Path(__file__).with_name("designed_surfaces.csv")
 #: Number of surfaces nearest to an input whose errors count. Another error of the same distribution
 #: lies between the smallest and the largest of n errors with the probability (n - 1)/(n + 1): 0.9.
 NEAREST_SURFACES = 19

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.base.formatting import format_as_paper, is_boundless
-from hardcontact.paper.selection import LARGER_PIXELS, WITHOUT_SCAN
+from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, REPRODUCED_SHARE, summary
 from hardcontact.report.quantities import NO_INTERVAL
 

@@ -1,6 +1,6 @@
 """Select the computed number that a claim is about, and give verdicts that do not depend on it.
 
-A number is a dataset of `value` and `value_interval` (`paper.numbers`).
+A number is a dataset of `value` and `value_interval` (`paper.claim_numbers`).
 """
 
 from collections.abc import Iterable, Mapping
@@ -13,7 +13,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.base.published import rows_met
-from hardcontact.paper.numbers import quotient
+from hardcontact.paper.claim_numbers import quotient
 from hardcontact.paper.verdicts import BY_CONSTRUCTION, EXPERIMENT, ONE_SIDED, UNTESTABLE
 
 #: Groups of labels by dimension; `a > b` makes two groups.
