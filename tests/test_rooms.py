@@ -16,14 +16,14 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 #: Code lines that each room may have, without docstrings, comments and blank lines. A commit that
 #: raises one says what a user gets for it.
 BUDGET = {
-    "base": 761,
+    "base": 763,
     "surfaces": 3432,
-    "contact": 1385,
-    "inference": 1588,
+    "contact": 1388,
+    "inference": 1591,
     "theory": 647,
     "paper": 1463,
     "config": 2374,
-    "own": 2155,
+    "own": 2161,
     "report": 3500,
     "api": 215,
 }

@@ -31,7 +31,7 @@ from hardcontact.base.formatting import (
         (3.0, "nm", (0.0, inf), "3 nm [not bounded]"),
         (1.5e-4, "N", (1.2e-7, 7.8e17), "150 µN [not bounded]"),
         (3e-5, "N", (0.5e-6, 72.7e-6), "30 µN [not bounded]"),
-        (3e-5, "N", (1e-6, 99e-6), "30 [1, 99] µN"),
+        (3e-5, "N", (1e-6, 99e-6), "30 [1.0, 99] µN"),
     ],
 )
 def test_a_quantity_has_three_digits_or_those_of_its_interval(value, unit, ends, printed):
@@ -49,7 +49,7 @@ def test_a_quantity_has_three_digits_or_those_of_its_interval(value, unit, ends,
         (1234.5, "1", (nan, nan), "1230"),
         (3.0, "furlong", (nan, nan), "3 furlong"),
         (nan, "nm", (nan, nan), ""),
-        (1664.0, "nm", (876.0, 2841.0), "1.7 [0.9, 2.8] µm"),
+        (1664.0, "nm", (876.0, 2841.0), "1.7 [0.88, 2.8] µm"),
         (0.18, "1", (0.15, 0.29), "0.18 [0.15, 0.29]"),
         (1.5, "nm", (1.0, nan), "1.5 nm"),
     ],
@@ -66,10 +66,11 @@ def test_a_quantity_of_the_paper_has_its_units(value, unit, ends, printed):
         ((36.0, 35.8, 36.3), "36.0 35.8 36.3"),
         ((59.4975, 47.1, 83.1), "59 47 83"),
         ((0.9, 0.5, 1.4), "0.9 0.5 1.4"),
-        ((350.0, 170.0, 710.0), "350 170 710"),
-        # The ends differ by more than five times: each number has two digits.
+        # The ends differ by more than three times: each number has two digits.
         ((157.0, 22.0, 1045.0), "160 22 1000"),
+        ((2.8, 0.79, 3.0), "2.8 0.79 3.0"),
         ((88.6, 37.4, 202.0), "89 37 200"),
+        ((350.0, 170.0, 710.0), "350 170 710"),
         ((0.00056, 0.000128, 0.00144), "0.00056 0.00013 0.0014"),
         # The interval contains zero.
         ((0.0877, -0.0912, 0.276), "0.09 -0.09 0.28"),

@@ -32,10 +32,10 @@ def test_the_shape_of_a_rough_sphere_is_subtracted(tmp_path):
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
-    levelling = files(scans=[1], measured_surfaces=["ruby"]).levelling("ruby")
+    levelling = files(scans=[1], measured_surfaces=["ruby"]).levelling_settings("ruby")
     levelled = flatten(read_scan(path), **levelling)
     assert levelled.heights.std() == pytest.approx(rough.std(), rel=0.01)
-    assert files(measured_surfaces=["uncd"]).levelling("uncd")["sphere_radius"] is None
+    assert files(measured_surfaces=["uncd"]).levelling_settings("uncd")["sphere_radius"] is None
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.contact.pull_off import (
-    finer_pixel_ratio,
+    force_on_finer_pixels,
     mean_pull_off_of_pair,
     pull_off_of_pair,
     traced_contact,
@@ -89,7 +89,7 @@ def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
     load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
     forces = pull_off_of_pair(pair(), load, [load.range]).pull_off_force
-    change = finer_pixel_ratio(pair(), load, forces.sel(contact_model="plastic"))
+    change = force_on_finer_pixels(pair(), load, forces.sel(contact_model="plastic"))
     change = change["finer_pixel_ratio"]
     assert change == pytest.approx(area_ratio, rel=0.05)
 

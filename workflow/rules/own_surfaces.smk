@@ -36,7 +36,7 @@ rule sample_spectra:
             surface=w.surface,
             seed=STUDY["seed"],
             contact_scan_indices=SELECTION.contact_scan_indices(w.surface),
-            **FILES.measuring(w.surface),
+            **FILES.measurement_settings(w.surface),
         ),
     script:
         "../scripts/sample_spectra.py"

@@ -59,7 +59,7 @@ rule measure_spectrum:
     output:
         PATTERNS.measured_spectrum,
     params:
-        canonical=lambda w: canonical(FILES.measuring(w.surface)),
+        canonical=lambda w: canonical(FILES.measurement_settings(w.surface)),
     script:
         "../scripts/measure_spectrum.py"
 
@@ -105,6 +105,6 @@ rule prepare_scan:
             name for name, basis in SELECTION.basis.items() if basis == "measured"
         ),
     params:
-        canonical=lambda w: canonical(FILES.levelling(w.surface)),
+        canonical=lambda w: canonical(FILES.levelling_settings(w.surface)),
     script:
         "../scripts/prepare_scan.py"

@@ -8,7 +8,13 @@ from hardcontact.base.dataset import read
 from hardcontact.base.job import job
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.inference.hindcast import RandomBody, hindcast_forces, last_octave, pixel_forces
+from hardcontact.inference.hindcast import (
+    RandomBody,
+    hindcast_forces,
+    last_octave,
+    pixel_forces,
+    reliable_wavelengths,
+)
 from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
@@ -34,20 +40,12 @@ with job(snakemake) as job:
         )
         for path, size, name in zip(job.input.body_spectra, sizes, names, strict=True)
     ]
-    measurements = measurements.where(measurements["reliable"].any("bin_wavevector"))
-    band = (
-        measurements["shortest_reliable"].min().item(),
-        measurements["longest_reliable"].max().item(),
-    )
-    hindcast = hindcast_forces(
-        stitched,
-        {
-            side: last_octave(side, transition, *band)
-            for side, transition in params["transitions"].items()
-        },
-        bodies,
-        forces,
-    )
+    band = reliable_wavelengths(measurements)
+    octaves = {
+        side: last_octave(side, transition, *band)
+        for side, transition in params["transitions"].items()
+    }
+    hindcast = hindcast_forces(stitched, octaves, bodies, forces)
     job.write(
         xr.merge([octave_forces, hindcast, pixel_forces(stitched, sphere, contact)])
         .expand_dims(map=[params["scan"]])

@@ -6,7 +6,7 @@ from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
-    finer_pixel_ratio,
+    force_on_finer_pixels,
     mean_pull_off_of_pair,
     pull_off_of_pair,
     wider_window_change,
@@ -42,7 +42,7 @@ with job(snakemake) as job:
             wider_window_change(pairs.values(), contact, plastic_force.sel(rho=contact.range))
         )
         .assign(
-            finer_pixel_ratio(
+            force_on_finer_pixels(
                 first_pair,
                 replace(contact, range=shortest),
                 plastic_force.isel(sphere_scan=0).sel(rho=shortest),

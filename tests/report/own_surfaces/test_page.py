@@ -215,17 +215,21 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 
 
 @pytest.mark.parametrize(
-    ("factor", "advice", "force", "amplitude", "gain"),
+    ("factor", "begin", "end", "effect"),
     [
-        (1, "Polish", "force", "less", "0.90 [0.40, 1.40] %."),
-        (-1, "Roughen", "force", "more", "0.90 [0.40, 1.40] %."),
-        (0.4, "Whether to polish", "force is not certain", "less", "0.4 [-0.1, 0.9] %."),
+        (1, "Waves", "matter most", "less amplitude raises the force by 0.90 [0.40, 1.4] %."),
+        (-1, "Waves", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.4] %."),
+        (
+            0.4,
+            "Whether waves",
+            "matter most is not certain",
+            "less amplitude raises the force by 0.4 [-0.1, 0.9] %.",
+        ),
     ],
 )
-def test_the_page_says_which_octave_to_polish_or_to_roughen(factor, advice, force, amplitude, gain):
+def test_the_page_says_which_octave_matters_most(factor, begin, end, effect):
     text = page_of(datasets(sensitivity=sensitivity(factor=factor))).replace("\u00a0", " ")
-    sentence = f"{advice} waves of 80 nm to 160 nm for more {force}: 1 % {amplitude} amplitude "
-    sentence += f"raises it by {gain}"
+    sentence = f"{begin} of 80 nm to 160 nm {end}: 1 % {effect}"
     positions = [text.index(part) for part in (sentence, 'id="octaves-figure"', 'id="numbers"')]
     assert positions == sorted(positions)
 

@@ -12,6 +12,8 @@ from hardcontact.base.packages import PINS
 #: The folder of the library that is imported, and that of the scripts beside it.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
 SCRIPTS = LIBRARY.parent / "scripts"
+#: The top folder of the repository, whose paths studies are named relative to.
+ROOT = LIBRARY.parents[1]
 
 
 def page_templates() -> list[str]:

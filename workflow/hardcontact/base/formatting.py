@@ -33,18 +33,22 @@ def format_interval(value: float, low: float, high: float) -> list[str]:
     """Return a number and both ends of its interval, with the same number of decimals.
 
     The last digit is about a fifth of the interval's width or of the smallest number. If the ends
-    have one sign and differ by more than five times, each number has two digits instead.
+    have one sign and differ by more than three times, each number has two digits instead.
     """
     numbers = (value, low, high)
-    finest = high - low
     smallest, _, largest = sorted(map(abs, numbers))
-    if low > 0 or high < 0:
-        if largest > 5 * smallest:
-            return [format_number(number, 2) for number in numbers]
-        finest = min(finest, smallest)
+    has_one_sign = low > 0 or high < 0
+    if has_one_sign and largest > 3 * smallest:
+        return [_format_down_to(abs(number) / 10 or 1, number) for number in numbers]
+    finest = min(high - low, smallest) if has_one_sign else high - low
     last_digit = max(finest / 5, largest / 1000) or 1
+    return [_format_down_to(last_digit, number) for number in numbers]
+
+
+def _format_down_to(last_digit: float, number: float) -> str:
+    """Return a number without the digits below the decimal place of another number."""
     exponent = math.floor(math.log10(last_digit))
-    return [f"{round(number, -exponent):z.{max(-exponent, 0)}f}" for number in numbers]
+    return f"{round(number, -exponent):z.{max(-exponent, 0)}f}"
 
 
 def _bracketed(number: str, low: str, high: str, unit: str = "") -> str:

@@ -65,8 +65,8 @@ def _cell_faults(row: Row) -> Iterator[str]:
             yield f"{name}: expected {accepted}, found {quote_key(row[name])}"
     variables = read_meanings(row["dataset"].partition("+")[0])
     if row["quantity"] not in {*DERIVED_QUANTITIES, *TABLE1_VARIABLES, *variables}:
-        accepted = "a function of workflow/hardcontact/paper or a variable of variables.tsv"
-        yield f"quantity: expected {accepted}, found {quote_key(row['quantity'])}"
+        files = "workflow/hardcontact/paper or a variable of workflow/report/variables.tsv"
+        yield f"quantity: expected a function of {files}, found {quote_key(row['quantity'])}"
     for name, words in COLUMNS.items():
         if words and row[name] not in words:
             yield f"{name}: expected {_join_words(words)}, found {quote_key(row[name])}"

@@ -9,7 +9,7 @@ from typing import Any
 
 import yaml
 
-from hardcontact.base.code import LIBRARY
+from hardcontact.base.code import ROOT
 from hardcontact.base.units import format_exact
 from hardcontact.config.faults import quote_key
 from hardcontact.config.model import (
@@ -29,7 +29,7 @@ MAX_VALUES = 100_000
 
 def read_yaml(path: str) -> Any:
     """Return a YAML file of the project, by its path from the top folder."""
-    return yaml.safe_load((LIBRARY.parents[1] / path).read_text("utf-8"))
+    return yaml.safe_load((ROOT / path).read_text("utf-8"))
 
 
 class _EachKeyOnce(yaml.SafeLoader):

@@ -103,7 +103,7 @@ class Selection:
         uses = self._all_rows.use[self._all_rows.surface == surface]
         return [index for index, use in enumerate(uses) if use == CONTACT]
 
-    def own_scan(self, surface: str, realization: int) -> int:
+    def separate_scan(self, surface: str, realization: int) -> int:
         """Return the number of the substitute scan that belongs to one realization alone.
 
         The study's scans come first, then numbers after the largest of them.

@@ -15,7 +15,7 @@ from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version
 
 from hardcontact.base import published
-from hardcontact.base.code import LIBRARY
+from hardcontact.base.code import ROOT
 from hardcontact.base.origin import digests, refuse_changed
 from hardcontact.base.packages import refuse_other_versions, write_pins
 from hardcontact.config.configuration import (
@@ -32,8 +32,6 @@ from hardcontact.config.patterns import PUBLISHED_TABLES, Patterns
 from hardcontact.config.reruns import plan_by_records
 from hardcontact.config.selection import Selection, selected_scans, source_digests, surface_table
 
-#: The folder of the repository that the imported library belongs to.
-ROOT = LIBRARY.parents[1]
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2

@@ -70,7 +70,7 @@ class SurfaceFiles:
         scans = self._selection.all_scans(surface)
         return [self.path(self._patterns.measurement, surface, scan=scan) for scan in scans]
 
-    def levelling(self, surface: str) -> dict[str, Any]:
+    def levelling_settings(self, surface: str) -> dict[str, Any]:
         """Return the levelling of the scans of a surface, with the radius (nm) of a sphere."""
         radius = self._configuration["sphere"]["radius"]
         return {
@@ -78,9 +78,9 @@ class SurfaceFiles:
             "sphere_radius": radius if surface == self._selection.sphere else None,
         }
 
-    def measuring(self, surface: str) -> dict[str, Any]:
+    def measurement_settings(self, surface: str) -> dict[str, Any]:
         """Return the levelling and the tip radii (nm) of the measurements of a surface."""
-        return {"tip_radii": self._selection.tip_radii(surface), **self.levelling(surface)}
+        return {"tip_radii": self._selection.tip_radii(surface), **self.levelling_settings(surface)}
 
     def conditioning(self, surface: str, scan: int) -> str:
         """Return the gain and factors that a substitute scan shares with its group."""
@@ -104,7 +104,7 @@ class SurfaceFiles:
         selection = self._selection
         groups = defaultdict[tuple[int, ...], list[str]](list)
         for surface in self.conditionings:
-            last_group = selection.group(surface, selection.own_scan(surface, realizations))
+            last_group = selection.group(surface, selection.separate_scan(surface, realizations))
             for group in range(last_group + 1):
                 groups[tuple(selection.scans_of_group(surface, group))].append(surface)
         return groups
@@ -114,16 +114,16 @@ class SurfaceFiles:
         return self.path(self._patterns.stitched, surface, scan=scan)
 
     def stitched_of_realization(
-        self, surface: str, realization: int, own_scans: bool = False
+        self, surface: str, realization: int, separate_scans: bool = False
     ) -> str:
         """Return the scan that a realization builds on, in turn where there are fewer scans.
 
-        Realizations of the sets have scans of their own if the surface is a substitute.
+        With `separate_scans` a realization of a substitute has a scan of its own.
         """
         scans = self._selection.scans(surface)
         scan = scans[(realization - 1) % len(scans)]
-        if own_scans and self._selection.basis[surface] == "substitute":
-            scan = self._selection.own_scan(surface, realization)
+        if separate_scans and self._selection.basis[surface] == "substitute":
+            scan = self._selection.separate_scan(surface, realization)
         return self.roughness(surface, scan)
 
     @property

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import erf
 
 from hardcontact.contact.contact import Contact
@@ -22,6 +23,8 @@ RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0)
 #: Size relative to the search size from which a scan is large enough, and the smallest tested one.
 LARGE_ENOUGH = max(RATIOS)
 SMALLEST_TESTED = 0.12
+#: Smallest share of the force on a smooth sphere in a window without a caution.
+MIN_WINDOW_SHARE = 0.99
 
 
 def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
@@ -30,20 +33,26 @@ def finite_scan_ratio(size: float, search_size: float) -> tuple[float, float]:
     return next(ratios, (1.0, 1.0))
 
 
+def window_share(contact: Contact, rho: ArrayLike) -> NDArray[np.float64]:
+    """Return the share of the attraction of a smooth sphere within the window, at ranges (nm).
+
+    The attraction is proportional to exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of
+    the paper). A square window of the edge L therefore holds the share erf(L/sqrt(8 R rho))² of it.
+    """
+    return np.asarray(erf(contact.window / np.sqrt(8 * contact.radius * np.asarray(rho))) ** 2)
+
+
 def add_sizes(
     force: xr.Dataset, topography: xr.Dataset, contact: Contact, search_sizes: Mapping[str, float]
 ) -> xr.Dataset:
     """Return predicted forces (surface) with sizes of scans, window and pixels.
 
-    Sizes are in nm. The attraction of a smooth sphere is proportional to exp(-r²/(2 R rho)) at the
-    distance r from its apex (Eq. 3 of the paper). A square window of the edge L therefore holds the
-    share erf(L/sqrt(8 R rho))² of it.
+    Sizes are in nm; ``window_share`` (rho) is that of `window_share`.
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     lengths = [search_sizes[name] for name in force["surface"].values.tolist()]
     sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
     ratios = [finite_scan_ratio(size, search_size) for size, search_size in sizes]
-    share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
     share_attributes = {
         "units": "1",
         "long_name": "share of the attraction of a smooth sphere within the window",
@@ -52,5 +61,5 @@ def add_sizes(
         search_size=("surface", lengths, {"units": "nm"}),
         finite_scan_ratio=(("surface", "bound"), ratios, {"units": "1"}),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
-        window_share=("rho", share, share_attributes),
+        window_share=("rho", window_share(contact, force["rho"].values), share_attributes),
     ).assign_attrs(window=contact.window, contact_area=contact.area)

@@ -187,7 +187,7 @@ def mean_pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     )
 
 
-def finer_pixel_ratio(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
+def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray) -> xr.Dataset:
     """Return the mean plastic force on pixels of half the size, relative to those of a pair.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same. The forces (...) of the

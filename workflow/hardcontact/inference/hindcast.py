@@ -56,6 +56,12 @@ class RandomBody(NamedTuple):
     generator: Callable[[str, int], np.random.Generator]  #: Takes side and realization.
 
 
+def reliable_wavelengths(measurements: xr.Dataset) -> tuple[float, float]:
+    """Return the shortest and the longest wavelength (nm) at which a measurement is reliable."""
+    reliable = measurements.where(measurements["reliable"].any("bin_wavevector"))
+    return float(reliable["shortest_reliable"].min()), float(reliable["longest_reliable"].max())
+
+
 def last_octave(side: str, transition: float, shortest: float, longest: float) -> Octave | None:
     """Return the last octave that a scan shows before its roughness is extrapolated on a side.
 

@@ -32,7 +32,7 @@ from hardcontact.inference.scan_parts import sampled_deviations
 #: Chance that independent tests are taken for repeated ones.
 REPEATED_BY_CHANCE = 1e-3
 #: Largest deviation of the logarithm of a sampled mean; larger ones are clipped.
-MAX_LOG_DEVIATION = 50.0
+MAX_MEAN_DEVIATION = 50.0
 
 
 class MeasuredTests(NamedTuple):
@@ -98,7 +98,7 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
         sampled_variance / tests.place_count
     )
     return np.asarray(
-        tests.mean * np.exp(np.clip(deviation, -MAX_LOG_DEVIATION, MAX_LOG_DEVIATION))
+        tests.mean * np.exp(np.clip(deviation, -MAX_MEAN_DEVIATION, MAX_MEAN_DEVIATION))
     )
 
 

@@ -15,7 +15,11 @@ from hardcontact.base.dataset import read
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.own.command_line import CommandLine
 from hardcontact.own.output import output_faults, write_output
-from hardcontact.report.paired_changes import SET_DATASETS, add_paired_intervals, pairing
+from hardcontact.report.paper_study.paired_changes import (
+    SET_DATASETS,
+    add_paired_intervals,
+    pairing,
+)
 from hardcontact.report.study_comparison import EQUAL_DIGITS, compare_answers
 from hardcontact.report.templates import Frame, render_document, render_lines
 

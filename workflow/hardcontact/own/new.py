@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from hardcontact.base.code import ROOT
 from hardcontact.base.whole_file import whole_file
 from hardcontact.config.configuration import read_yaml, set_keys
 from hardcontact.config.faults import refuse_all, refuse_lines, validate
@@ -31,7 +32,6 @@ from hardcontact.own.inventory import (
 )
 from hardcontact.own.proposal import Choice, Proposal, propose
 from hardcontact.own.request import (
-    ROOT,
     SPHERE,
     QuantityOption,
     implausible_quantities,

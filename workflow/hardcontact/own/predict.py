@@ -29,7 +29,7 @@ from hardcontact.own.request import (
     one_pixel_touches,
     parse_quantities,
 )
-from hardcontact.own.rough_sphere import add_sphere
+from hardcontact.own.rough_sphere import combine_bodies
 from hardcontact.own.scan_force import add_force_on_scan
 from hardcontact.surfaces.both_bodies import sphere_share
 from hardcontact.surfaces.joined_spectrum import ScanSpectrum
@@ -120,7 +120,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     readers = _spectrum_readers(arguments, quantities)
     _, spectrum, *sphere_spectra = refuse_all([partial(refuse_lines, faults), *readers])
     for sphere_spectrum in sphere_spectra:
-        spectrum = add_sphere(spectrum, sphere_spectrum)
+        spectrum = combine_bodies(spectrum, sphere_spectrum)
     cautions += one_pixel_touches(contact.area, [scan.pixel_size for scan in spectrum.scans])
     notes = [*(f"{TAKE_CARE}{line}" for line in cautions), *spectrum.notes]
     return Inputs(quantities, contact, spectrum, notes)

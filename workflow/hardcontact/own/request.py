@@ -8,7 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
-from hardcontact.base.code import LIBRARY
+from hardcontact.base.code import ROOT
 from hardcontact.config.arguments import unit_question
 from hardcontact.config.key_types import STUDY_NAME, UNIT
 from hardcontact.config.model import CONTACT_QUANTITIES, QUICK_SUFFIX, key_field, quantity_type
@@ -17,8 +17,6 @@ from hardcontact.own.command_line import CommandLine
 from hardcontact.surfaces.height_map import LEVELLING
 from hardcontact.surfaces.scans import MASKS
 
-#: The top folder, whose paths studies are named relative to.
-ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.

@@ -1,13 +1,17 @@
 """Cautions about scans before a study, and refusals of scans that it cannot use."""
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from hardcontact.base.formatting import format_length, format_quantity
 from hardcontact.config.faults import refuse_lines
-from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
+from hardcontact.contact.finite_scan import (
+    LARGE_ENOUGH,
+    MIN_WINDOW_SHARE,
+    finite_scan_ratio,
+    window_share,
+)
 from hardcontact.own.contact_scans import WindowChoice
 from hardcontact.own.inventory import Entry, entries_by_surface, entry_contradiction_lines
 from hardcontact.own.request import one_pixel_touches
@@ -15,8 +19,6 @@ from hardcontact.surfaces.scan_defects import defect_sentence
 from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.spectrum import MIN_BINS
 
-#: The share of the force on a smooth sphere that the window should hold.
-MIN_WINDOW_SHARE = 0.99
 #: Share of undefined pixels from which the user is told how they are filled.
 MANY_UNDEFINED = 0.05
 
@@ -104,7 +106,7 @@ def _contact_cautions(
             f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
             f"it is {window.range_reason}"
         )
-    share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
+    share = float(window_share(contact, contact.range))
     if share < MIN_WINDOW_SHARE:
         yield (
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "

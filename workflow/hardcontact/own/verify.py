@@ -6,7 +6,7 @@ from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from hardcontact.base.code import LIBRARY
+from hardcontact.base.code import ROOT
 from hardcontact.base.origin import canonical, read_record
 from hardcontact.base.verification import check
 from hardcontact.config.configuration import apply_effort, key_values, merge, read_yaml
@@ -52,7 +52,7 @@ def _other_keys(results: Path) -> Iterator[str]:
     current = read_yaml("config/config.yaml")
     if recorded["study"] != current["study"]:
         overlay = f"config/{recorded['study'].removesuffix(QUICK_SUFFIX)}.yaml"
-        if not (LIBRARY.parents[1] / overlay).is_file():
+        if not (ROOT / overlay).is_file():
             yield f"{results}: parameters were not compared, as there is no {overlay} here"
             return
         current = merge(current, read_yaml(overlay))

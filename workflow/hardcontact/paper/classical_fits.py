@@ -13,7 +13,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.statistics import Sampling
 from hardcontact.base.units import DIMENSIONLESS, NEWTON
 from hardcontact.inference import fit
-from hardcontact.paper.classical_models import MODELS, ElasticSphere, Model, Roughness
+from hardcontact.paper.classical_models import MODELS, ClassicalModel, ElasticSphere, Roughness
 
 #: Works of adhesion (J/m²) among which the best fit is searched first.
 SEARCHED_WORKS = np.geomspace(1e-3, 10, 401)
@@ -43,7 +43,7 @@ def sample_roughness(
 
 
 def fit_classical_work(
-    model: Model, roughness: Roughness, sphere: ElasticSphere, target: np.ndarray
+    model: ClassicalModel, roughness: Roughness, sphere: ElasticSphere, target: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the work (...) in J/m² that fits a model to forces (surface,) in N, and the error.
 

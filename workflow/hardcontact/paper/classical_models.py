@@ -49,7 +49,7 @@ class Roughness(NamedTuple):
     curvature: np.ndarray
 
 
-class Model(NamedTuple):
+class ClassicalModel(NamedTuple):
     """A classical model of the adhesion of a rough sphere."""
 
     label: str  #: Name in figures.
@@ -205,21 +205,21 @@ def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values
 
 
 MODELS = {
-    "rumpf_height": Model(
+    "rumpf_height": ClassicalModel(
         "Rumpf (height)",
         lambda work, roughness, sphere: rumpf(
             work, sphere.radius, HEMISPHERE_OVER_RMS * roughness.height, sphere.spacing
         ),
         True,
     ),
-    "rumpf_curvature": Model(
+    "rumpf_curvature": ClassicalModel(
         "Rumpf (curvature)",
         lambda work, roughness, sphere: rumpf(
             work, sphere.radius, 1 / roughness.curvature, sphere.spacing
         ),
         True,
     ),
-    "rabinovich": Model("Rabinovich", rabinovich, True),
-    "fuller_tabor": Model("Fuller–Tabor", fuller_tabor, False),
-    "maugis": Model("Maugis", maugis_rough_dmt, False),
+    "rabinovich": ClassicalModel("Rabinovich", rabinovich, True),
+    "fuller_tabor": ClassicalModel("Fuller–Tabor", fuller_tabor, False),
+    "maugis": ClassicalModel("Maugis", maugis_rough_dmt, False),
 }

@@ -34,7 +34,7 @@ from hardcontact.surfaces.roughness_table import measured_metrics
 #: and for the median force, at the published range and work of adhesion.
 MAX_FORCE_FACTOR = 2.0
 #: Statistics of forces on a draw, with their units.
-FORCE_STATISTICS = {
+DRAW_STATISTICS = {
     "mean_force": NEWTON, "median_force": NEWTON, "log_force_std": DIMENSIONLESS,
     "agrees": DIMENSIONLESS,
 }  # fmt: skip
@@ -142,14 +142,14 @@ def no_draws() -> xr.Dataset:
     """Return the dataset of `compare_with_published` of a study without such a surface."""
     empty = ("features", "draw"), np.empty((len(KINDS), 0))
     return xr.Dataset(
-        {name: (*empty, unit) for name, unit in FORCE_STATISTICS.items()},
+        {name: (*empty, unit) for name, unit in DRAW_STATISTICS.items()},
         {"features": list(KINDS), "draw": np.arange(0)},
         {"surface": "", "label": "", "basis": "substitute"},
     )
 
 
 def _force_statistics(forces: Floats, targets: Mapping[Any, float]) -> dict[str, Any]:
-    """Return the FORCE_STATISTICS of forces (draw, contact) in N."""
+    """Return the DRAW_STATISTICS of forces (draw, contact) in N."""
     mean = forces.mean(axis=1)
     median = np.median(forces, axis=1)
     scatter = np.log(forces).std(axis=1)
@@ -158,5 +158,5 @@ def _force_statistics(forces: Floats, targets: Mapping[Any, float]) -> dict[str,
     values = (mean, median, scatter, agrees.astype(float))
     return {
         name: ("draw", value, unit)
-        for (name, unit), value in zip(FORCE_STATISTICS.items(), values, strict=True)
+        for (name, unit), value in zip(DRAW_STATISTICS.items(), values, strict=True)
     }

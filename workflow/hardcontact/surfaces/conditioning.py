@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     SpectrumFunction,
     spectrum_of_dataset,
 )
-from hardcontact.surfaces.substitute_spectra import expected_scan_rms, transfer_weights
+from hardcontact.surfaces.substitute_spectra import MET_ERROR, expected_scan_rms, transfer_weights
 from hardcontact.surfaces.synthesis import (
     ScanGrid,
     add_sphere,
@@ -36,8 +36,6 @@ from hardcontact.surfaces.synthesis import (
 COMPONENT_COUNT = 3
 #: Largest amplitude of a component relative to that of the longest wavelengths, or its inverse.
 MAX_AMPLITUDE_RATIO = 4.0
-#: Relative error at which a target counts as met: far below the digits of Table 1.
-TOLERANCE = 1e-9
 
 
 class Targets(NamedTuple):
@@ -220,7 +218,7 @@ def condition_group(
         rows_within_tolerance = {
             row
             for row, error in zip(AFM_ROWS, mean_errors, strict=True)
-            if row in targets.met_rows and abs(error) < TOLERANCE
+            if row in targets.met_rows and abs(error) < MET_ERROR
         }
         met_rows = [row for row in met_rows if row in rows_within_tolerance or row not in AFM_ROWS]
     return xr.Dataset(

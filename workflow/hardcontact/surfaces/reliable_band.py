@@ -43,7 +43,7 @@ NOISE_MARGIN_BINS = 2
 MIN_PEAK_RISE = 2.0
 MIN_PEAK_ERRORS = 4
 #: Relative error of the tip's cutoff, far below the safety factor of its criterion.
-TOLERANCE = 1e-3
+TIP_CUTOFF_ERROR = 1e-3
 #: Limits of a band toward short wavelengths, by code, in words for messages.
 OTHER_BODY = "other_body"
 LIMIT_NAMES = {
@@ -96,7 +96,7 @@ def reliable_band(
 def limit_by_tip(band: ReliableBand, scan: HeightMap, tip_radius: float) -> ReliableBand:
     """Return a band that ends at the cutoff of a tip with a radius in nm, if that is longer."""
     topography = library_topography(level(scan))
-    cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TOLERANCE)
+    cutoff = topography.scanning_probe_reliability_cutoff(tip_radius, rtol=TIP_CUTOFF_ERROR)
     if cutoff is None or cutoff <= band.shortest:
         return band
     return band._replace(shortest=float(cutoff), limited_by="tip")

@@ -35,7 +35,7 @@ Weights = tuple[Floats, Floats]
 BIN_COUNT = 4000
 BLOCK_ROWS = 512
 #: Relative error at which a number of Table 1 counts as met: far below its digits.
-TOLERANCE = 1e-9
+MET_ERROR = 1e-9
 #: Calibrated parameters by model, and parameters whose logarithms are searched.
 SEARCHED_PARAMETERS = {
     "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
@@ -141,7 +141,7 @@ def calibrate_model(segment: pd.Series, table1: pd.DataFrame, weights: Weights) 
         ftol=1e-15,
         gtol=1e-15,
     )
-    if np.abs(fit.fun).max() > TOLERANCE:
+    if np.abs(fit.fun).max() > MET_ERROR:
         worst = int(np.abs(fit.fun).argmax())
         raise ValueError(
             "expected three numbers of Table 1 that a spectrum of this model has, found "

@@ -1,1 +1,4 @@
-"""Figures, a module each, drawn from the final datasets and the published tables alone."""
+"""Figures of the paper's study, a module each, from final datasets and published tables alone.
+
+`drawing`, `style`, `panels` and `values` also serve the figures of own surfaces.
+"""

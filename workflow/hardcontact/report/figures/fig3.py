@@ -28,7 +28,7 @@ AT_FIT: style.Look = {"edgecolor": "0.2", "linewidth": 1.2}
 PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 1.0}
 COMPUTED_LINE: style.Look = {"color": style.PUBLISHED_COLOUR, "lw": 1.0, "ls": "--"}
 
-Pair = pd.Series | xr.Dataset  # range and work of adhesion
+FitPair = pd.Series | xr.Dataset  # range and work of adhesion
 ForcesByPair = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
 
 
@@ -41,7 +41,7 @@ def draw(
     """Draw Fig. 3: one column a substrate, linear axes above and logarithmic axes below."""
     plastic_fit = fit.sel(contact_model=PLASTIC)
     floor = fit.attrs["force_floor"]
-    pairs: dict[str, Pair] = {"published": published_constants["value"], "fitted": plastic_fit}
+    pairs: dict[str, FitPair] = {"published": published_constants["value"], "fitted": plastic_fit}
     forces_of_all = {name: _forces_at(adhesion, pair) for name, pair in pairs.items()}
     colours = style.colours(fit["surface"].values)
     figure = drawing.create(5.0, fit)
@@ -73,7 +73,7 @@ def draw(
     return figure
 
 
-def _forces_at(adhesion: xr.Dataset, pair: Pair) -> xr.DataArray:
+def _forces_at(adhesion: xr.Dataset, pair: FitPair) -> xr.DataArray:
     """Return the forces (N) of all plastic contacts at a range and work of adhesion."""
     forces = adhesion["pull_off_force"].sel(contact_model=PLASTIC)
     work: float = float(pair["work_of_adhesion"]) / adhesion.attrs["work_of_adhesion"]
@@ -151,7 +151,7 @@ def _draw_histograms(
     return np.array(densities)
 
 
-def _legend_handles(pairs: dict[str, Pair], floor: float) -> list[Artist]:
+def _legend_handles(pairs: dict[str, FitPair], floor: float) -> list[Artist]:
     """Return one entry for each kind of histogram, line and area."""
     published, fitted = (style.print_pair(pair) for pair in pairs.values())
     return [

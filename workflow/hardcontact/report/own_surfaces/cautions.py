@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.contact.finite_scan import SMALLEST_TESTED
+from hardcontact.contact.finite_scan import MIN_WINDOW_SHARE, SMALLEST_TESTED
 from hardcontact.contact.smooth_sphere import STRONGEST_WORK
 from hardcontact.inference.curve_edges import RIPPLES
 from hardcontact.report.own_surfaces.artificial_roughness import (
@@ -29,8 +29,6 @@ from hardcontact.surfaces.scan_heights import split_notes
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.theory.validity import HARD
 
-#: Smallest share of the force on a smooth sphere in a window without a caution.
-MIN_WINDOW_SHARE = 0.99
 #: Fewest pixels in contact: below, rounding to whole pixels may change the area by over 5 %.
 MIN_CONTACT_PIXELS = 10
 #: Number of pixels in the shortest wavelength of a scan.

@@ -41,7 +41,7 @@ EDGE_SIDES = {
     "long_edge": ("large", "open_below"),
 }
 #: Parameters that are fitted to the forces of each set of scans, with units.
-FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+PAIR_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 #: Statistics of the forces on surfaces with features, with units.
 FORCE_UNITS = {"mean_force": "N", "median_force": "N", "log_force_std": "1"}
 #: Part of the roughness whose force says whether the published band is sufficient.
@@ -227,13 +227,13 @@ def _fit_samples(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) ->
     confidence = datasets["sets"].attrs["confidence"]
     sets = datasets["sets"].sel(contact_model=PLASTIC)
     without_decisive = sets.sel(left_out=_decisive_surface(datasets["sets"]))
-    for name in FITTED_UNITS:
+    for name in PAIR_UNITS:
         yield _median("all_surfaces", name, sets[name].values, confidence)
         sample = without_decisive[WITHOUT_SURFACE[name]].values
         yield _median("without_decisive", name, sample, confidence)
-        yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), FITTED_UNITS[name])
+        yield Number(f"{name}_scatter", float(sets[name].std(ddof=1)), PAIR_UNITS[name])
         uncertainty = constants["uncertainty"][name]
-        yield Number(f"{name}_uncertainty", uncertainty, FITTED_UNITS[name], source="published")
+        yield Number(f"{name}_uncertainty", uncertainty, PAIR_UNITS[name], source="published")
 
 
 def _feature_numbers(features: xr.Dataset, confidence: float) -> Iterator[Number]:
@@ -253,7 +253,7 @@ def _median(prefix: str, name: str, sample: np.ndarray, confidence: float) -> Nu
     """Return the median over sets or draws of a number, with the interval of the claims."""
     tail = (1 - confidence) / 2
     low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
-    return Number(f"{prefix}_{name}", median, (FITTED_UNITS | FORCE_UNITS)[name], low, high)
+    return Number(f"{prefix}_{name}", median, (PAIR_UNITS | FORCE_UNITS)[name], low, high)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:

@@ -7,8 +7,8 @@ import pytest
 import xarray as xr
 
 from hardcontact.base.number import Number
-from hardcontact.report.paired_changes import add_paired_intervals, pairing
 from hardcontact.report.paper_study.answer import FORCE_UNITS
+from hardcontact.report.paper_study.paired_changes import add_paired_intervals, pairing
 from hardcontact.report.study_comparison import ComparedNumber
 from hardcontact.surfaces.height_map import TABLE1_METRICS
 

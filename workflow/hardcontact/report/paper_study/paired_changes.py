@@ -16,8 +16,8 @@ from hardcontact.paper.verdicts import sets_interval, stretch_interval
 from hardcontact.report.paper_study.answer import (
     ANSWER_CLAIMS,
     EDGE_SIDES,
-    FITTED_UNITS,
     FORCE_UNITS,
+    PAIR_UNITS,
 )
 from hardcontact.report.study_comparison import ComparedNumber
 from hardcontact.surfaces.height_map import TABLE1_METRICS
@@ -97,7 +97,7 @@ def _set_numbers(study: Mapping[str, xr.Dataset]) -> dict[tuple[str, str], xr.Da
     }
     fits = {
         ("", prefix + name): sets[name].sel(contact_model=PLASTIC)
-        for name in FITTED_UNITS
+        for name in PAIR_UNITS
         for prefix in ("", "all_surfaces_")
     }
     edges = {
