@@ -93,7 +93,7 @@ def sampled_contacts(
     return np.stack(np.divmod(numbers, contacts_per_side), axis=1)
 
 
-def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
+def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
@@ -122,7 +122,7 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
 def places_on_sphere(sphere: HeightMap, places_per_side: int) -> list[HeightMap]:
     """Return the mirror-stitched scan of a sphere, moved so that it touches at even places.
 
-    A single place is the middle of the scan, on which `bodies` puts the apex.
+    A single place is the middle of the scan, on which `join_bodies` puts the apex.
     """
     scan_pixels = sphere.pixels // 2
     places = (2 * np.arange(places_per_side) + 1) * scan_pixels // (2 * places_per_side)
@@ -134,9 +134,9 @@ def places_on_sphere(sphere: HeightMap, places_per_side: int) -> list[HeightMap]
 
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
-    """Bring together two height maps, read from files that the study wrote, as in `bodies`."""
+    """Bring together two height maps, read from files that the study wrote, as in `join_bodies`."""
     roughness = None if sphere is None else read_height_map(sphere)
-    return bodies(read_height_map(substrate), roughness, contact)
+    return join_bodies(read_height_map(substrate), roughness, contact)
 
 
 def _in_native_precision(surface: HeightMap) -> HeightMap:
