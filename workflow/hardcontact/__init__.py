@@ -3,6 +3,7 @@
 Its rooms, each importing only from those before it: `base`, `surfaces`, `contact`, `inference`,
 `theory`, `paper`, `config`, `own`, `report`, `commands` and `api`, whose functions are those of
 this package, too. They are loaded when one is first used: no job of the study depends on them.
+workflow/README.md says what each room holds.
 """
 
 import gc

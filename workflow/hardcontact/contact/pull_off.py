@@ -107,12 +107,19 @@ def forces_at_loads(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[f
 
     The loads are contacts that differ in nothing else; ranges of adhesion are in nm.
     """
+    return _contacts_and_forces(bodies, loads, ranges)[1]
+
+
+def _contacts_and_forces(
+    bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]
+) -> tuple[Contacts, Floats]:
+    """Return the lowest gaps of each contact, and the forces of `pull_off_forces` from them."""
     pixel_size = bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)
     pixel_counts = [load.pixel_count(pixel_size) for load in loads]
     contacts = all_lowest_gaps(bodies, max(pixel_counts))
     totals = attraction_totals(bodies, contacts, pixel_counts, rhos)
-    return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    return contacts, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -123,12 +130,9 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
-    rhos = np.asarray(ranges, float)
     loads = [replace(contact, plastic=False), contact]
+    contacts, forces = _contacts_and_forces(bodies, loads, ranges)
     pixel_counts = [load.pixel_count(pixel_size) for load in loads]
-    contacts = all_lowest_gaps(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, contacts, pixel_counts, rhos)
-    forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
     gaps = _gaps(contacts)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
@@ -145,10 +149,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
         {"contact_model": ["rigid", "plastic"]}
         | range_axis(ranges)
         | {axis: (axis, positions, {"units": "nm"}) for axis in CONTACT_AXES},
-        {
-            "work_of_adhesion": WORK_OF_ADHESION,
-            "pixel_size": pixel_size,
-        },
+        {"work_of_adhesion": WORK_OF_ADHESION, "pixel_size": pixel_size},
     )
 
 
