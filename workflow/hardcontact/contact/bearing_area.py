@@ -256,9 +256,9 @@ def _lowest_columns(bounds: Floats, count: int) -> NDArray[np.int_]:
 def _gaps_up_to(
     windows: _Windows, tiles: WindowTiles, limits: Floats
 ) -> tuple[NDArray[np.int_], Floats, NDArray[np.int_]]:
-    """Return the gaps of tiles that are at most the limit (nm) of their contact.
+    """Return the gaps (nm) in tiles that do not exceed the limit of their contact.
 
-    Beside them, the number of the contact before and the offsets (gap, 2) after them.
+    Returns three arrays: the number of the contact of each gap, the gaps, their offsets (gap, 2).
     """
     gaps, rows, columns = windows.gaps(tiles)
     low = np.flatnonzero(gaps <= limits[tiles.contact, None, None])

@@ -293,7 +293,7 @@ def _smooth_sphere_terms(
 def _rough_sphere_terms(
     bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield the same of a rough sphere, relative to the highest point of its roughness."""
+    """Yield the terms of `_smooth_sphere_terms` for a rough sphere, relative to its highest u."""
     assert bodies.roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions

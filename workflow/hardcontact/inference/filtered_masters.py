@@ -45,10 +45,9 @@ def forces_at_cutoffs(
 ) -> xr.Dataset:
     """Return the forces on a periodic master, unfiltered and filtered at every cutoff of a side.
 
-    forces: takes a filtered surface and returns its forces (...) in N at 1 J/m².
-    axes: dimensions and coordinates of the forces.
-    Returns ``pull_off_force`` (cutoff_wavelength, ...) and ``unfiltered_pull_off_force`` (...) in
-        N; ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
+    `forces` returns the forces (...) in N on a filtered surface; `axes` are their dimensions and
+    coordinates. Returns ``pull_off_force`` (cutoff_wavelength, ...), ``unfiltered_pull_off_force``
+    (...) and ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
@@ -79,12 +78,9 @@ def filtered_pull_off(
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
 
-    contacts: contacts that differ only in their load.
-    sphere: roughness of the sphere; None for a smooth sphere.
-    radii, ranges: in nm; None for the radius and the range of the first contact.
-    Returns forces at 1 J/m² by cutoff_wavelength, radius, load, rho, contact_y and contact_x; the
-        last two number the contacts. ``contact_area`` (load) is the area of the touching pixels,
-        and the coordinate ``area`` (load) is the preload divided by the hardness, both in nm².
+    The contacts differ only in their load; radii and ranges (nm) are those of the first contact by
+    default. Forces are at 1 J/m². ``contact_area`` (load) is the area of the touching pixels, the
+    coordinate ``area`` (load) the preload divided by the hardness, both in nm².
     """
     contact = contacts[0]
     pixel_size = master.size / filters.pixels
@@ -111,11 +107,8 @@ def master_from_files(
 ) -> HeightMap:
     """Return the master of one side, from the files of a scan and of its spectrum.
 
-    side: ``"small"`` or ``"large"``.
-    spectrum: path of its spectrum. A spectrum sampled within its uncertainty has the attribute
-        ``height_factor``, by which the heights of the scan are multiplied.
-    settings: argument of `synthesize_master`.
-    Returns the periodic master.
+    A spectrum sampled within its uncertainty has the attribute ``height_factor``, by which the
+    heights of the scan are multiplied.
     """
     density = dataset.read(spectrum)
     stitched = read_height_map(scan)

@@ -91,8 +91,8 @@ def fine_ranges(ranges: np.ndarray) -> np.ndarray:
 def best_fit(curves: np.ndarray, targets: np.ndarray, ranges: np.ndarray) -> dict[str, np.ndarray]:
     """Return the variables (...) of FIT_UNITS, NaN where a curve has NaN.
 
-    curves: computed mean forces (..., surface, range) in N at these ranges (nm).
-    targets: measured mean forces (surface,) in N.
+    The curves are the computed mean forces (..., surface, range) at these ranges (nm), the targets
+    the measured mean forces (surface,), both in N.
     """
     best_index, work, error = fit_range_and_work(curves, targets)
     best_range = np.where(np.isfinite(error), ranges[best_index], np.nan)

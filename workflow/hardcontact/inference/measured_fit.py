@@ -113,10 +113,9 @@ def fit_measured(
 
     Intervals come from random samples of the mean of the tests and of the mean over scans.
 
-    adhesion, forces: computed forces at 1 J/m² (adhesion.nc), and the user's table of forces in N.
-    scan_sizes: side of the scans of each surface in nm.
-    pixel_factors: by which finer pixels may divide the force on each surface.
-    Returns fit.nc; by contact_model the variables of `_fit_model`.
+    `adhesion` holds the computed forces, `forces` the measured ones in N. Scan sizes (nm) and the
+    factors by which finer pixels may divide the force are by surface. Returns fit.nc: the variables
+    of `_fit_model` by contact_model.
     """
     measured_surfaces = set(forces.surface)
     surfaces = [name for name in adhesion.surface.values.tolist() if name in measured_surfaces]

@@ -35,8 +35,8 @@ NONE_LEFT_OUT = "none"
 def log_mean_error(shape: ArrayLike, count: int) -> Floats:
     """Return the standard deviation of the logarithm of a mean of log-normal forces.
 
-    shape: standard deviation of the logarithm of a single force.
-    count: number of independent forces.
+    The shape is the standard deviation of the logarithm of a single force, the count the number of
+    independent forces.
     """
     return np.sqrt(np.log1p(np.expm1(np.square(shape)) / count))
 
@@ -50,9 +50,9 @@ def posterior_samples(
 ) -> tuple[NDArray[np.int_], Floats]:
     """Return samples of the index of the range, and of the logarithm of the work of adhesion.
 
-    log_curves: logarithms of computed forces (draw, surface, range) at 1 J/m², at ranges that are
-        evenly spaced in their logarithm.
-    log_targets, errors: logarithms of measured mean forces and their errors (surface,).
+    `log_curves` are logarithms of computed forces (draw, surface, range) at 1 J/m²; the ranges are
+    evenly spaced in their logarithm. `log_targets` are logarithms of measured mean forces
+    (surface,), `errors` their errors.
     """
     precision = 1 / errors**2
     log_works = log_targets[:, None] - log_curves
@@ -69,8 +69,8 @@ def posterior_samples(
 def posterior(mean_forces: xr.DataArray, published: pd.DataFrame, sampling: Sampling) -> xr.Dataset:
     """Return samples of range (nm) and work (J/m²) over all draws, their medians and intervals.
 
-    mean_forces: (draw, surface, rho) in N at 1 J/m².
-    published: mean and median forces in N by surface; surfaces without a mean do not enter.
+    The computed mean forces (draw, surface, rho) are in N at 1 J/m². The published mean and median
+    forces are in N by surface; surfaces without a mean do not enter.
     """
     targets = published.reindex(mean_forces["surface"].values).dropna(subset="mean_force")
     forces = mean_forces.sel(surface=targets.index).transpose("draw", "surface", "rho")
@@ -103,8 +103,8 @@ def means_on_whole_surfaces(
 ) -> xr.DataArray:
     """Return samples (draw, surface, rho) of the mean forces of the rough sphere on whole surfaces.
 
-    surfaces: forces of a smooth sphere (map, rho) in N.
-    sphere_factor: (surface, rho) force of the rough sphere relative to a smooth sphere.
+    Each surface has the forces of a smooth sphere (map, rho) in N. The sphere factor (surface, rho)
+    is the force of the rough sphere relative to a smooth sphere.
     """
     samples = [
         student_log_samples(
