@@ -32,4 +32,4 @@ def rounded(rms=4.0, length=100.0):
 
 def contact_of_area(radius, rho, work, area):
     """Return a contact whose preload an area in nm² carries, at a hardness of 1 N/nm²."""
-    return Contact(radius=radius, range=rho, work=work, preload=area, hardness=1e18)
+    return Contact(radius=radius, rho=rho, work=work, preload=area, hardness=1e18)

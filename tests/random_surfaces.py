@@ -15,7 +15,7 @@ from hardcontact.base.number import Number
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import mean_pull_off_of_pair
+from hardcontact.contact.pull_off import mean_pull_off_dataset
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.scan_force import CONTACTS, stitched_map, window_of_scan
 from hardcontact.surfaces.height_map import HeightMap, level
@@ -47,7 +47,7 @@ def random_case(family, seed, pixels):
     coarse = blocks.mean(axis=(1, 3)) if rng.uniform() < 0.5 else blocks[:, 1, :, 1]
     contact = Contact(
         radius=_between(rng, 10e3, 150e3),
-        range=5.6,
+        rho=5.6,
         work=0.0463,
         preload=_between(rng, 1e-6, 30e-6),
         hardness=25e9,
@@ -93,7 +93,7 @@ def true_force(case):
     """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
     contact = replace(case.contact, window=window_of_scan(case.scan, case.contact), count=CONTACTS)
     pair = join_bodies(stitched_map(case.fine), None, contact)
-    forces = mean_pull_off_of_pair(pair, contact, [contact.range])["pull_off_force"]
+    forces = mean_pull_off_dataset(pair, contact, [contact.rho])["pull_off_force"]
     return contact.work * forces.sel(contact_model="plastic").item()
 
 
@@ -102,7 +102,7 @@ def predicted_numbers(case):
     contact = case.contact
     return hc.predict(
         case.scan, radius=contact.radius, preload=contact.preload, hardness=contact.hardness,
-        rho=contact.range, work=contact.work,
+        rho=contact.rho, work=contact.work,
     )  # fmt: skip
 
 

@@ -142,7 +142,7 @@ def compute_row(row: dict[str, Any]) -> dict[str, Any]:
         hardness=HARDNESS,
         window=max(wide, 32 * size / pixels),
         count=CONTACTS,
-        range=row["rho"],
+        rho=row["rho"],
     )
     curves: dict[str, list[Any]] = {side: [] for side in SIDES}
     forces = []
@@ -197,7 +197,7 @@ def predict_row(row: dict[str, Any]) -> dict[str, Any]:
     """Return the prediction of the closed form on the grid, and the coordinates of the surface."""
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     contact = Contact(
-        radius=row["radius"], range=row["rho"], work=WORK, preload=row["area"], hardness=1e18
+        radius=row["radius"], rho=row["rho"], work=WORK, preload=row["area"], hardness=1e18
     )
     form = closed_form(waves, contact)
     short, long = critical_band(waves, contact, TOLERANCE)

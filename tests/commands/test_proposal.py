@@ -54,7 +54,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
 
 def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
     """Return a sphere and its load; the paper's unless others are given."""
-    return Contact(radius=radius, preload=preload, hardness=hardness, range=rho)
+    return Contact(radius=radius, preload=preload, hardness=hardness, rho=rho)
 
 
 # Scans that contacts are made on
@@ -151,7 +151,7 @@ def check_refusal(line, scan, settings):
     elif line.startswith("config key adhesion.ranges"):  # two pixels in an interaction radius
         assert 2 * scan.pixel_size**2 / settings.radius > 39.9, line
     else:
-        window = min(2 * scan.size, 2 * math.sqrt(28 * settings.radius * settings.range))
+        window = min(2 * scan.size, 2 * math.sqrt(28 * settings.radius * settings.rho))
         # What 16 contacts with a hundred images of each pixel keep in memory.
         permitted_pixels = area / scan.pixel_size**2 / (2**26 / 16 / 100)
         assert line.startswith("config key contact.preload") and (

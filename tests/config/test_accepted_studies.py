@@ -19,7 +19,7 @@ from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import indent_sizes
-from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flatten, level, mirror_stitch
@@ -128,7 +128,7 @@ def check_pair(config, rng, substrate, sphere):
     contact = Contact(radius=config["sphere"]["radius"], **config["contact"])
     pair = join_bodies(substrate, sphere, contact)
     pixel_size = pair.geometry.pixel_size
-    assert_forces(pull_off_of_pair(pair, contact, config["adhesion"]["ranges"]))
+    assert_forces(pull_off_dataset(pair, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:
         contact_pixel_count = replace(contact, preload=preload).pixel_count(pixel_size)
         for lowest in all_lowest_gaps(pair, contact_pixel_count).values():
@@ -151,7 +151,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
     count_section = "contact" if section == "scales" else section
     contact = Contact(
         radius=config["sphere"]["radius"],
-        range=config["scales"]["range"],
+        rho=config["scales"]["range"],
         **config["contact"] | {"count": config[count_section]["count"]},
     )
     probe = sphere if config["scales"]["sphere_roughness"] else None

@@ -124,7 +124,7 @@ def lists_of_files(study):
         *study.filtered_masters("sets"),
         *study.filtered_masters("enhancement"),
     ]
-    study_values = (study.contact.radius, study.contact.load, study.contact.range)
+    study_values = (study.contact.radius, study.contact.load, study.contact.rho)
     computed_at = {
         path: study.contact_grid(row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)

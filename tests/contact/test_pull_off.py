@@ -12,8 +12,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
-    mean_pull_off_of_pair,
-    pull_off_of_pair,
+    mean_pull_off_dataset,
+    pull_off_dataset,
     traced_contact,
     wider_window_change,
 )
@@ -21,7 +21,7 @@ from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered_series
 
 LOAD = Contact(
-    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, range=5.6, work=46.3e-3
+    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, rho=5.6, work=46.3e-3
 )
 LOADS = [LOAD, replace(LOAD, preload=40e-6)]
 RHOS = [1.0, 5.6]
@@ -40,7 +40,7 @@ def direct_force(gap, contact_pixel_count, rho, pixel_size, work=1.0):
 
 
 def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
-    arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
+    arrays, bodies_of_pair = pull_off_dataset(pair(), LOAD, RHOS), pair()
     forces = arrays["pull_off_force"].values
     apex_heights = arrays["apex_height"].values
     count = LOAD.pixel_count(8.0)
@@ -60,8 +60,8 @@ def test_the_pull_off_force_of_a_pair_is_the_direct_sum_at_every_contact_and_ran
 
 def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts():
     for load in LOADS:
-        means = mean_pull_off_of_pair(pair(), load, RHOS)["pull_off_force"].values
-        forces = pull_off_of_pair(pair(), load, RHOS)["pull_off_force"].values
+        means = mean_pull_off_dataset(pair(), load, RHOS)["pull_off_force"].values
+        forces = pull_off_dataset(pair(), load, RHOS)["pull_off_force"].values
         np.testing.assert_allclose(means, forces.mean(axis=(2, 3)), rtol=1e-12)
 
 
@@ -78,7 +78,7 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
                 for bodies_of_pair in (narrow_pair, wider_pair)
             )
             changes.append(abs(wide / narrow - 1))
-    forces = [pull_off_of_pair(narrow_pair, LOAD, [rho]).pull_off_force for narrow_pair in pairs]
+    forces = [pull_off_dataset(narrow_pair, LOAD, [rho]).pull_off_force for narrow_pair in pairs]
     plastic_forces = xr.concat(forces, "pair").sel(contact_model="plastic", rho=rho)
     arrays = wider_window_change(iter(pairs), LOAD, plastic_forces)
     assert arrays["wider_window_change"].values == pytest.approx(max(changes), rel=1e-6)
@@ -87,8 +87,8 @@ def test_the_change_by_a_wider_window_matches_the_direct_sum():
 @pytest.mark.parametrize(("pixels", "area_ratio"), [(1, 1 / 4), (4, 1), (40, 1)])
 def test_finer_pixels_change_only_the_contact_area_at_a_small_range(pixels, area_ratio):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
-    load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
-    forces = pull_off_of_pair(pair(), load, [load.range]).pull_off_force
+    load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, rho=0.02)
+    forces = pull_off_dataset(pair(), load, [load.rho]).pull_off_force
     change = force_on_finer_pixels(pair(), load, forces.sel(contact_model="plastic"))
     change = change["finer_pixel_ratio"]
     assert change == pytest.approx(area_ratio, rel=0.05)
@@ -125,7 +125,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
 
 def test_a_traced_contact_has_the_force_of_its_pair():
     traced = traced_contact(pair(), (1, 2), LOAD)
-    arrays = pull_off_of_pair(pair(), LOAD, [5.6])
+    arrays = pull_off_dataset(pair(), LOAD, [5.6])
     force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)
     gap, pressure = (traced[name].values for name in ("gap", "adhesive_pressure"))

@@ -7,12 +7,12 @@ from measurements import self_affine_heights
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 
 PIXEL, PIXELS = 40.0, 128
 CONTACT = Contact(
-    radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, count=8, range=5.6, work=0.05
+    radius=250e3, preload=10e-6, hardness=25e9, window=12500.0, count=8, rho=5.6, work=0.05
 )
 Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
@@ -20,7 +20,7 @@ Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 def places(heights, contact=CONTACT):
     scan = mirror_stitch(HeightMap(heights, PIXEL, False, "measured"))
     pair = join_bodies(scan, None, contact)
-    return int(pull_off_of_pair(pair, contact, [5.6]).touched_places)
+    return int(pull_off_dataset(pair, contact, [5.6]).touched_places)
 
 
 def rough(seed, rms_height):
@@ -52,7 +52,7 @@ def test_neighbouring_pixels_of_one_cap_are_one_place():
     distance = (X - 2560) ** 2 + (Y - 2560) ** 2
     cap = np.maximum(150.0 - distance / 40e3, 0)
     one_pixel = Contact(
-        radius=250e3, preload=1e-9, hardness=25e9, window=12500.0, count=32, range=5.6, work=0.05
+        radius=250e3, preload=1e-9, hardness=25e9, window=12500.0, count=32, rho=5.6, work=0.05
     )
     assert places(cap, one_pixel) == 1
 

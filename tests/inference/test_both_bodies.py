@@ -17,9 +17,7 @@ from hardcontact.surfaces.height_map import mirror_stitch
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 
 PIXELS, PIXEL_SIZE = 128, 10.0
-CONTACT = Contact(
-    radius=5e3, preload=2e-6, hardness=5e9, window=600.0, count=4, range=2.0, work=1.0
-)
+CONTACT = Contact(radius=5e3, preload=2e-6, hardness=5e9, window=600.0, count=4, rho=2.0, work=1.0)
 
 
 def scan(purpose, rms_height):
@@ -47,15 +45,15 @@ def direct_force(wafer, sphere, contact_pixel, place):
     for stitched, (y, x) in ((mirror_stitch(wafer), contact_pixel), (mirror_stitch(sphere), place)):
         period = stitched.pixels
         gap -= stitched.heights[np.ix_((y + offsets) % period, (x + offsets) % period)]
-    total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.range)
-    return pull_off_force(total, CONTACT.range, PIXEL_SIZE, 1.0).item()
+    total = direct_total(gap, CONTACT.pixel_count(PIXEL_SIZE), CONTACT.rho)
+    return pull_off_force(total, CONTACT.rho, PIXEL_SIZE, 1.0).item()
 
 
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
     combined = combine_maps(generator(1), mirror_stitch(wafer), mirror_stitch(sphere))
     start = generator(1).integers(2 * PIXELS, size=2)
     pair = join_bodies(combined, None, CONTACT)
-    forces = forces_at_loads(pair, [CONTACT], [CONTACT.range])[0, 0]
+    forces = forces_at_loads(pair, [CONTACT], [CONTACT.rho])[0, 0]
     # The window of this contact has no mirror image of the sum.
     contact_pixel = pair.geometry.positions[[1, 1]]
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
@@ -80,13 +78,11 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
 
 def test_the_interval_contains_the_forces_at_other_places_of_the_sphere(wafer, sphere):
     forces = [
-        forces_at_loads(
-            join_bodies(mirror_stitch(wafer), place, CONTACT), [CONTACT], [CONTACT.range]
-        )
+        forces_at_loads(join_bodies(mirror_stitch(wafer), place, CONTACT), [CONTACT], [CONTACT.rho])
         for place in places_on_sphere(mirror_stitch(sphere), 4)
     ]
     dims = ("scan", "sphere_scan", "rho", *CONTACT_AXES)
-    computed = xr.DataArray(np.array(forces)[None, :, 0], {"rho": [CONTACT.range]}, dims)
+    computed = xr.DataArray(np.array(forces)[None, :, 0], {"rho": [CONTACT.rho]}, dims)
     size = PIXELS * PIXEL_SIZE
     ((low, high),) = mean_intervals(
         forces_of_surface(computed, size, CONTACT.radius, np.inf), confidence=0.95

@@ -24,7 +24,7 @@ from hardcontact.surfaces.synthesis import (
 )
 
 SIZE = 2500.0
-CONTACT = Contact(radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, count=4, range=5.6)
+CONTACT = Contact(radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, count=4, rho=5.6)
 
 
 def forces(masters, contact):
@@ -37,7 +37,7 @@ def forces(masters, contact):
     }
     scales = stacked_forces(filtered)
     named_scales = scales.assign(label=("surface", ["A"]), basis=("surface", ["measured"]))
-    return named_scales.assign_attrs(rho=contact.range, sphere_radius=contact.radius)
+    return named_scales.assign_attrs(rho=contact.rho, sphere_radius=contact.radius)
 
 
 def assert_held(low, high, edge, finite):

@@ -44,9 +44,7 @@ def test_a_flat_surface_gives_the_force_of_a_smooth_sphere_at_every_radius_range
 
 def test_every_combination_equals_its_single_contact():
     forces = filtered_pull_off(master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
-    single = filtered_pull_off(
-        master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, range=5.0)]
-    )
+    single = filtered_pull_off(master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, rho=5.0)])
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
             forces[name].isel(radius=1, load=1, rho=1), single[name].isel(radius=0, load=0, rho=0)

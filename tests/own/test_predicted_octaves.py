@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.theory.closed_form import closed_form
 
 #: The paper's contact.
-CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, range=5.6, work=0.0463)
+CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463)
 #: The shortest wavelengths (nm) of octaves, and a map of 2560 nm with waves in these alone.
 OCTAVES = 80.0 * 2.0 ** np.arange(4)
 PIXELS, PIXEL_SIZE = 128, 20.0
@@ -43,7 +43,7 @@ def log_force_sum(heights, window):
     """The logarithm of the mean plastic force on a map, from the library's force sum."""
     forces = hc.pull_off_forces(
         hc.HeightMap(heights, PIXEL_SIZE), radius=CONTACT.radius, preload=CONTACT.preload,
-        hardness=CONTACT.hardness, ranges=[CONTACT.range], work=CONTACT.work, window=window,
+        hardness=CONTACT.hardness, ranges=[CONTACT.rho], work=CONTACT.work, window=window,
         count=predicted_octaves.CONTACTS,
     )  # fmt: skip
     return np.log(forces.pull_off_force.sel(contact_model="plastic").mean().item())
@@ -51,7 +51,7 @@ def log_force_sum(heights, window):
 
 def test_octaves_on_a_scan_add_up_to_the_derivative_for_all_roughness():
     scan = band_limited_map()
-    window, _ = window_on_scans(4.0, PIXEL_SIZE, scan.size, CONTACT.radius, CONTACT.range)
+    window, _ = window_on_scans(4.0, PIXEL_SIZE, scan.size, CONTACT.radius, CONTACT.rho)
     weak, strong = (log_force_sum(factor * scan.heights, window) for factor in FACTORS)
     total = derivatives_on_scan(scan, OCTAVES, CONTACT).sum()
     assert total == pytest.approx((strong - weak) / (2 * STEP), rel=0.02)
@@ -114,6 +114,6 @@ def test_large_maps_and_ranges_that_a_map_does_not_resolve_have_no_force_sum():
     scan = band_limited_map()
     large = hc.HeightMap(np.tile(scan.heights, (20, 20)), PIXEL_SIZE)
     assert obstacle_to_force([scan], CONTACT, 8)[0] == ""
-    assert obstacle_to_force([scan], replace(CONTACT, range=0.001), 8)[0] == SHORT_RANGE
+    assert obstacle_to_force([scan], replace(CONTACT, rho=0.001), 8)[0] == SHORT_RANGE
     assert obstacle_to_force([large], CONTACT, 8)[0] == TOO_LARGE
     assert obstacle_to_force([scan], CONTACT, 10**6)[0] == TOO_LARGE

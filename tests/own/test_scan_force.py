@@ -145,7 +145,7 @@ def test_a_force_that_is_not_computed_has_a_reason():
     scan = hc.HeightMap(heights_of("gaussian"), PIXEL_SIZE)
     line = hc.HeightMap(scan.heights[0], PIXEL_SIZE)
     large = hc.HeightMap(np.tile(scan.heights, (20, 20)), PIXEL_SIZE)
-    short_range = replace(CONTACT, range=0.001)
+    short_range = replace(CONTACT, rho=0.001)
     for scans, contact, status in (
         ([line], CONTACT, "no_map"),
         ([scan, scan], CONTACT, "several_scans"),

@@ -8,7 +8,7 @@ from scipy import stats
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.theory.closed_form import (
@@ -50,7 +50,7 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
     flat = Spectrum(rough().wavevector, 0 * rough().density)
     form = closed_form(flat, contact())
     # The area in contact attracts, too, with A/(2 pi R rho) of this force.
-    relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().range)
+    relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
     assert form.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
     assert form.relative == pytest.approx(relative, rel=1e-12)
     assert (form.regime, form.freezing) == (SMOOTH, 0.0)
@@ -60,7 +60,7 @@ def test_without_roughness_the_closed_form_is_the_force_of_a_smooth_sphere():
 
 
 def test_the_force_of_a_wide_contact_reaches_its_smooth_limit():
-    wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().range)
+    wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().rho)
     nearly_smooth = closed_form(rough(0.02), wide)
     smooth = closed_form(rough(0.0), wide)
     assert smooth.relative == pytest.approx(1.57) == pytest.approx(nearly_smooth.relative, abs=0.03)
@@ -95,7 +95,7 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     for k in range(3):
         surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)
         pair = join_bodies(surface, None, touching)
-        plastic = pull_off_of_pair(pair, touching, [rho]).sel(contact_model="plastic")
+        plastic = pull_off_dataset(pair, touching, [rho]).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean())
     form = closed_form(spectrum, contact(rho, 400.0, radius))
     assert form.force == pytest.approx(np.mean(forces), rel=error)

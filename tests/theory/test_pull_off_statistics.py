@@ -58,7 +58,7 @@ def sampled_radii(rng, level, count=400000):
 @pytest.mark.parametrize(("rho", "low", "high"), [(2.0, 0.7, 0.9), (40.0, 0.99, 1.0)])
 def test_the_mean_force_equals_the_closed_form(rho, low, high):
     """Rough summits below the sphere lessen it where single peaks decide, not for many points."""
-    contact, spectrum = replace(SPHERE, range=rho), rough(30, 1000, 0.8, 5.0)
+    contact, spectrum = replace(SPHERE, rho=rho), rough(30, 1000, 0.8, 5.0)
     force = closed_form(spectrum, contact).force
     assert predict_statistics(spectrum, contact).force == pytest.approx(force)
     assert low < force / closed_form(spectrum, contact, rough_below=False).force < high

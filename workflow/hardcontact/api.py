@@ -31,7 +31,7 @@ from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE, Study
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies
-from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
+from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_dataset, wider_window_change
 from hardcontact.contact.stacked_datasets import stacked_forces
 from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
@@ -272,9 +272,9 @@ def pull_off_forces(
     rough = None if sphere is None else make_periodic(sphere, "sphere")
     check_contact(surface, contact, ranges)
     contact_bodies = join_bodies(surface, rough, contact)
-    longest = replace(contact, range=max(ranges))
-    forces = pull_off_of_pair(contact_bodies, contact, ranges)
-    plastic_forces = forces["pull_off_force"].sel(contact_model=["plastic"], rho=longest.range)
+    longest = replace(contact, rho=max(ranges))
+    forces = pull_off_dataset(contact_bodies, contact, ranges)
+    plastic_forces = forces["pull_off_force"].sel(contact_model=["plastic"], rho=longest.rho)
     forces = forces.merge(wider_window_change([contact_bodies], longest, plastic_forces))
     force_at_work = forces.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
@@ -336,7 +336,7 @@ def force_ratios(
     >>> short_edge = float(ratios.edge.sel(side="small"))  # nm
     """
     contact = Contact(
-        radius=radius, preload=preload, hardness=hardness, window=window, count=count, range=rho
+        radius=radius, preload=preload, hardness=hardness, window=window, count=count, rho=rho
     )
     check_quantities(radius=radius, preload=preload, hardness=hardness, rho=rho)
     check_positive(tolerance=tolerance)
@@ -417,7 +417,7 @@ def predict(
             "spectrum: expected that of hc.read_spectrum(FILE), or a scan of hc.read_scan(FILE), "
             f"found {type(spectrum).__name__}"
         )
-    contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
+    contact = Contact(radius=radius, rho=rho, work=work, preload=preload, hardness=hardness)
     refuse_lines(filter(None, [wide_contact_message(contact)]))
     numbers = prediction(spectrum, contact, tolerance)
     confidence = Study().inference.confidence

@@ -7,8 +7,8 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import join_bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
-    mean_pull_off_of_pair,
-    pull_off_of_pair,
+    mean_pull_off_dataset,
+    pull_off_dataset,
     wider_window_change,
 )
 from hardcontact.contact.stacked_datasets import stack_sphere_scans
@@ -16,7 +16,7 @@ from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as job:
     params = job.parameters
-    contact = Contact(radius=params["radius"], range=params["reference_range"], **params["contact"])
+    contact = Contact(radius=params["radius"], rho=params["reference_range"], **params["contact"])
     substrate = read_height_map(job.input.substrate)
     spheres = [
         place
@@ -29,22 +29,22 @@ with job(snakemake) as job:
     }
     forces = stack_sphere_scans(
         {
-            number: pull_off_of_pair(pair, contact, params["ranges"])
+            number: pull_off_dataset(pair, contact, params["ranges"])
             for number, pair in pairs.items()
         }
     )
     plastic_force = forces["pull_off_force"].sel(contact_model="plastic")
     shortest = min(params["ranges"])
     first_pair = next(iter(pairs.values()))
-    smooth = mean_pull_off_of_pair(replace(first_pair, roughness=None), contact, params["ranges"])
+    smooth = mean_pull_off_dataset(replace(first_pair, roughness=None), contact, params["ranges"])
     job.write(
         forces.assign(
-            wider_window_change(pairs.values(), contact, plastic_force.sel(rho=contact.range))
+            wider_window_change(pairs.values(), contact, plastic_force.sel(rho=contact.rho))
         )
         .assign(
             force_on_finer_pixels(
                 first_pair,
-                replace(contact, range=shortest),
+                replace(contact, rho=shortest),
                 plastic_force.isel(sphere_scan=0).sel(rho=shortest),
             )
         )

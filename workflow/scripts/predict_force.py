@@ -21,7 +21,7 @@ with job(snakemake) as job:
         output="edges",
     )
     contact = Contact(
-        radius=params["radius"], range=params["rho"], work=params["work"], **params["contact"]
+        radius=params["radius"], rho=params["rho"], work=params["work"], **params["contact"]
     )
     job.write(
         force_dataset(

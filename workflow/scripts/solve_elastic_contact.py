@@ -15,7 +15,7 @@ with job(snakemake) as job:
     constants = published.constants(job.input.published_constants)["value"]
     contact = Contact(
         radius=params["radius"],
-        range=constants["range_of_adhesion"],
+        rho=constants["range_of_adhesion"],
         work=constants["work_of_adhesion"],
         **params["contact"],
     )

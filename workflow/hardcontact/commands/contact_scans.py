@@ -71,7 +71,7 @@ def contact_scans(
     selected: list[Entry] = []
     reasons = []
     for surface, surface_groups in groups.items():
-        interaction_radius = math.sqrt(2 * probe.radius * probe.range)
+        interaction_radius = math.sqrt(2 * probe.radius * probe.rho)
         group = _best_group(surface_groups, interaction_radius, large_enough)
         reason = "no others can be used"
         if len(surface_groups) > 1:
@@ -179,16 +179,16 @@ def choose_window(
     `scans` includes the scans of the sphere, `substrates` does not. Masters have at most
     `max_pixels` along a side. The study's limits refuse a range that stays too short.
     """
-    window, _ = _window(scans, probe.radius, probe.range)
+    window, _ = _window(scans, probe.radius, probe.rho)
     shortest, reason = _shortest_range(scans, substrates, probe, window, max_pixels)
-    rho = probe.range
+    rho = probe.rho
     range_reason = "as given" if range_given else "the paper's"
     if shortest > rho and not range_given:
         rho = max(rho, min(shortest, LONGEST_RANGE))
         range_reason = f"the least on these scans, where {reason}"
     # A wider window, as a longer range needs, does not raise the shortest range.
     window, window_reason = _window(scans, probe.radius, rho)
-    contact = replace(probe, range=rho, window=window)
+    contact = replace(probe, rho=rho, window=window)
     return WindowChoice(contact, shortest, window_reason, range_reason)
 
 

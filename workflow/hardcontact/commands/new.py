@@ -124,7 +124,7 @@ def _propose_study(
         radius=quantities["radius"].number,
         preload=quantities["preload"].number,
         hardness=quantities["hardness"].number,
-        range=quantities["range"].number,
+        rho=quantities["range"].number,
     )
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, contact, quantities["range"].is_given)

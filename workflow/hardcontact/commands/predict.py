@@ -106,7 +106,7 @@ def read_inputs(arguments: Namespace) -> Inputs:
     quantities, faults = parse_quantities(arguments)
     contact = Contact(
         radius=quantities["radius"].number,
-        range=quantities["range"].number,
+        rho=quantities["range"].number,
         work=quantities["work"].number,
         preload=quantities["preload"].number,
         hardness=quantities["hardness"].number,

@@ -131,7 +131,7 @@ def propose(
     if gaps := sum(entry.undefined > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
-    cautions = [*scan_cautions(entries, substrates, probe.range, window, sizes)]
+    cautions = [*scan_cautions(entries, substrates, probe.rho, window, sizes)]
     return Proposal(scans, full, quick, reasons, cautions)
 
 
@@ -144,14 +144,14 @@ def _choices(
     contacts_per_side, is_slow = _contacts_per_side(
         substrates, contact, small_pixels, effort.contacts_per_side
     )
-    ranges = [_nm(rho) for rho in _ranges(contact.range, window.shortest_range, effort.ranges)]
+    ranges = [_nm(rho) for rho in _ranges(contact.rho, window.shortest_range, effort.ranges)]
     permitted = f"these scans permit {window.shortest_range:.3g} nm or more"
     realizations = _realizations(substrates, effort, is_slow)
     return [
         Choice("contact.window", _nm(contact.window), window.window_reason),
         Choice("contact.count", contacts_per_side, "contacts along a side of their array"),
         Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
-        Choice("scales.range", _nm(contact.range), window.range_reason),
+        Choice("scales.range", _nm(contact.rho), window.range_reason),
         Choice("scales.realizations", realizations, "masters on each side"),
         *_master_choices(substrates, contact, transitions, effort, small_pixels),
     ]
@@ -181,7 +181,7 @@ def _master_choices(
     size = min(scan.size for scan in substrates)
     finest = max(2 * scan.size / small_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
-    shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.range) / 16)
+    shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.rho) / 16)
     short_cutoffs = _cutoffs(4 * finest, size, effort.cutoffs)
     long_cutoffs = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
     short_transition, long_transition, reason = transitions

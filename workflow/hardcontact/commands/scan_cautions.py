@@ -101,12 +101,12 @@ def _contact_cautions(
 ) -> Iterator[str]:
     """Yield sentences on contacts on these scans; the usual range and the sizes are in nm."""
     contact = window.contact
-    if contact.range > usual_range:
+    if contact.rho > usual_range:
         yield (
-            f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
+            f"the range of adhesion is {contact.rho:.3g} nm, not the usual {usual_range:.3g} nm: "
             f"it is {window.range_reason}"
         )
-    share = float(window_share(contact, contact.range))
+    share = float(window_share(contact, contact.rho))
     if share < MIN_WINDOW_SHARE:
         yield (
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "

@@ -134,8 +134,8 @@ def check_contact(surface: HeightMap, contact: Contact, ranges: Sequence[float])
             f"scan: expected a pixel_size of {low:g} to {high:g} nm, found "
             f"{surface.pixel_size:g} nm: is the unit right?"
         )
-    shortest = replace(contact, range=min(ranges, default=math.nan))
-    check_positive(window=contact.window, count=contact.count, ranges=shortest.range)
+    shortest = replace(contact, rho=min(ranges, default=math.nan))
+    check_positive(window=contact.window, count=contact.count, ranges=shortest.rho)
     if contact.count != int(contact.count):
         raise ValueError(f"count: expected a whole number, found {contact.count:g}")
     # Limits are stated for a scan, which is half as large as its periodic map.

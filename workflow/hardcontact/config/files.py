@@ -94,14 +94,14 @@ class Files(SurfaceFiles):
     def contact_grid(self, purpose: str) -> dict[str, list[Any]]:
         """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
         contact = self.contact
-        contacts, radii, ranges = [contact], [contact.radius], [contact.range]
+        contacts, radii, ranges = [contact], [contact.radius], [contact.rho]
         if purpose == "scaling":
             preloads = [share * contact.preload for share in PRELOAD_SHARES]
             contacts = [replace(contact, preload=preload) for preload in preloads]
             radii = self._configuration["scaling"]["radii"]
         elif purpose == "enhancement":
             contacts = [contact, replace(contact, plastic=False)]
-            ranges = [SHORT_RANGE, contact.range]
+            ranges = [SHORT_RANGE, contact.rho]
         load_keys = ("preload", "hardness", "plastic")
         loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
         return {"radii": radii, "loads": loads, "ranges": ranges}

@@ -45,7 +45,7 @@ class NamedContact:
 def study_contacts(config: dict[str, Any]) -> dict[str, NamedContact]:
     """Return the contacts that a study computes, each with the values that limits forbid first."""
     contact = study_contact(config)
-    scan_contact = NamedContact(replace(contact, range=config["adhesion"]["ranges"][0]))
+    scan_contact = NamedContact(replace(contact, rho=config["adhesion"]["ranges"][0]))
     master_contact = NamedContact(contact, range="config key scales.range")
     if config["published"] != PAPER:
         return {"scans": scan_contact, "scales": master_contact}
@@ -90,9 +90,9 @@ def contact_faults(named_contact: NamedContact, surface: str, grid: Grid) -> lis
         accepted = f"at most the {stitched_pixels} pixels along the stitched scan of {surface}"
         faults.append(f"{named_contact.count}: expected {accepted}, found {contact.count}")
     min_rho, reason = minimum_range(contact.radius, contact.window, grid)
-    if contact.range < min_rho:
+    if contact.rho < min_rho:
         accepted = f"at least {min_rho:g} nm on {surface}, where {reason}"
-        faults.append(f"{named_contact.range}: expected {accepted}, found {contact.range:.4g} nm")
+        faults.append(f"{named_contact.range}: expected {accepted}, found {contact.rho:.4g} nm")
     return faults
 
 
@@ -171,12 +171,12 @@ def _penetration_faults(named_contact: NamedContact, relief: float) -> list[str]
     contact = named_contact.contact
     depth = penetration_depth(contact, relief)
     min_rho = depth / PENETRATION_OVER_RANGE
-    if contact.range >= min_rho:
+    if contact.rho >= min_rho:
         return []
     load_key = named_contact.preload.removeprefix("config key ")
     return [
         f"{named_contact.range}: expected at least {min_rho:.3g} nm, as {load_key} presses the "
-        f"bodies some {depth:.3g} nm into each other, found {contact.range:.4g} nm"
+        f"bodies some {depth:.3g} nm into each other, found {contact.rho:.4g} nm"
     ]
 
 

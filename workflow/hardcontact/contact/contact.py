@@ -26,7 +26,7 @@ class Contact:
     plastic: bool = True  #: Whether contact pixels yield; in rigid contact a single pixel touches.
     window: float = math.nan  #: Edge in nm of the square around each contact that attracts.
     count: int = 1  #: Contacts along a side of the array; there are count x count.
-    range: float = math.nan  #: Range of adhesion rho in nm.
+    rho: float = math.nan  #: Range of adhesion in nm.
     work: float = math.nan  #: Work of adhesion in J/m².
 
     @property

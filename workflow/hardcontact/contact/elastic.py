@@ -219,7 +219,7 @@ def elastic_contacts_of_pair(
             period_gap = part_around_lowest(gap, period_pixels)
             window_gap = part_around_lowest(gap, pull_off_pixels)
             pressure = pressure_at_load(period_gap, pixel_size, modulus, contact.preload)
-            forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.range)
+            forces = adhesive_pull_off(window_gap, pixel_size, modulus, contact.work, contact.rho)
             metrics = _pressure_metrics(pressure, pixel_size, contact.hardness)
             solved.append(dict(zip(ELASTIC_UNITS, (*metrics, *forces), strict=True)))
             pressures.append(pressure)
@@ -246,7 +246,7 @@ def elastic_contacts_of_pair(
             "hardness": contact.hardness,
             "preload": contact.preload,
             "effective_modulus": modulus,
-            "rho": contact.range,
+            "rho": contact.rho,
             "work_of_adhesion": contact.work,
             "window": pull_off_pixels * pixel_size,
             "sphere_radius": geometry.radius,

@@ -52,8 +52,8 @@ class ContactGeometry:
 class Bodies:
     """A substrate and a sphere on common pixels, ready for contact."""
 
-    substrate: HeightMap  #: Heights h (n, n), periodic.
-    #: Of the sphere, t (m, m), periodic, its apex at the origin; None of a smooth sphere.
+    substrate: HeightMap  #: Heights z (n, n), periodic.
+    #: Heights u (m, m) of the sphere, periodic, its apex at the origin; None for a smooth sphere.
     roughness: HeightMap | None
     geometry: ContactGeometry
 

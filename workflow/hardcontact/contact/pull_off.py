@@ -122,8 +122,8 @@ def _gaps_and_forces(
     return contacts, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
-def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
+def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
+    """Return the rigid and plastic pull-off force of a pair of scans at every contact and range.
 
     Returns ``pull_off_force`` (contact_model, rho, contact_y, contact_x) in N at 1 J/m²,
     ``apex_height`` in nm, ``contact_pixel_count`` and `touched_places`. Raises ValueError if a
@@ -176,8 +176,8 @@ def touched_places(bodies: Bodies, contacts: GapsByContact) -> int:
     return len({patches[rows[0], columns[0]] for rows, columns in scan_pixels})
 
 
-def mean_pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the forces of a pair of scans, averaged over its contacts.
+def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
+    """Return the pull-off forces of a pair of scans, averaged over its contacts.
 
     The ranges of adhesion are in nm. Returns ``pull_off_force`` (contact_model, rho) in N at
     1 J/m².
@@ -210,12 +210,12 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
             positions=2 * geometry.positions,
         ),
     )
-    fine = forces_at_loads(finer, [contact], [contact.range]).mean()
+    fine = forces_at_loads(finer, [contact], [contact.rho]).mean()
     attributes = {
         "units": "1",
         "long_name": "force on pixels of half the size, relative to the scan's pixels",
     }
-    change = ((), fine / forces.values.mean(), attributes | {"rho": contact.range})
+    change = ((), fine / forces.values.mean(), attributes | {"rho": contact.rho})
     return xr.Dataset({"finer_pixel_ratio": change})
 
 
@@ -231,14 +231,14 @@ def wider_window_change(
     for bodies, pair_forces in zip(pairs, forces.values, strict=True):
         window = bodies.geometry.window + 2 * bodies.substrate.pixels
         wider = replace(bodies, geometry=replace(bodies.geometry, window=window))
-        wide = forces_at_loads(wider, [contact], [contact.range])[0, 0]
+        wide = forces_at_loads(wider, [contact], [contact.rho])[0, 0]
         changes.append(float(np.abs(wide / pair_forces - 1).max()))
     attributes = {
         "units": "1",
         "long_name": "change of the force in a window wider by a period on each side",
     }
     return xr.Dataset(
-        {"wider_window_change": ((), max(changes), attributes)}, {}, {"rho": contact.range}
+        {"wider_window_change": ((), max(changes), attributes)}, {}, {"rho": contact.rho}
     )
 
 
@@ -249,7 +249,7 @@ def traced_contact(bodies: Bodies, index: tuple[int, int], contact: Contact) -> 
     ``adhesive_pressure`` (y, x) in Pa and ``force`` (separation) in N.
     """
     geometry = bodies.geometry
-    rho = contact.range
+    rho = contact.rho
     work = contact.work
     gap = gap_map(bodies, index)
     gap -= largest_contact_gap(gap, contact.pixel_count(geometry.pixel_size))

@@ -30,7 +30,7 @@ def add_names(dataset: xr.Dataset, named_surfaces: NamedSurfaces) -> xr.Dataset:
 
 
 def stack_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
-    """Return forces of `pull_off_of_pair` over (sphere_scan, ...), with contacts by number."""
+    """Return forces of `pull_off_dataset` over (sphere_scan, ...), with contacts by number."""
     # Positions of contacts differ between pixel sizes.
     numbered = {
         (scan,): pair.assign_coords({axis: range(pair.sizes[axis]) for axis in CONTACT_AXES})

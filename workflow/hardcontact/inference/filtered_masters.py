@@ -85,7 +85,7 @@ def filtered_pull_off(
     contact = contacts[0]
     pixel_size = master.size / filters.pixels
     spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
-    rhos = list(ranges or [contact.range])
+    rhos = list(ranges or [contact.rho])
 
     def forces(surface: HeightMap) -> np.ndarray:
         pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]

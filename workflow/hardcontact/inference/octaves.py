@@ -64,7 +64,7 @@ def force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesO
 
     def forces(surface: HeightMap) -> Floats:
         pair = join_bodies(surface, sphere, contact)
-        return np.asarray(forces_at_loads(pair, [contact], [contact.range])[0, 0])
+        return np.asarray(forces_at_loads(pair, [contact], [contact.rho])[0, 0])
 
     return forces
 

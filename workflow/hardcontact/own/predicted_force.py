@@ -63,7 +63,7 @@ def force_dataset(
     force = forces_on_scans(
         adhesion,
         work=contact.work,
-        rho=contact.range,
+        rho=contact.rho,
         sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
         confidence=confidence,
     )
@@ -71,7 +71,7 @@ def force_dataset(
     force = add_extrapolated_force(force, extrapolated_forces, tolerance)
     if "place_factor" in force:
         at_range = force["place_factor"].sel(contact_model=PLASTIC, drop=True)
-        factor = at_range.sel(rho=contact.range, method="nearest", drop=True)
+        factor = at_range.sel(rho=contact.rho, method="nearest", drop=True)
         force = widen_interval(force, "extrapolated_force", factor)
     if "hindcast_ratio" in sensitivity:
         hindcast = sensitivity[

@@ -17,7 +17,7 @@ from hardcontact.contact.geometry import (
     join_bodies,
     places_on_sphere,
 )
-from hardcontact.contact.pull_off import pull_off_of_pair
+from hardcontact.contact.pull_off import pull_off_dataset
 from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.inference.hindcast import widen_pixels
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals, place_half_widths
@@ -104,13 +104,13 @@ def obstacle_to_force(
         return TOO_LARGE, math.nan
     grid = Grid(scan.pixels, scan.pixel_size, scan.size, float(np.ptp(scan.heights)))
     shortest_range, _ = minimum_range(contact.radius, window, grid)
-    return SHORT_RANGE if contact.range < shortest_range else "", shortest_range
+    return SHORT_RANGE if contact.rho < shortest_range else "", shortest_range
 
 
 def window_of_scan(scan: HeightMap, contact: Contact) -> float:
     """Return the side (nm) of the window that a study of a scan would have."""
     window, _ = window_on_scans(
-        float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.range
+        float(scan.heights.std()), scan.pixel_size, scan.size, contact.radius, contact.rho
     )
     return window
 
@@ -130,7 +130,7 @@ def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact
         pairs = [join_bodies(substrate, place, contact) for place in places]
     return stack_sphere_scans(
         {
-            number: pull_off_of_pair(pair, contact, [contact.range])
+            number: pull_off_dataset(pair, contact, [contact.rho])
             for number, pair in enumerate(pairs)
         }
     )

@@ -71,7 +71,7 @@ class ClosedForm:
 
 def contact_share(contact: Contact) -> float:
     """Return A/(2 pi R rho), the force of the area in contact relative to 2 pi R W."""
-    return contact.area / (2 * np.pi * contact.radius * contact.range)
+    return contact.area / (2 * np.pi * contact.radius * contact.rho)
 
 
 def smooth_force(contact: Contact) -> float:
@@ -107,7 +107,7 @@ def closed_form(spectrum: Spectrum, contact: Contact, *, rough_below: bool = Tru
     first_term, summit_term = _terms(waves, levels, contact, GENERATIONS, rough_below)
     relative = first_term + summit_term + contact_share(contact)
     m = float(sigma * levels.mean())
-    freezing = float(sigma**2 / (contact.range * m)) if m > 0 else np.inf
+    freezing = float(sigma**2 / (contact.rho * m)) if m > 0 else np.inf
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
     if first_term + summit_term > SMOOTH_SHARE:
         regime = SMOOTH
@@ -126,9 +126,9 @@ def _terms(
         finer_levels = apex_levels(finer, summit_contact.radius, summit_contact.area)
         terms = _terms(finer, finer_levels, summit_contact, generations - 1, rough_below)
         share = min(sum(terms), 1.0)
-    first_term, summit_term = rough_terms(sigma, levels, contact.range, share)
+    first_term, summit_term = rough_terms(sigma, levels, contact.rho, share)
     if not rough_below:
-        first_term = gaussian_share(sigma, levels.levels * sigma, contact.range)
+        first_term = gaussian_share(sigma, levels.levels * sigma, contact.rho)
     return levels.mean(first_term), summit_term
 
 
@@ -159,7 +159,7 @@ def roughness_on_summit(
     None if the roughness on the summit is negligible.
     """
     finer = spectrum_between(waves, 2 * np.pi / (SUMMIT_SIZE * levels.radius), np.inf)
-    if finer is None or moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.range) ** 2:
+    if finer is None or moment(finer, 0) < (MIN_SUMMIT_ROUGHNESS * contact.rho) ** 2:
         return None
     sigma = np.sqrt(moment(waves, 0))
     level = levels.mean()

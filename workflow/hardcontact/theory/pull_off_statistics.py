@@ -88,7 +88,7 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     attraction = _attraction(waves, contact, GENERATIONS)
     levels = attraction.levels
     means = attraction.first + attraction.touching + contact_share(contact)
-    modulus = contact.range * levels.mean() / np.sqrt(moment(waves, 0))
+    modulus = contact.rho * levels.mean() / np.sqrt(moment(waves, 0))
     log_force_stds = np.sqrt(np.log1p(attraction.variance / means**2))
     possible = levels.weights > 0
     return ForceStatistics(
@@ -123,7 +123,7 @@ class _Attraction(NamedTuple):
 def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return the attraction of a sphere by summits, which are rough themselves."""
     radius = contact.radius
-    rho = contact.range
+    rho = contact.rho
     levels = apex_levels(waves, radius, contact.area)
     sigma = np.sqrt(moment(waves, 0))
     t = levels.levels
@@ -201,10 +201,10 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
     """
     q = waves.wavevector
-    reach = 4 * contact.radius * contact.range
+    reach = 4 * contact.radius * contact.rho
     height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
-    linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.range**2)
+    linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.rho**2)
     distances, lost = lost_correlation(waves)
-    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.range**2, 500)
+    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.rho**2, 500)
     beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
     return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))

@@ -129,7 +129,7 @@ def is_validated(waves: Spectrum, contact: Contact, form: ClosedForm) -> bool:
 def validated_ranges(waves: Spectrum, contact: Contact, form: ClosedForm) -> Iterator[Number]:
     """Yield the parameters on which an error depends, with their ranges in the table."""
     values = {
-        "rho": contact.range,
+        "rho": contact.rho,
         "radius": contact.radius,
         **table_coordinates(waves, contact, form),
     }
@@ -147,7 +147,7 @@ def tabor(contact: Contact, modulus: float) -> Number:
     """
     if math.isnan(modulus):
         return Number("tabor_parameter", modulus, status=UNKNOWN)
-    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.range))
+    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.rho))
     softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
     return Number(
         "tabor_parameter", value, status=SOFT if softening > MAX_NEGLIGIBLE_CHANGE else HARD
