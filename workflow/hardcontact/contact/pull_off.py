@@ -63,16 +63,16 @@ def pull_off_force(
 
 def attraction_totals(
     bodies: Bodies,
-    contacts: GapsByContact,
+    lowest_gaps: GapsByContact,
     pixel_counts: Sequence[int],
     rhos: Sequence[float] | Floats,
 ) -> Floats:
     """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
 
-    A pixel count is the number of pixels that touch, at most all pixels of `contacts`.
+    A pixel count is the number of pixels that touch, at most the number of lowest gaps.
     """
-    gaps = _gaps(contacts)
-    sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
+    gaps = _stacked_gaps(lowest_gaps)
+    sums_outside = list(zip(outside_sums(bodies, lowest_gaps, rhos), rhos, strict=True))
     totals = [
         [_total_of_lowest(sums, gaps, count, rho) for sums, rho in sums_outside]
         for count in pixel_counts
@@ -95,31 +95,32 @@ def _total_of_lowest(
     )
 
 
-def _gaps(contacts: GapsByContact) -> Floats:
-    """Return the gaps (contact, contact, k) of contacts in nm."""
-    contacts_per_side = math.isqrt(len(contacts))
-    gaps = np.array([contact.gaps for contact in contacts.values()])
+def _stacked_gaps(lowest_gaps: GapsByContact) -> Floats:
+    """Return the gaps (contact, contact, k) of all contacts in nm."""
+    contacts_per_side = math.isqrt(len(lowest_gaps))
+    gaps = np.array([contact_pixels.gaps for contact_pixels in lowest_gaps.values()])
     return gaps.reshape(contacts_per_side, contacts_per_side, -1)
 
 
-def forces_at_loads(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]) -> Floats:
+def forces_at_loads(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]) -> Floats:
     """Return the forces (load, rho, contact, contact) of a pair in N at 1 J/m².
 
-    The loads are contacts that differ in nothing else; ranges of adhesion are in nm.
+    The contacts differ in their loads alone; ranges of adhesion are in nm.
     """
-    return _gaps_and_forces(bodies, loads, ranges)[1]
+    return _gaps_and_forces(bodies, contacts, ranges)[1]
 
 
 def _gaps_and_forces(
-    bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]
+    bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> tuple[GapsByContact, Floats]:
     """Return the lowest gaps of each contact, and the forces of `forces_at_loads` from them."""
     pixel_size = bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)
-    pixel_counts = [load.pixel_count(pixel_size) for load in loads]
-    contacts = all_lowest_gaps(bodies, max(pixel_counts))
-    totals = attraction_totals(bodies, contacts, pixel_counts, rhos)
-    return contacts, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    pixel_counts = [contact.pixel_count(pixel_size) for contact in contacts]
+    lowest_gaps = all_lowest_gaps(bodies, max(pixel_counts))
+    totals = attraction_totals(bodies, lowest_gaps, pixel_counts, rhos)
+    forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    return lowest_gaps, forces
 
 
 def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -130,10 +131,10 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     range (nm) is too short for the relief of the surface.
     """
     pixel_size = bodies.geometry.pixel_size
-    loads = [replace(contact, plastic=False), contact]
-    contacts, forces = _gaps_and_forces(bodies, loads, ranges)
-    pixel_counts = [load.pixel_count(pixel_size) for load in loads]
-    gaps = _gaps(contacts)
+    contacts = [replace(contact, plastic=False), contact]
+    lowest_gaps, forces = _gaps_and_forces(bodies, contacts, ranges)
+    pixel_counts = [contact.pixel_count(pixel_size) for contact in contacts]
+    gaps = _stacked_gaps(lowest_gaps)
     # At closest approach the largest gap of the touching pixels has become zero.
     apex_heights = -np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
@@ -144,7 +145,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
             "apex_height": (model_axes, apex_heights, height_attributes),
             "contact_pixel_count": ("contact_model", pixel_counts, {"units": "1"}),
-            "touched_places": ((), touched_places(bodies, contacts), {"units": "1"}),
+            "touched_places": ((), touched_places(bodies, lowest_gaps), {"units": "1"}),
         },
         {"contact_model": ["rigid", "plastic"]}
         | range_axis(ranges)
@@ -153,7 +154,7 @@ def pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def touched_places(bodies: Bodies, contacts: GapsByContact) -> int:
+def touched_places(bodies: Bodies, lowest_gaps: GapsByContact) -> int:
     """Return the number of places of a mirrored scan that hold the deepest pixel of some contact.
 
     A place is a patch of contact pixels that share edges or corners. If one particle on a flat
@@ -164,7 +165,7 @@ def touched_places(bodies: Bodies, contacts: GapsByContact) -> int:
     pixels = bodies.substrate.pixels
     contact_points = [
         (bodies.geometry.positions[list(index)] + offsets) % pixels
-        for index, (_, offsets) in contacts.items()
+        for index, (_, offsets) in lowest_gaps.items()
     ]
     # Fold the mirror images back onto the scan, a quarter of the map.
     scan_pixels = [tuple(np.minimum(points, pixels - 1 - points).T) for points in contact_points]
@@ -182,8 +183,8 @@ def mean_pull_off_dataset(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     The ranges of adhesion are in nm. Returns ``pull_off_force`` (contact_model, rho) in N at
     1 J/m².
     """
-    loads = [replace(contact, plastic=False), contact]
-    forces = forces_at_loads(bodies, loads, ranges).mean(axis=(-2, -1))
+    contacts = [replace(contact, plastic=False), contact]
+    forces = forces_at_loads(bodies, contacts, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
         {"pull_off_force": (("contact_model", "rho"), forces, FORCE)},
         {"contact_model": ["rigid", "plastic"]} | range_axis(ranges),

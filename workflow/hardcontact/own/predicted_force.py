@@ -248,8 +248,7 @@ def add_extrapolated_force(
     )
     is_changed = np.abs(extrapolated_forces.extrapolated_force / scan_force.force - 1) > tolerance
     differs = (is_changed & ~is_inside).drop_vars("contact_model").astype(int)
-    long_name = "1 where the extrapolated force differs from the force on the scans"
-    differs.attrs = {"units": "1", "long_name": long_name}
+    differs.attrs = {"units": "1", "long_name": "1 where extrapolating changes the pull-off force"}
     return force.merge(extrapolated_forces).assign(
         extrapolation_matters=differs.transpose("surface", "side")
     )
