@@ -14,7 +14,7 @@ import hardcontact as hc
 from hardcontact.base.number import Number
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_of_pair
 from hardcontact.inference.hindcast import WIDE_PIXEL
 from hardcontact.own.scan_force import CONTACTS, stitched_map, window_of_scan
@@ -92,7 +92,7 @@ def _features(rng, pixels, width, are_flat):
 def true_force(case):
     """Return the mean plastic force (N) on the fine pixels, at the contacts on the scan."""
     contact = replace(case.contact, window=window_of_scan(case.scan, case.contact), count=CONTACTS)
-    pair = bodies(stitched_map(case.fine), None, contact)
+    pair = join_bodies(stitched_map(case.fine), None, contact)
     forces = mean_pull_off_of_pair(pair, contact, [contact.range])["pull_off_force"]
     return contact.work * forces.sel(contact_model="plastic").item()
 

@@ -28,7 +28,7 @@ from hardcontact.base.random import generator
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import adhesive_pull_off, pressure_at_load
-from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
+from hardcontact.contact.geometry import gap_map, join_bodies, part_around_lowest
 from hardcontact.contact.pull_off import attraction_totals
 from hardcontact.contact.sphere_sums import outside_sums
 from hardcontact.surfaces import height_map, spectrum
@@ -53,7 +53,7 @@ def surface(pixels):
 
 def pair_under_sphere(substrate, sphere=None):
     """Return substrate and sphere with the study's contacts, and the number of contact pixels."""
-    pair = bodies(substrate, sphere, CONTACT)
+    pair = join_bodies(substrate, sphere, CONTACT)
     return pair, CONTACT.pixel_count(pair.geometry.pixel_size)
 
 

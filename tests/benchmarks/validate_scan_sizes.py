@@ -24,7 +24,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies, window_pixels
+from hardcontact.contact.geometry import join_bodies, window_pixels
 from hardcontact.contact.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.inference.edges_of_scans import edges_of_curves
 from hardcontact.surfaces.filters import filtered_series
@@ -96,7 +96,7 @@ def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[He
 
 def mean_forces(surface: HeightMap, windows: Windows) -> Floats:
     """Return the plastic pull-off (rho,) in N at 1 J/m² on a periodic surface, over contacts."""
-    pair = bodies(surface, None, windows.contact)
+    pair = join_bodies(surface, None, windows.contact)
     forces = mean_pull_off_of_pair(pair, windows.contact, windows.ranges)["pull_off_force"]
     return np.asarray(forces.sel(contact_model="plastic").values)
 

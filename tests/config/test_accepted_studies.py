@@ -17,7 +17,7 @@ from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies, sampled_contacts
+from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import indent_sizes
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.filtered_masters import Filters, filtered_pull_off
@@ -126,7 +126,7 @@ def assert_forces(arrays):
 def check_pair(config, rng, substrate, sphere):
     """Compute forces at all contacts and ranges, the largest indents, and asperities."""
     contact = Contact(radius=config["sphere"]["radius"], **config["contact"])
-    pair = bodies(substrate, sphere, contact)
+    pair = join_bodies(substrate, sphere, contact)
     pixel_size = pair.geometry.pixel_size
     assert_forces(pull_off_of_pair(pair, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:

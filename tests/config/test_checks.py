@@ -20,7 +20,7 @@ from hardcontact.config.limits import check_grids
 from hardcontact.config.patterns import study_patterns
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import described_rms_height, spectrum_from_description
@@ -200,7 +200,7 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, count=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
-        lowest = all_lowest_gaps(bodies(surface, None, contact), 1).values()
+        lowest = all_lowest_gaps(join_bodies(surface, None, contact), 1).values()
         height_difference = float(surface.heights.max() + max(gaps.gaps[0] for gaps in lowest))
         assert 0.2 * relief < height_difference < relief
 

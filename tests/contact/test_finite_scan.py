@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, RATIOS, add_sizes, finite_scan_ratio
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
@@ -21,7 +21,7 @@ RADIUS, PIXEL = 250e3, 10e3 / 256
 
 def mean_force(surface):
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=10e3, count=4)
-    pair = bodies(surface, None, contact)
+    pair = join_bodies(surface, None, contact)
     return pull_off_of_pair(pair, contact, [5.6])["pull_off_force"].values[1].mean()
 
 

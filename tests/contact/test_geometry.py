@@ -7,7 +7,7 @@ from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
-from hardcontact.contact.pull_off import pull_off_forces
+from hardcontact.contact.pull_off import forces_at_loads
 
 CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, count=4)
 
@@ -26,7 +26,7 @@ def test_contacts_on_a_mirrored_surface_never_repeat_a_place():
 
 def test_the_coarser_map_is_interpolated():
     coarse, fine = 5.0 * heights(50), heights(120)
-    pair = geometry.bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
+    pair = geometry.join_bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
     assert pair.substrate.pixels == 150 and pair.roughness.pixels == 120
     assert pair.geometry.pixel_size == 10.0
     np.testing.assert_allclose(pair.substrate.heights[::3, ::3], coarse, atol=1e-5)
@@ -37,7 +37,9 @@ def test_the_coarser_map_is_interpolated():
 
 
 def test_a_period_is_stretched_by_at_most_half_a_pixel():
-    pair = geometry.bodies(height_map(heights(50), 30.0), height_map(heights(100), 11.0), CONTACT)
+    pair = geometry.join_bodies(
+        height_map(heights(50), 30.0), height_map(heights(100), 11.0), CONTACT
+    )
     assert pair.substrate.pixels == round(1500 / 11)
     assert abs(pair.substrate.size - 1500) <= 11 / 2
 
@@ -85,7 +87,7 @@ def test_heights_of_any_kind_have_their_force(kind):
 
     def forces(values):
         surface = height_map(values, 50.0)
-        pairs = [geometry.bodies(surface, sphere, contact) for sphere in (surface, None)]
-        return [pull_off_forces(pair, [contact], [5.6]) for pair in pairs]
+        pairs = [geometry.join_bodies(surface, sphere, contact) for sphere in (surface, None)]
+        return [forces_at_loads(pair, [contact], [5.6]) for pair in pairs]
 
     np.testing.assert_allclose(forces(whole_numbers.astype(kind)), forces(whole_numbers), rtol=1e-6)

@@ -10,7 +10,7 @@ from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import ELASTIC_UNITS, elastic_contacts_of_pair
-from hardcontact.contact.geometry import bodies, sampled_contacts
+from hardcontact.contact.geometry import join_bodies, sampled_contacts
 from hardcontact.contact.indents import (
     MAP_HALF_WIDTH,
     indent_sizes,
@@ -30,7 +30,7 @@ def test_indents_of_scans_equal_those_of_each_pair():
     spheres = {k: height_map(periodic_noise(128, 0.5, 10 + k), 8.0) for k in (2, 3)}
     indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
-    pair = bodies(substrates[4], spheres[2], CONTACT)
+    pair = join_bodies(substrates[4], spheres[2], CONTACT)
     contacts = all_lowest_gaps(pair, replace(CONTACT, preload=40e-6).pixel_count(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
     for contact, (gaps, _) in contacts.items():

@@ -9,7 +9,7 @@ from direct_sum import direct_total
 from periodic_maps import RADIUS, height_map, make_bodies, periodic_noise
 
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies, gap_map
+from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
     mean_pull_off_of_pair,
@@ -110,7 +110,7 @@ def test_the_force_on_every_filtered_master_is_the_direct_sum(sphere, side, end)
     ]
     for cutoff, forces in zip([None, *cutoffs], forces_by_cutoff, strict=True):
         (surface,) = filtered_series(master, side, [cutoff], 160)
-        pair_on_filtered = bodies(surface, sphere, LOAD)
+        pair_on_filtered = join_bodies(surface, sphere, LOAD)
         pixel_size = pair_on_filtered.geometry.pixel_size
         for load in LOADS:
             count = load.pixel_count(pixel_size)

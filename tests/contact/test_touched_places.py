@@ -6,7 +6,7 @@ from measurements import self_affine_heights
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 
@@ -19,7 +19,7 @@ Y, X = np.indices((PIXELS, PIXELS)) * PIXEL
 
 def places(heights, contact=CONTACT):
     scan = mirror_stitch(HeightMap(heights, PIXEL, False, "measured"))
-    pair = bodies(scan, None, contact)
+    pair = join_bodies(scan, None, contact)
     return int(pull_off_of_pair(pair, contact, [5.6]).touched_places)
 
 

@@ -8,8 +8,8 @@ from measurements import map_of
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import bodies, places_on_sphere
-from hardcontact.contact.pull_off import pull_off_force, pull_off_forces
+from hardcontact.contact.geometry import join_bodies, places_on_sphere
+from hardcontact.contact.pull_off import forces_at_loads, pull_off_force
 from hardcontact.inference.mean_forces import forces_of_surface, mean_intervals
 from hardcontact.inference.octaves import STEP, force_function, octave_forces
 from hardcontact.surfaces.both_bodies import combine_maps, combine_spectra
@@ -54,8 +54,8 @@ def direct_force(wafer, sphere, contact_pixel, place):
 def test_a_smooth_sphere_on_the_sum_of_both_touches_like_the_rough_one(wafer, sphere):
     combined = combine_maps(generator(1), mirror_stitch(wafer), mirror_stitch(sphere))
     start = generator(1).integers(2 * PIXELS, size=2)
-    pair = bodies(combined, None, CONTACT)
-    forces = pull_off_forces(pair, [CONTACT], [CONTACT.range])[0, 0]
+    pair = join_bodies(combined, None, CONTACT)
+    forces = forces_at_loads(pair, [CONTACT], [CONTACT.range])[0, 0]
     # The window of this contact has no mirror image of the sum.
     contact_pixel = pair.geometry.positions[[1, 1]]
     assert (30 <= contact_pixel).all() and (contact_pixel < PIXELS - 30).all()
@@ -80,7 +80,9 @@ def test_octaves_are_those_of_the_rougher_body(wafer, sphere):
 
 def test_the_interval_contains_the_forces_at_other_places_of_the_sphere(wafer, sphere):
     forces = [
-        pull_off_forces(bodies(mirror_stitch(wafer), place, CONTACT), [CONTACT], [CONTACT.range])
+        forces_at_loads(
+            join_bodies(mirror_stitch(wafer), place, CONTACT), [CONTACT], [CONTACT.range]
+        )
         for place in places_on_sphere(mirror_stitch(sphere), 4)
     ]
     dims = ("scan", "sphere_scan", "rho", *CONTACT_AXES)

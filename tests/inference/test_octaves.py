@@ -6,8 +6,8 @@ import xarray as xr
 from periodic_maps import height_map, periodic_noise
 
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import pull_off_forces
+from hardcontact.contact.geometry import join_bodies
+from hardcontact.contact.pull_off import forces_at_loads
 from hardcontact.inference.octaves import (
     BAND_PARTS,
     FACTORS,
@@ -42,7 +42,9 @@ def rough_map():
 
 def mean_force(surface):
     contact = Contact(radius=50e3, preload=10e-6, hardness=25e9, window=2560.0, count=16, range=5.0)
-    return pull_off_forces(bodies(surface, None, contact), [contact], [contact.range])[0, 0].mean()
+    return forces_at_loads(join_bodies(surface, None, contact), [contact], [contact.range])[
+        0, 0
+    ].mean()
 
 
 def whole_parts(count):

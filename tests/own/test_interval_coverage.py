@@ -77,7 +77,7 @@ def test_intervals_contain_spectrum_force_and_edges_of_known_surfaces(monkeypatc
         spectrum = truth(rng)
         scans = measure_scans(rng, spectrum, has_line)
         radii = KNOWN_TIPS[: len(scans)]
-        edges = closed.edges(spectrum, CONTACT, 0.1)
+        edges = closed.critical_band(spectrum, CONTACT, 0.1)
         measured_forces = logarithms(spectrum_of_dataset(joined_spectrum(scans, radii)), edges)
         rngs = (generator(32, number, has_line, draw) for draw in range(DRAWS))
         shifts = [

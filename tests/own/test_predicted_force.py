@@ -227,7 +227,7 @@ def test_the_needed_number_of_contacts_keeps_the_mean_within_the_tolerance():
     needed = round(scatter["contacts_needed"].item())
     rng = generator(1, "contacts")
     level = rng.choice(len(law.means), (2000, needed), p=law.weights)
-    deviation, spread = rng.standard_normal(level.shape), law.spreads[level]
+    deviation, spread = rng.standard_normal(level.shape), law.log_force_stds[level]
     samples = law.means[level] * np.exp(spread * deviation - spread**2 / 2)
     is_within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
     assert needed > 50 and is_within.mean() == pytest.approx(0.9, abs=0.02)

@@ -7,7 +7,7 @@ import xarray as xr
 from paper_numbers import POLISHED
 from small_pool import CONTACT, GRID, SOURCES
 
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.inference.published_fit import Pair, PublishedFit
 from hardcontact.paper.featured_draws import (
@@ -35,7 +35,7 @@ def test_forces_and_roughness_are_those_of_the_scans_of_the_draw(draws):
     features, scans = sample_group(FEATURED, "pits", [1, 2], 2)
     scan = level(scans[1])
     draw = draws["pits"].sel(draw=2, scan=2)
-    pair = bodies(mirror_stitch(scan), None, CONTACT)
+    pair = join_bodies(mirror_stitch(scan), None, CONTACT)
     forces = pull_off_of_pair(pair, CONTACT, DRAW_SOURCES.ranges)["pull_off_force"]
     np.testing.assert_array_equal(draw["pull_off_force"], forces)
     assert draw["rms_height"].item() == metrics(scan)["rms_height"]

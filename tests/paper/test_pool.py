@@ -7,7 +7,7 @@ import pytest
 from direct_sum import direct_total
 from small_pool import CONTACT, GRID, HEIGHTS, SOURCES, TARGETS, pool_of, raw_scan
 
-from hardcontact.contact.geometry import bodies, gap_map
+from hardcontact.contact.geometry import gap_map, join_bodies
 from hardcontact.paper.pool import height_weights, pool_heights
 from hardcontact.surfaces.height_map import TABLE1_METRICS, metrics, mirror_stitch
 
@@ -15,7 +15,7 @@ from hardcontact.surfaces.height_map import TABLE1_METRICS, metrics, mirror_stit
 def direct_force(scan, factor, contact_pixel_count, rho, contact):
     """Eq. 3 on a scan times a factor, in N at 1 J/m2, summed over every pixel."""
     stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
-    gap = gap_map(bodies(stitched, None, CONTACT), contact)
+    gap = gap_map(join_bodies(stitched, None, CONTACT), contact)
     return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixel_count, rho)
 
 

@@ -10,7 +10,7 @@ from small_pool import CONTACT, SOURCES, pool_of, raw_scan
 
 from hardcontact.base.random import generator
 from hardcontact.base.statistics import student_log_interval
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.paper.judged_sets import sample_scans, scale_to_sampled_mean
 from hardcontact.surfaces.conditioning import scale_rms_heights
@@ -40,7 +40,7 @@ def test_a_set_has_the_forces_and_roughness_of_its_scans_at_the_sampled_heights(
         values = metrics(scaled)
         for name in TABLE1_METRICS.values():
             assert sampled_scan[name].item() == pytest.approx(values[name], rel=1e-9)
-        pair = bodies(mirror_stitch(scaled), None, CONTACT)
+        pair = join_bodies(mirror_stitch(scaled), None, CONTACT)
         direct = pull_off_of_pair(pair, CONTACT, SOURCES.ranges)["pull_off_force"].values
         np.testing.assert_allclose(
             sampled_scan["pull_off_force"].squeeze("scan"), direct, rtol=0.15

@@ -7,7 +7,7 @@ from scipy import stats
 
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
@@ -94,7 +94,7 @@ def test_the_closed_form_predicts_forces_on_random_surfaces(rms, rho, error):
     forces = []
     for k in range(3):
         surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)
-        pair = bodies(surface, None, touching)
+        pair = join_bodies(surface, None, touching)
         plastic = pull_off_of_pair(pair, touching, [rho]).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean())
     form = closed_form(spectrum, contact(rho, 400.0, radius))

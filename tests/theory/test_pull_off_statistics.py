@@ -76,9 +76,9 @@ def test_many_points_follow_weibull_s_law(modulus):
     law = predict_statistics(SURFACE, flat_contact(modulus))
     assert law.modulus == pytest.approx(modulus, rel=1e-3)
     weibull = stats.weibull_min(law.modulus)
-    assert law.variation == pytest.approx(weibull.std() / weibull.mean(), rel=0.08)
+    assert law.relative_std == pytest.approx(weibull.std() / weibull.mean(), rel=0.08)
     # ln F follows Gumbel's law.
-    assert law.spread == pytest.approx(np.pi / np.sqrt(6) / law.modulus, rel=0.08)
+    assert law.log_force_std == pytest.approx(np.pi / np.sqrt(6) / law.modulus, rel=0.08)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
@@ -89,7 +89,7 @@ def test_the_level_of_n_clumps_scatters_like_a_gamma_variable(clumps):
     chance = stats.poisson.pmf(number - 1, law.clumps - 1)
     centre = chance @ special.digamma(number)
     spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
-    assert law.spread == pytest.approx(np.sqrt(spread) / law.modulus, rel=0.1)
+    assert law.log_force_std == pytest.approx(np.sqrt(spread) / law.modulus, rel=0.1)
 
 
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
@@ -118,7 +118,7 @@ def test_numbers_of_hard_discs_scatter_by_their_compressibility(cover):
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_like_sums_of_poisson_clumps(modulus):
     law, sums = predict_statistics(SURFACE, flat_contact(modulus)), sampled_sums(modulus)
-    assert law.spread == pytest.approx(np.log(sums).std(), rel=0.1)
+    assert law.log_force_std == pytest.approx(np.log(sums).std(), rel=0.1)
 
 
 def test_a_field_of_large_heights_scatters_like_the_sum_over_powers():
@@ -138,14 +138,14 @@ def test_the_moments_of_a_mixture_equal_those_of_its_samples():
     )
     rng = generator(1, "mixture")
     level = rng.choice(2, 400000, p=mixture.weights)
-    spread = mixture.spreads[level]
+    spread = mixture.log_force_stds[level]
     forces = mixture.means[level] * rng.lognormal(-(spread**2) / 2, spread)
     assert mixture.force == pytest.approx(forces.mean(), rel=0.01)
-    assert mixture.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
-    assert mixture.spread == pytest.approx(np.log(forces).std(), rel=0.01)
+    assert mixture.relative_std == pytest.approx(forces.std() / forces.mean(), rel=0.01)
+    assert mixture.log_force_std == pytest.approx(np.log(forces).std(), rel=0.01)
 
 
 def test_without_roughness_all_places_have_the_same_force():
     smooth = predict_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
-    assert smooth.spread == 0
+    assert smooth.log_force_std == 0
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9

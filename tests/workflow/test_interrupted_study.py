@@ -1,4 +1,4 @@
-"""A whole small study ends bit-equal after twenty kills."""
+"""A whole small study ends bit-equal after twenty kills, or if each of its writes fails once."""
 
 import multiprocessing
 import os
@@ -19,12 +19,39 @@ PATIENCE = 300
 WORDS = ["--configfile", "config/probe.yaml", "few.yaml", "--config", "effort=quick"]
 RESUME = ["--nolock", *WORDS]  # A killed run leaves Snakemake's lock.
 
+#: Python runs a module of this name when it starts. In each process of a job, the first attempt to
+#: give a file its name, and so to write it, fails as on a full disk.
+FAILING_WRITES = """
+import os
+from pathlib import Path
+
+replace = os.replace
+
+def fail_once(source, target):
+    failed = Path(os.environ["FAILED_WRITES"], str(target).replace("/", "+"))
+    if not failed.exists():
+        failed.touch()
+        raise OSError(28, "No space left on device")
+    replace(source, target)
+
+os.replace = fail_once
+"""
+
 
 @pytest.fixture
 def empty(probe, tmp_path):
     """Copy the small study without its results."""
     ignored = shutil.ignore_patterns("results", ".snakemake")
     return shutil.copytree(probe.parents[1], tmp_path / "empty", ignore=ignored)
+
+
+def differences_from(probe, results):
+    """Return the differences from the study that was left alone."""
+    return [
+        line
+        for folder in (probe, probe.with_name(f"store-{probe.name}"))
+        for line in differences(results / folder.name, folder)
+    ]
 
 
 def kill_after_a_file(study):
@@ -56,5 +83,25 @@ def test_a_study_that_is_killed_twenty_times_ends_as_one_that_is_not(empty, prob
         assert damaged(empty / "results") == []
     run = run_program(empty, "snakemake.cli", RESUME, environment(empty))
     assert run.returncode == 0, run.stdout
-    assert differences(empty / "results", probe.parent) == []
+    assert differences_from(probe, empty / "results") == []
     assert not list((empty / "results").rglob(f"{PART}*"))
+
+
+@pytest.mark.system
+def test_a_study_whose_every_write_fails_once_ends_as_one_without_failures(empty, probe, tmp_path):
+    (tmp_path / "failing").mkdir()
+    (tmp_path / "failing/sitecustomize.py").write_text(FAILING_WRITES)
+    (tmp_path / "failed").mkdir()
+    variables = environment(empty)
+    variables["PYTHONPATH"] = f"{tmp_path / 'failing'}{os.pathsep}{variables['PYTHONPATH']}"
+    variables["FAILED_WRITES"] = str(tmp_path / "failed")
+    for _ in range(10):  # some jobs are not tried again in the same run
+        run = run_program(empty, "snakemake.cli", ["--retries", "40", *WORDS], variables)
+        assert "Traceback" not in run.stdout
+        if run.returncode == 0:
+            break
+    assert run.returncode == 0, run.stdout
+    failed_writes = {name.replace("+", "/") for name in os.listdir(tmp_path / "failed")}
+    study_files = {f"results/{path}" for path in paths(empty / "results") if len(path.parts) > 1}
+    assert study_files <= failed_writes  # The planning process writes the lists of pins.
+    assert differences_from(probe, empty / "results") == []

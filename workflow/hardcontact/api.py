@@ -30,7 +30,7 @@ from hardcontact.config.arguments import (
 from hardcontact.config.faults import refuse_lines
 from hardcontact.config.model import NONE, Study
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import WORK_OF_ADHESION, pull_off_of_pair, wider_window_change
 from hardcontact.contact.stacked_datasets import stacked_forces
 from hardcontact.inference.edges_of_scans import edges_of_curves
@@ -271,7 +271,7 @@ def pull_off_forces(
     surface = make_periodic(scan)
     rough = None if sphere is None else make_periodic(sphere, "sphere")
     check_contact(surface, contact, ranges)
-    contact_bodies = bodies(surface, rough, contact)
+    contact_bodies = join_bodies(surface, rough, contact)
     longest = replace(contact, range=max(ranges))
     forces = pull_off_of_pair(contact_bodies, contact, ranges)
     plastic_forces = forces["pull_off_force"].sel(contact_model=["plastic"], rho=longest.range)

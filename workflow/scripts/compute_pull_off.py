@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from hardcontact.base.job import job
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies, places_on_sphere
+from hardcontact.contact.geometry import join_bodies, places_on_sphere
 from hardcontact.contact.pull_off import (
     force_on_finer_pixels,
     mean_pull_off_of_pair,
@@ -24,7 +24,7 @@ with job(snakemake) as job:
         for place in places_on_sphere(read_height_map(path), params["places_per_side"])
     ]
     pairs = {
-        number: bodies(substrate, sphere, contact)
+        number: join_bodies(substrate, sphere, contact)
         for number, sphere in zip(params["sphere_places"], spheres or [None], strict=True)
     }
     forces = stack_sphere_scans(

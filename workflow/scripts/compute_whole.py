@@ -3,7 +3,7 @@
 from hardcontact.base.dataset import stack
 from hardcontact.base.job import job, progress
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import mean_pull_off_of_pair
 from hardcontact.inference.octaves import force_function, octave_force_dataset, octave_limits
 from hardcontact.surfaces.featured_scans import whole_surfaces
@@ -17,7 +17,9 @@ with job(snakemake) as job:
     for number in progress(realizations, len(realizations), "surfaces"):
         surface = make_surface(number)
         limits = octave_limits(2 * surface.pixel_size, 2 * surface.size)
-        means = mean_pull_off_of_pair(bodies(surface, None, contact), contact, params["ranges"])
+        means = mean_pull_off_of_pair(
+            join_bodies(surface, None, contact), contact, params["ranges"]
+        )
         octave_forces = octave_force_dataset(surface, limits, force_function(contact))
         surfaces[(number,)] = octave_forces.merge(means)
     job.write(

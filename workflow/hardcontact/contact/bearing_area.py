@@ -1,8 +1,10 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
-The gap of a contact is g = s - t - h in nm: sphere s, its roughness t (growing out of the sphere)
-and substrate h. The highest points of groups of tiles bound its gaps, then those of the tiles, so
-that most tiles are never read.
+The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
+substrate) and substrate z. The contact pixels are those of the N smallest gaps. A branch and bound
+over tiles finds them: the highest point of a tile bounds its gaps from below, that of a group of
+tiles those of all its tiles. Only tiles whose bound is below the N-th smallest gap known so far are
+read.
 """
 
 from dataclasses import dataclass

@@ -1,6 +1,6 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
-A contact at the pixel c sees the substrate at the unfolded indices c + u along one axis, u from
+A contact at the pixel c sees the substrate at the unfolded indices c + k along one axis, k from
 -window/2 to window/2 - 1; the substrate continues itself periodically.
 """
 
@@ -33,9 +33,9 @@ class ContactGeometry:
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> Floats:
-        """Return the height (nm) of the sphere along one axis, u pixels from its apex: (u p)²/2R.
+        """Return the height (nm) of the sphere along one axis, k pixels from its apex: (k p)²/2R.
 
-        The height at (u, v) is the sum of both axes; this makes the force sum separable.
+        The height at (k, l) is the sum of both axes; this makes the force sum separable.
         """
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
@@ -58,7 +58,7 @@ class Bodies:
     geometry: ContactGeometry
 
     def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
-        """Return the height s - t (k, l) of the sphere in nm, k and l pixels from its apex."""
+        """Return the height y - u (k, l) of a rough sphere in nm, k and l pixels from its apex."""
         shape = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
         if self.roughness is not None:
             period = self.roughness.pixels
@@ -93,7 +93,7 @@ def sampled_contacts(
     return np.stack(np.divmod(numbers, contacts_per_side), axis=1)
 
 
-def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
+def join_bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
@@ -122,7 +122,7 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
 def places_on_sphere(sphere: HeightMap, places_per_side: int) -> list[HeightMap]:
     """Return the mirror-stitched scan of a sphere, moved so that it touches at even places.
 
-    A single place is the middle of the scan, on which `bodies` puts the apex.
+    A single place is the middle of the scan, on which `join_bodies` puts the apex.
     """
     scan_pixels = sphere.pixels // 2
     places = (2 * np.arange(places_per_side) + 1) * scan_pixels // (2 * places_per_side)
@@ -134,9 +134,9 @@ def places_on_sphere(sphere: HeightMap, places_per_side: int) -> list[HeightMap]
 
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
-    """Bring together two height maps, read from files that the study wrote, as in `bodies`."""
+    """Bring together two height maps, read from files that the study wrote, as in `join_bodies`."""
     roughness = None if sphere is None else read_height_map(sphere)
-    return bodies(read_height_map(substrate), roughness, contact)
+    return join_bodies(read_height_map(substrate), roughness, contact)
 
 
 def _in_native_precision(surface: HeightMap) -> HeightMap:

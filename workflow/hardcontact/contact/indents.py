@@ -15,7 +15,7 @@ from hardcontact.base.dataset import stack
 from hardcontact.base.job import progress
 from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import Bodies, bodies
+from hardcontact.contact.geometry import Bodies, join_bodies
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest pixel in the height map of one contact.
@@ -68,7 +68,7 @@ def indents_of_scans(
     """
 
     def make_bodies(scan: int, sphere_scan: int) -> Bodies:
-        return bodies(substrates[scan], spheres[sphere_scan], contact)
+        return join_bodies(substrates[scan], spheres[sphere_scan], contact)
 
     loaded_contacts = [replace(contact, preload=preload) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]

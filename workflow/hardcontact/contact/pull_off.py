@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import CONTACT_AXES, Contact
 from hardcontact.contact.geometry import Bodies, gap_map, largest_contact_gap
-from hardcontact.contact.sphere_sums import Contacts, outside_sums
+from hardcontact.contact.sphere_sums import GapsByContact, outside_sums
 from hardcontact.surfaces.filters import interpolate
 
 #: Dimension, values and attributes of a coordinate.
@@ -62,7 +62,10 @@ def pull_off_force(
 
 
 def attraction_totals(
-    bodies: Bodies, contacts: Contacts, pixel_counts: Sequence[int], rhos: Sequence[float] | Floats
+    bodies: Bodies,
+    contacts: GapsByContact,
+    pixel_counts: Sequence[int],
+    rhos: Sequence[float] | Floats,
 ) -> Floats:
     """Return the sums (pixel count, rho, contact, contact) of exp(-gap/rho) at closest approach.
 
@@ -71,13 +74,13 @@ def attraction_totals(
     gaps = _gaps(contacts)
     sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
     totals = [
-        [_total_of_fewer(sums, gaps, count, rho) for sums, rho in sums_outside]
+        [_total_of_lowest(sums, gaps, count, rho) for sums, rho in sums_outside]
         for count in pixel_counts
     ]
     return np.array(totals)
 
 
-def _total_of_fewer(
+def _total_of_lowest(
     outside_sum: Floats, gaps: Floats, contact_pixel_count: int, rho: float
 ) -> Floats:
     """Return the sum (...) of exp(-gap/rho) if only the lowest of the gaps (..., k) touch.
@@ -92,14 +95,14 @@ def _total_of_fewer(
     )
 
 
-def _gaps(contacts: Contacts) -> Floats:
+def _gaps(contacts: GapsByContact) -> Floats:
     """Return the gaps (contact, contact, k) of contacts in nm."""
     contacts_per_side = math.isqrt(len(contacts))
     gaps = np.array([contact.gaps for contact in contacts.values()])
     return gaps.reshape(contacts_per_side, contacts_per_side, -1)
 
 
-def pull_off_forces(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]) -> Floats:
+def forces_at_loads(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]) -> Floats:
     """Return the forces (load, rho, contact, contact) of a pair in N at 1 J/m².
 
     The loads are contacts that differ in nothing else; ranges of adhesion are in nm.
@@ -150,7 +153,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
-def touched_places(bodies: Bodies, contacts: Contacts) -> int:
+def touched_places(bodies: Bodies, contacts: GapsByContact) -> int:
     """Return the number of places of a mirrored scan that hold the deepest pixel of some contact.
 
     A place is a patch of contact pixels that share edges or corners. If one particle on a flat
@@ -180,7 +183,7 @@ def mean_pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[flo
     1 J/m².
     """
     loads = [replace(contact, plastic=False), contact]
-    forces = pull_off_forces(bodies, loads, ranges).mean(axis=(-2, -1))
+    forces = forces_at_loads(bodies, loads, ranges).mean(axis=(-2, -1))
     return xr.Dataset(
         {"pull_off_force": (("contact_model", "rho"), forces, FORCE)},
         {"contact_model": ["rigid", "plastic"]} | range_axis(ranges),
@@ -207,7 +210,7 @@ def force_on_finer_pixels(bodies: Bodies, contact: Contact, forces: xr.DataArray
             positions=2 * geometry.positions,
         ),
     )
-    fine = pull_off_forces(finer, [contact], [contact.range]).mean()
+    fine = forces_at_loads(finer, [contact], [contact.range]).mean()
     attributes = {
         "units": "1",
         "long_name": "force on pixels of half the size, relative to the scan's pixels",
@@ -228,7 +231,7 @@ def wider_window_change(
     for bodies, pair_forces in zip(pairs, forces.values, strict=True):
         window = bodies.geometry.window + 2 * bodies.substrate.pixels
         wider = replace(bodies, geometry=replace(bodies.geometry, window=window))
-        wide = pull_off_forces(wider, [contact], [contact.range])[0, 0]
+        wide = forces_at_loads(wider, [contact], [contact.range])[0, 0]
         changes.append(float(np.abs(wide / pair_forces - 1).max()))
     attributes = {
         "units": "1",

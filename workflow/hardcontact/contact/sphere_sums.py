@@ -1,9 +1,15 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
-The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums of all contacts are
-a product over both axes, of a rough one a correlation with a kernel. Contact pixels are subtracted
-from the sum over all pixels, in the precision of the heights. That costs as many digits as
-exp(penetration/rho) has, so that short ranges leave them out beforehand, in double precision.
+The gap of a pixel is g = y - u - z in nm: sphere y, its roughness u (positive towards the
+substrate) and substrate z. On a smooth sphere exp(-y/rho) is a product of one factor an axis, so
+the sums of all contacts are one matrix product, G exp(z/rho) G^T, where G is exp(-y/rho) along an
+axis for every contact. On a rough sphere they are the correlation of exp(z/rho) with the kernel
+exp((u - y)/rho).
+
+Contact pixels do not count. `_sums_by_subtraction` subtracts them from the sum over all pixels: it
+is fast, but loses the digits of exp(penetration/rho). At short ranges and on rough spheres
+`_sums_by_omission` therefore sets them to zero before it sums. Exponentials are relative to the
+highest points of z and u, so that none overflows.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -21,8 +27,8 @@ Floats = NDArray[np.float64]
 #: Looked up once: it takes milliseconds.
 LIBRARIES = ThreadpoolController()
 
-#: Contact pixels of each contact, by its indices (i, j) in the array.
-Contacts = dict[tuple[int, int], LowestGaps]
+#: Lowest gaps, those of the contact pixels, by the index (i, j) of the contact in the array.
+GapsByContact = dict[tuple[int, int], LowestGaps]
 
 
 class ContactPixels:
@@ -32,22 +38,21 @@ class ContactPixels:
     `row` and `column` (pixels,) are their places on the substrate, by rows.
     """
 
-    def __init__(self, bodies: Bodies, contacts: Contacts) -> None:
+    def __init__(self, bodies: Bodies, contacts: GapsByContact) -> None:
         pixels = bodies.substrate.pixels
         positions = bodies.geometry.positions
         touching = {
-            contact: np.ravel_multi_index(
-                tuple(((positions[list(contact)] + offsets) % pixels).T), (pixels, pixels)
+            index: np.ravel_multi_index(
+                tuple(((positions[list(index)] + offsets) % pixels).T), (pixels, pixels)
             )
-            for contact, (_, offsets) in contacts.items()
+            for index, (_, offsets) in contacts.items()
         }
         flat = np.unique(np.concatenate(list(touching.values())))
         self.row, self.column = np.divmod(flat, pixels)
-        self._own = {contact: np.searchsorted(flat, pixel) for contact, pixel in touching.items()}
-        self._gaps = {contact: gaps for contact, (gaps, _) in contacts.items()}
+        self._own = {index: np.searchsorted(flat, pixel) for index, pixel in touching.items()}
+        self._gaps = {index: gaps for index, (gaps, _) in contacts.items()}
         self._image_gaps = {
-            contact: _image_gaps(bodies, contact, offsets)
-            for contact, (_, offsets) in contacts.items()
+            index: _image_gaps(bodies, index, offsets) for index, (_, offsets) in contacts.items()
         }
 
     def leave_out(self, terms: NDArray[np.floating], first_row: int = 0) -> None:
@@ -56,7 +61,7 @@ class ContactPixels:
         terms[self.row[block] - first_row, self.column[block]] = 0.0
 
     def outside_sum(
-        self, contact: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
+        self, index: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
     ) -> float:
         """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
 
@@ -64,13 +69,13 @@ class ContactPixels:
         these, and `terms` (pixels,) are those of these, overwritten, both at the approach where the
         highest points would meet, whose sum is `highest`.
         """
-        terms[self._own[contact]] = 0.0
-        largest_gap = self._gaps[contact][-1]
-        image_sum = np.exp((largest_gap - self._image_gaps[contact]) / rho).sum()
+        terms[self._own[index]] = 0.0
+        largest_gap = self._gaps[index][-1]
+        image_sum = np.exp((largest_gap - self._image_gaps[index]) / rho).sum()
         return float(np.exp((largest_gap + highest) / rho) * (total + terms.sum()) + image_sum)
 
 
-def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
+def _image_gaps(bodies: Bodies, index: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
     """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
     pixels = bodies.substrate.pixels
     geometry = bodies.geometry
@@ -86,7 +91,7 @@ def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.in
     own_y, own_x = (offsets // pixels + reach).T
     in_window[inverse, own_y, own_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
-    return gaps_at(bodies, geometry.positions[list(contact)], images[in_window])
+    return gaps_at(bodies, geometry.positions[list(index)], images[in_window])
 
 
 #: Sums (contact, contact) over all pixels but those of contacts, and the factor of the sphere at
@@ -110,9 +115,9 @@ def _products(
     blocks: Iterable[tuple[slice, Sequence[NDArray[np.floating]]]],
     folds: Sequence[NDArray[np.floating]],
 ) -> Floats:
-    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
+    """Return G exp((z - highest)/rho) G^T, (rho, contact, contact), from blocks of rows.
 
-    A block has its rows and the exponentials (rows, n) at each range; the folds G are `folded`.
+    A block has its rows and the exponentials (rows, n) at each range; `folded` gives G.
     """
     columns = [np.ascontiguousarray(fold.T) for fold in folds]
     sums = np.zeros((len(folds), *[len(folds[0])] * 2))
@@ -177,10 +182,10 @@ def _without_mirror_images(
     return heights[:half, :half], [fold[:, :half] + fold[:, : half - 1 : -1] for fold in folds]
 
 
-def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
+def _sums_by_subtraction(bodies: Bodies, contacts: GapsByContact, rhos: Sequence[float]) -> Floats:
     """Return `outside_sums` on a smooth sphere: sums over all pixels less those in contact."""
     heights = bodies.substrate.heights
-    precision = heights.dtype.type  # `geometry.bodies` permits these two.
+    precision = heights.dtype.type  # `join_bodies` permits these two.
     highest = float(heights.max())
     folds: list[NDArray[np.floating]] = [
         folded(len(heights), bodies.geometry, rho).astype(precision) for rho in rhos
@@ -188,16 +193,16 @@ def _sums_by_subtraction(bodies: Bodies, contacts: Contacts, rhos: Sequence[floa
     quarter, quarter_folds = _without_mirror_images(heights, folds)
     all_sums = _products(_blocks(quarter, precision, highest, rhos), quarter_folds)
     sums_outside = np.empty_like(all_sums)
-    for contact, (gaps, _) in contacts.items():
-        for index, rho in enumerate(rhos):
+    for index, (gaps, _) in contacts.items():
+        for k, rho in enumerate(rhos):
             contact_sum = np.exp((gaps[-1] - gaps) / rho).sum()
             scale = np.exp((gaps[-1] + highest) / rho)
-            sums_outside[index][contact] = scale * all_sums[index][contact] - contact_sum
+            sums_outside[k][index] = scale * all_sums[k][index] - contact_sum
     return sums_outside
 
 
 def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
-    """Return exp(-s/rho) along one axis, summed over images in the window: (contact, n)."""
+    """Return G = exp(-y/rho) along one axis, summed over images in the window: (contact, n)."""
     offset = geometry.offsets()
     weight = np.exp(-geometry.paraboloid(offset) / rho)
     positions = geometry.positions
@@ -214,7 +219,7 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> ND
     return attraction
 
 
-def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
+def outside_sums(bodies: Bodies, contacts: GapsByContact, rhos: Sequence[float] | Floats) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + m)/rho) outside plastic contact.
 
     m is the height of the apex at closest approach. The contacts are `LowestGaps` by place (i, j)
@@ -230,7 +235,7 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     return sums_outside
 
 
-def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np.bool_]:
+def _are_shallow(bodies: Bodies, contacts: GapsByContact, rhos: Floats) -> NDArray[np.bool_]:
     """Return at which ranges (rho,) contact pixels can be subtracted from the sum over all.
 
     A rough sphere has a kernel for each range, and its maps are small: its sums stay exact.
@@ -246,22 +251,23 @@ def _are_shallow(bodies: Bodies, contacts: Contacts, rhos: Floats) -> NDArray[np
     )
 
 
-def _sums_by_omission(bodies: Bodies, contacts: Contacts, rhos: Sequence[float]) -> Floats:
+def _sums_by_omission(bodies: Bodies, contacts: GapsByContact, rhos: Sequence[float]) -> Floats:
     """Return `outside_sums` where no sum contains contact pixels, in double precision."""
     substrate = bodies.substrate
     roughness = bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
     touching = substrate.heights[contact_pixels.row, contact_pixels.column].astype(float)
-    h_max = float(substrate.heights.max())
-    t_max = 0.0 if roughness is None else float(roughness.heights.max())
+    highest_substrate = float(substrate.heights.max())
+    highest_roughness = 0.0 if roughness is None else float(roughness.heights.max())
+    highest = highest_substrate + highest_roughness
     sums_outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
     sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
     sums = sphere_terms(bodies, contact_pixels, rhos)
     for k, (rho, (total, factor)) in enumerate(zip(rhos, sums, strict=True)):
-        attraction = exponential(touching, h_max, rho)
-        for contact in contacts:
-            sums_outside[k][contact] = contact_pixels.outside_sum(
-                contact, total[contact], attraction * factor(contact), h_max + t_max, rho
+        attraction = exponential(touching, highest_substrate, rho)
+        for index in contacts:
+            sums_outside[k][index] = contact_pixels.outside_sum(
+                index, total[index], attraction * factor(index), highest, rho
             )
     return sums_outside
 
@@ -273,14 +279,13 @@ def _smooth_sphere_terms(
     pixels = bodies.substrate.pixels
     row = contact_pixels.row
     column = contact_pixels.column
-    # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
     blocks = _blocks_without_contacts(bodies.substrate.heights, contact_pixels, rhos)
     totals = _products(blocks, folds)
     for total, fold in zip(totals, folds, strict=True):
 
-        def factor(contact: tuple[int, int], fold: Floats = fold) -> Floats:
-            return np.asarray(fold[contact[0], row] * fold[contact[1], column])
+        def factor(index: tuple[int, int], fold: Floats = fold) -> Floats:
+            return np.asarray(fold[index[0], row] * fold[index[1], column])
 
         yield total, factor
 
@@ -288,7 +293,7 @@ def _smooth_sphere_terms(
 def _rough_sphere_terms(
     bodies: Bodies, contact_pixels: ContactPixels, rhos: Sequence[float]
 ) -> Iterator[SphereTerms]:
-    """Yield the same of a rough sphere, relative to the highest point t_max of its roughness."""
+    """Yield the same of a rough sphere, relative to the highest point of its roughness."""
     assert bodies.roughness is not None
     pixels = bodies.substrate.pixels
     positions = bodies.geometry.positions
@@ -303,8 +308,8 @@ def _rough_sphere_terms(
         terms = exponential(heights, float(heights.max()), rho)
         contact_pixels.leave_out(terms)
 
-        def factor(contact: tuple[int, int], kernel: Floats = kernel) -> Floats:
-            return np.asarray(kernel.take(rows[contact[0]] + columns[contact[1]]))
+        def factor(index: tuple[int, int], kernel: Floats = kernel) -> Floats:
+            return np.asarray(kernel.take(rows[index[0]] + columns[index[1]]))
 
         yield _correlation(terms, kernel, positions), factor
 
@@ -312,7 +317,7 @@ def _rough_sphere_terms(
 def _kernel(
     pixels: int, attraction: NDArray[np.floating], geometry: ContactGeometry, rho: float
 ) -> Floats:
-    """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
+    """Return exp((u - max(u) - y)/rho) on (n, n) offsets from the apex, summed over images."""
     period = len(attraction)
     weights = _folded_by_shift(pixels, period, geometry, rho)
     kernel = np.zeros((pixels, pixels))
@@ -328,7 +333,7 @@ def _kernel(
 def _folded_by_shift(
     pixels: int, period: int, geometry: ContactGeometry, rho: float
 ) -> dict[int, Floats]:
-    """Return exp(-s/rho) along one axis, summed over images of the same shift of the roughness."""
+    """Return exp(-y/rho) along one axis, summed over images of the same shift of the roughness."""
     weights: dict[int, Floats] = {}
     reach = -(-geometry.window // (2 * pixels))
     for image in range(-reach, reach):

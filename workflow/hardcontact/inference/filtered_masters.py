@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 from hardcontact.base import dataset
 from hardcontact.base.job import progress
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import (
     FORCE,
     WORK_OF_ADHESION,
     Axis,
+    forces_at_loads,
     load_axis,
-    pull_off_forces,
     range_axis,
 )
 from hardcontact.surfaces.filters import filtered_series
@@ -92,8 +92,8 @@ def filtered_pull_off(
     rhos = list(ranges or [contact.range])
 
     def forces(surface: HeightMap) -> np.ndarray:
-        pairs = [bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
-        return np.array([pull_off_forces(pair, contacts, rhos) for pair in pairs])
+        pairs = [join_bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
+        return np.array([forces_at_loads(pair, contacts, rhos) for pair in pairs])
 
     nm = {"units": "nm"}
     axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}

@@ -16,8 +16,8 @@ from hardcontact.base.number import Number
 from hardcontact.base.statistics import with_interval
 from hardcontact.base.units import DIMENSIONLESS, NM
 from hardcontact.contact.contact import CONTACT_AXES, Contact
-from hardcontact.contact.geometry import bodies
-from hardcontact.contact.pull_off import FORCE, pull_off_forces
+from hardcontact.contact.geometry import join_bodies
+from hardcontact.contact.pull_off import FORCE, forces_at_loads
 from hardcontact.inference.scan_parts import (
     ScanParts,
     delete_one_logarithms,
@@ -63,8 +63,8 @@ def force_function(contact: Contact, sphere: HeightMap | None = None) -> ForcesO
     """Return the function of a surface that gives its forces (contact, contact) in N at 1 J/m²."""
 
     def forces(surface: HeightMap) -> Floats:
-        pair = bodies(surface, sphere, contact)
-        return np.asarray(pull_off_forces(pair, [contact], [contact.range])[0, 0])
+        pair = join_bodies(surface, sphere, contact)
+        return np.asarray(forces_at_loads(pair, [contact], [contact.range])[0, 0])
 
     return forces
 

@@ -111,8 +111,8 @@ def force_scatter(
     quantile = special.ndtri((1 + confidence) / 2)
     numbers = {
         "weibull_modulus": statistics.modulus,
-        "log_force_std": statistics.spread,
-        "contacts_needed": (quantile * statistics.variation / tolerance) ** 2,
+        "log_force_std": statistics.log_force_std,
+        "contacts_needed": (quantile * statistics.relative_std / tolerance) ** 2,
     }
     return xr.Dataset({name: ((), number, DIMENSIONLESS) for name, number in numbers.items()})
 

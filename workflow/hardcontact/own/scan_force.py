@@ -11,7 +11,12 @@ from hardcontact.base.number import Number
 from hardcontact.config.grids import Grid, minimum_range, periods_in_window
 from hardcontact.contact.contact import PLASTIC, Contact
 from hardcontact.contact.finite_scan import LARGE_ENOUGH, finite_scan_ratio
-from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES, bodies, places_on_sphere
+from hardcontact.contact.geometry import (
+    CONTACTS_A_PLACE,
+    SPHERE_PLACES,
+    join_bodies,
+    places_on_sphere,
+)
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.contact.stacked_datasets import stack_sphere_scans
 from hardcontact.inference.hindcast import widen_pixels
@@ -117,12 +122,12 @@ def stitched_map(scan: HeightMap) -> HeightMap:
 
 def _forces(surface: HeightMap, body_maps: Sequence[HeightMap], contact: Contact) -> xr.Dataset:
     """Return the forces (sphere_scan, ...) of a smooth sphere, or of a rough one at its places."""
-    pairs = [bodies(surface, None, contact)]
+    pairs = [join_bodies(surface, None, contact)]
     if body_maps:
         substrate, sphere = (stitched_map(body) for body in body_maps)
         contact = replace(contact, count=CONTACTS_A_PLACE)
         places = places_on_sphere(sphere, math.isqrt(SPHERE_PLACES))
-        pairs = [bodies(substrate, place, contact) for place in places]
+        pairs = [join_bodies(substrate, place, contact) for place in places]
     return stack_sphere_scans(
         {
             number: pull_off_of_pair(pair, contact, [contact.range])

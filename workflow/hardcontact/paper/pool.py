@@ -16,7 +16,7 @@ from hardcontact.base import dataset, published
 from hardcontact.base.job import progress
 from hardcontact.base.random import generator
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import join_bodies
 from hardcontact.contact.pull_off import pull_off_of_pair
 from hardcontact.surfaces.conditioning import Targets, scan_targets
 from hardcontact.surfaces.height_map import TABLE1_METRICS, HeightMap, level, mirror_stitch
@@ -113,7 +113,7 @@ def pool_scan(number: int, sources: PoolSources) -> HeightMap:
 
 def smooth_sphere_forces(scan: HeightMap, contact: Contact, ranges: list[float]) -> xr.DataArray:
     """Return the pull-off forces of a smooth sphere on a levelled scan, mirror-stitched."""
-    contact_bodies = bodies(mirror_stitch(scan), None, contact)
+    contact_bodies = join_bodies(mirror_stitch(scan), None, contact)
     return pull_off_of_pair(contact_bodies, contact, ranges)["pull_off_force"]
 
 

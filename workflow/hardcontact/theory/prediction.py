@@ -108,7 +108,7 @@ def prediction(
         *inputs,
         _force_number("pull_off_force", form, point, validated),
         *extrapolated,
-        Number("force_scatter", predict_statistics(waves, contact).spread),
+        Number("force_scatter", predict_statistics(waves, contact).log_force_std),
         Number("force_ratio", form.force / smooth),
         Number("apex_height", form.apex_height, "nm"),
         Number("freezing", form.freezing, status=form.regime.replace(" ", "_")),

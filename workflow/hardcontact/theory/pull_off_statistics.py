@@ -54,7 +54,7 @@ class ForceStatistics:
     clumps: float  #: Mean number of clumps in contact, n; 0 without roughness.
     means: Floats  #: (n,) at the levels of the apex, in N.
     weights: Floats  #: (n,) probabilities of the levels.
-    spreads: Floats  #: (n,) standard deviations of ln F at each level.
+    log_force_stds: Floats  #: (n,) standard deviations of ln F at each level.
 
     @property
     def force(self) -> float:
@@ -62,17 +62,17 @@ class ForceStatistics:
         return float(self.weights @ self.means)
 
     @property
-    def variation(self) -> float:
+    def relative_std(self) -> float:
         """Standard deviation over mean."""
-        square = self.weights @ (self.means**2 * np.exp(self.spreads**2))
+        square = self.weights @ (self.means**2 * np.exp(self.log_force_stds**2))
         return float(np.sqrt(max(float(square) / self.force**2 - 1, 0.0)))
 
     @property
-    def spread(self) -> float:
+    def log_force_std(self) -> float:
         """Standard deviation of ln F."""
-        centres = np.log(self.means) - self.spreads**2 / 2
+        centres = np.log(self.means) - self.log_force_stds**2 / 2
         between = (centres - self.weights @ centres) ** 2
-        return float(np.sqrt(self.weights @ (between + self.spreads**2)))
+        return float(np.sqrt(self.weights @ (between + self.log_force_stds**2)))
 
 
 def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
@@ -89,14 +89,14 @@ def predict_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     levels = attraction.levels
     means = attraction.first + attraction.touching + contact_share(contact)
     modulus = contact.range * levels.mean() / np.sqrt(moment(waves, 0))
-    spreads = np.sqrt(np.log1p(attraction.variance / means**2))
+    log_force_stds = np.sqrt(np.log1p(attraction.variance / means**2))
     possible = levels.weights > 0
     return ForceStatistics(
         float(max(modulus, 0.0)),
         attraction.clumps,
         smooth * means[possible],
         levels.weights[possible],
-        spreads[possible],
+        log_force_stds[possible],
     )
 
 

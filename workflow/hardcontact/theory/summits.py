@@ -131,11 +131,8 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
     P(n, A Lambda/B)], P(n, x) the incomplete gamma function. Without an area it is exp(-Lambda).
     With many clumps it rises from zero to one at the bearing area, B = A.
 
-    waves: from `rough_waves`.
-    radius: radius of the sphere in nm.
-    area: area in contact, load over hardness, in nm².
-    Returns the levels with their probabilities; that of the lowest level is the probability that no
-        point rises above it.
+    The waves come from `rough_waves`; the radius is in nm, the area, load over hardness, in nm².
+    The probability of the lowest level is that no point rises above it.
     """
     radii, clumps, bearing = clumps_above(waves, radius)
     # No clump rises above the last level; there a clump has its own area.
