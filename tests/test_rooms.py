@@ -22,7 +22,7 @@ BUDGET = {
     "inference": 1601,
     "theory": 647,
     "paper": 1463,
-    "config": 2378,
+    "config": 2412,
     "own": 650,
     "report": 3499,
     "commands": 1521,

@@ -11,8 +11,8 @@ from repository import PAPER, merged
 
 from hardcontact.config import checks, selected_surfaces
 from hardcontact.config.configuration import get_key, master_keys
-from hardcontact.config.files import PRELOAD_SHARES
 from hardcontact.config.grids import realization_pixels
+from hardcontact.config.master_purposes import PRELOAD_SHARES
 from hardcontact.config.model import numeric_configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps

@@ -7,6 +7,7 @@ from paper_numbers import SUBSTRATES, SURFACES
 from studies import PATTERNS, files, numbers
 
 from hardcontact.config.configuration import study_contact
+from hardcontact.config.master_purposes import contact_grid
 from hardcontact.surfaces.height_map import flatten
 from hardcontact.surfaces.scans import read_scan
 
@@ -116,8 +117,9 @@ SWEPT = {
 }
 
 
-def lists_of_files(study):
+def lists_of_files(*values):
     """Return the radii, loads and ranges that each file is computed at, by its path."""
+    study = files(*values)
     filtered = [
         *study.filtered_masters(),
         *study.filtered_masters("scaling"),
@@ -126,7 +128,7 @@ def lists_of_files(study):
     ]
     study_values = (study.contact.radius, study.contact.load, study.contact.rho)
     computed_at = {
-        path: study.contact_grid(row.purpose)
+        path: contact_grid(numbers(*values), row.purpose)
         for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
     }
     for pattern, rows in (
@@ -141,7 +143,7 @@ def lists_of_files(study):
 
 @pytest.mark.parametrize("key", SWEPT)
 def test_two_values_of_a_swept_key_have_different_files(key):
-    study_files, swept_files = lists_of_files(files()), lists_of_files(files(key, SWEPT[key]))
+    study_files, swept_files = lists_of_files(), lists_of_files(key, SWEPT[key])
     assert study_files != swept_files
     for path in study_files.keys() & swept_files.keys():
         assert study_files[path] == swept_files[path], path
@@ -152,5 +154,5 @@ def test_paths_do_not_depend_on_the_units_of_a_value():
         *("sphere.radius", "0.25 mm", "contact.preload", "0.01 mN"),
         *("contact.hardness", "25000 MPa", "scales.range", "0.0056 um"),
     ]
-    assert lists_of_files(files(*written_otherwise)) == lists_of_files(files())
+    assert lists_of_files(*written_otherwise) == lists_of_files()
     assert study_contact(numbers()).load == "H25GPa-F10uN"

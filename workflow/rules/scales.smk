@@ -1,6 +1,7 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface.
 
 from hardcontact.config.grids import master_megabytes
+from hardcontact.config.master_purposes import PURPOSES, contact_grid, filter_settings
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Masters of sampled spectra, which own surfaces alone have.
@@ -42,7 +43,7 @@ rule filter_masters:
         PATTERNS.filtered,
     resources:
         mem_mb=lambda w: master_megabytes(
-            max(side["pixels"] for side in FILES.filter_settings(w.purpose)["sides"].values()),
+            max(side["pixels"] for side in filter_settings(STUDY, w.purpose)["sides"].values()),
             3000,
         ),
     params:
@@ -51,12 +52,10 @@ rule filter_masters:
                 "surface": w.surface,
                 "realizations": list(range(int(w.first), int(w.last) + 1)),
                 "seed": STUDY["seed"],
-                # Masters of the scales are files. Others are made from random numbers of this name,
-                # those of sampled spectra from the same as the files.
-                "generator_name": {"scales": None, "sampled": "master"}.get(w.purpose, "variant"),
+                "generator_name": PURPOSES[w.purpose].generator_name,
                 "window": STUDY["contact"]["window"],
-                **FILES.filter_settings(w.purpose),
-                **FILES.contact_grid(w.purpose),
+                **filter_settings(STUDY, w.purpose),
+                **contact_grid(STUDY, w.purpose),
             }
         ),
     script:

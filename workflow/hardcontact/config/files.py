@@ -1,33 +1,36 @@
-"""Every file of one study: those of surfaces, of further scans, and of masters."""
+"""The lists of files that rules ask for: pools, draws, whole surfaces, and filtered masters.
+
+Each entry of a list is a row, whose fields are the wildcards of a pattern.
+"""
 
 from collections import namedtuple
+from collections.abc import Iterable
 from dataclasses import replace
 from math import ceil
 from typing import Any
 
 from hardcontact.base.units import path_token
-from hardcontact.config.configuration import get_key, master_keys
-from hardcontact.config.patterns import short_digest
+from hardcontact.config.configuration import combines_bodies, get_key
+from hardcontact.config.master_purposes import (
+    MASTERS_CHUNK,
+    PURPOSES,
+    contact_grid,
+    filter_settings,
+)
+from hardcontact.config.patterns import SCAN_KEYS, short_digest, values_of_keys
 from hardcontact.config.surface_files import SurfaceFiles
 from hardcontact.surfaces.features import GAUSSIAN, SIGNS
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, realizations of masters (not those of the scales), and draws of surfaces with
-#: features in one job. A trade: long beside the half second in which a job starts, and enough
-#: jobs to share out among cores. Jobs stay as they are if a study has more of them.
+#: Scans of a pool, and draws of surfaces with features, in one job: a trade, as MASTERS_CHUNK is.
+#: Jobs stay as they are if a study has more of them.
 CHUNK = 15
-MASTERS_CHUNK = 5
 DRAWS_CHUNK = 10
-#: A range of adhesion (nm) that is much shorter than the published range.
-SHORT_RANGE = 1.0
 #: The shortest range of adhesion (nm) on whole surfaces. They may rise several hundred shorter
 #: ranges above a contact, more than the exponential of a floating-point number holds.
 SHORTEST_WHOLE_RANGE = 0.7
-#: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
-#: shorter and leaves some 30 pixels; larger loads move short edges beyond the cutoffs of the sets.
-PRELOAD_SHARES = (1 / 8, 1)
 
-# Rows of lists: their fields are wildcards of patterns.
+# Rows of lists
 Chunk = namedtuple("Chunk", "surface first last")
 DrawChunk = namedtuple("DrawChunk", "surface features first last")
 FilteredMasters = namedtuple(
@@ -41,9 +44,15 @@ def _chunks(count: int, step: int) -> list[tuple[int, int]]:
 
 
 class Files(SurfaceFiles):
-    """The files of one study, with its load.
+    """The files of one study.
 
-    Lists are of rows whose fields are wildcards of patterns: `paths` gives the files.
+    Rules ask it for lists of rows, which `paths` turns into paths of files:
+
+    - `chunks` and `draw_chunks`: what compute_pool and compute_draws make for the sets
+    - `whole_chunks`: what compute_whole makes
+    - `filtered_masters`: what filter_masters makes of the `master_sources` of each row
+
+    `SurfaceFiles` has the files of the surfaces themselves.
     """
 
     # Pools, draws and whole surfaces
@@ -91,95 +100,91 @@ class Files(SurfaceFiles):
 
     # Masters
 
-    def contact_grid(self, purpose: str) -> dict[str, list[Any]]:
-        """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
-        contact = self.contact
-        contacts, radii, ranges = [contact], [contact.radius], [contact.rho]
-        if purpose == "scaling":
-            preloads = [share * contact.preload for share in PRELOAD_SHARES]
-            contacts = [replace(contact, preload=preload) for preload in preloads]
-            radii = self._configuration["scaling"]["radii"]
-        elif purpose == "enhancement":
-            contacts = [contact, replace(contact, plastic=False)]
-            ranges = [SHORT_RANGE, contact.rho]
-        load_keys = ("preload", "hardness", "plastic")
-        loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
-        return {"radii": radii, "loads": loads, "ranges": ranges}
-
-    def filter_settings(self, purpose: str) -> dict[str, Any]:
-        """Return the settings of masters and filters on both sides, and contacts along a side."""
-        configuration = self._configuration
-        section, count_key = ("sets", "sets.count")
-        if purpose in ("scales", "sampled"):
-            section, count_key = ("scales", "contact.count")
-        sides = {
-            side: {
-                name: get_key(configuration, key)
-                for name, key in master_keys(configuration, section, side).items()
-            }
-            for side in SIDES
+    def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
+        """Return the masters of a purpose, in rows of realizations that are computed together."""
+        count = get_key(self._configuration, PURPOSES[purpose].realizations)
+        chunks = _chunks(count, PURPOSES[purpose].realizations_in_job)
+        same_fields = {
+            "purpose": purpose,
+            "settings": self._settings_digest(purpose),
+            **self._grid_names(purpose),
         }
-        if purpose == "enhancement":
-            del sides["large"]
-        return {"contacts_per_side": get_key(configuration, count_key), "sides": sides}
+        return [
+            FilteredMasters(
+                surface=surface,
+                probe=self._probe(purpose, surface),
+                first=first,
+                last=last,
+                **same_fields,
+            )
+            for surface in self._master_surfaces(purpose)
+            for first, last in chunks
+        ]
+
+    def _master_surfaces(self, purpose: str) -> list[str]:
+        """Return the substrates with masters; only spectra of measured surfaces are sampled."""
+        substrates = self._selection.substrates
+        if purpose == "sampled":
+            return [name for name in substrates if self._selection.basis[name] == "measured"]
+        return substrates
+
+    def _probe(self, purpose: str, surface: str) -> str:
+        """Return which sphere touches the masters; combined if they have its roughness, too."""
+        if surface in self.combined_surfaces:
+            return "combined"
+        is_rough = self._configuration["scales"]["sphere_roughness"] and purpose != "scaling"
+        return "rough" if is_rough else "smooth"
 
     def _grid_names(self, purpose: str) -> dict[str, str]:
-        """Return radii, loads and ranges of a grid as parts of paths."""
-        grid = self.contact_grid(purpose)
+        """Return radii, loads and ranges of a purpose as parts of paths."""
+        grid = contact_grid(self._configuration, purpose)
         return {
             "radii": "+".join(f"R{path_token(radius, 'um')}" for radius in grid["radii"]),
             "loads": "+".join(replace(self.contact, **load).load for load in grid["loads"]),
             "ranges": "+".join(f"rho{path_token(rho, 'nm')}" for rho in grid["ranges"]),
         }
 
-    def _masters_of(self, purpose: str, surface: str, realizations: int) -> list[FilteredMasters]:
-        """Return the files of the first realizations of the masters of a surface."""
-        step = 1 if purpose in ("scales", "sampled") else MASTERS_CHUNK
-        probe = "smooth" if purpose == "scaling" else self._probe
-        if surface in self.combined_surfaces:
-            probe = "combined"
-        names = self._grid_names(purpose)
-        settings = short_digest([self.filter_settings(purpose), self._filter_values])
-        return [
-            FilteredMasters(purpose, settings, surface, probe, *chunk, **names)
-            for chunk in _chunks(realizations, step)
-        ]
-
-    def filtered_masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of a purpose, those for scaling on a smooth sphere.
-
-        Spectra are sampled only for measured surfaces.
-        """
-        surfaces = self._selection.substrates
-        if purpose == "sampled":
-            surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
-        sections = {"sets": "sets", "scaling": "scaling", "enhancement": "scaling"}
-        section = sections.get(purpose, "scales")
-        count = self._configuration[section]["realizations"]
-        return [row for surface in surfaces for row in self._masters_of(purpose, surface, count)]
+    def _settings_digest(self, purpose: str) -> str:
+        """Return a digest of all that the forces of a purpose depend on, but for the path."""
+        configuration = self._configuration
+        values = values_of_keys(configuration, (*SCAN_KEYS, "contact.window", "sphere.surface"))
+        if configuration["scales"]["sphere_roughness"] or combines_bodies(configuration):
+            values["sphere"] = self._defaults["sphere_sources"]
+        return short_digest([filter_settings(configuration, purpose), values])
 
     def master_sources(self, row: Any) -> dict[str, list[str]]:
-        """Return the master files of a row of the study, or scans and spectra of another row."""
+        """Return what rule filter_masters reads for a row, one file a realization.
+
+        Masters of the study are files; others are made from scans and spectra.
+        """
         realizations = range(int(row.first), int(row.last) + 1)
-        surface = row.surface
-        if row.purpose == "scales":
-            return {
-                f"{side}_masters": [
-                    self.path(self._patterns.master, surface, realization=realization, side=side)
-                    for realization in realizations
-                ]
-                for side in SIDES
-            }
-        spectra = [self.spectrum(surface) for _ in realizations]
-        if row.purpose == "sampled":
-            pattern = self._patterns.sampled_spectrum
-            if surface in self.combined_surfaces:
-                pattern = self._patterns.both_sampled_spectrum
-            spectra = [self.path(pattern, surface, realization=number) for number in realizations]
+        if PURPOSES[row.purpose].generator_name is None:
+            return self._master_files(row.surface, realizations)
+        is_sampled = row.purpose == "sampled"
+        scans = [
+            self.stitched_of_realization(row.surface, realization, separate_scans=not is_sampled)
+            for realization in realizations
+        ]
+        if is_sampled:
+            spectra = self._sampled_spectra(row.surface, realizations)
+        else:
+            spectra = [self.spectrum(row.surface)] * len(scans)
+        return {"scans": scans, "spectra": spectra}
+
+    def _master_files(self, surface: str, realizations: Iterable[int]) -> dict[str, list[str]]:
+        """Return the masters of a surface, by side."""
+        pattern = self._patterns.master
         return {
-            "scans": [
-                self.stitched_of_realization(surface, number, row.purpose != "sampled")
-                for number in realizations
-            ],
-            "spectra": spectra,
+            f"{side}_masters": [
+                self.path(pattern, surface, realization=realization, side=side)
+                for realization in realizations
+            ]
+            for side in SIDES
         }
+
+    def _sampled_spectra(self, surface: str, realizations: Iterable[int]) -> list[str]:
+        """Return the sampled spectra of a surface, with the sphere's if its roughness is added."""
+        is_combined = surface in self.combined_surfaces
+        patterns = self._patterns
+        pattern = patterns.both_sampled_spectrum if is_combined else patterns.sampled_spectrum
+        return [self.path(pattern, surface, realization=number) for number in realizations]

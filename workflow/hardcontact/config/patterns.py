@@ -7,6 +7,7 @@ from typing import Any
 
 from hardcontact.base.origin import value_digest
 from hardcontact.config.configuration import combines_bodies, get_key
+from hardcontact.config.master_purposes import PURPOSES
 from hardcontact.surfaces.features import KINDS
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
@@ -15,10 +16,6 @@ PUBLISHED_TABLES = {
     "published_pull_off": "resources/paper/pull_off.csv",
     "published_table1": "resources/paper/table1.csv",
 }
-
-#: The purposes of filtered masters: the study, the study with sampled spectra, sets, the scaling of
-#: the edges of the band, and how plasticity and range enhance each other.
-PURPOSES = ("scales", "sampled", "sets", "scaling", "enhancement")
 
 #: Stands for the digest of the files of a sphere without scans.
 SMOOTH = "smooth"

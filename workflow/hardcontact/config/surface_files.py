@@ -8,7 +8,7 @@ from typing import Any
 
 from hardcontact.base.units import path_token
 from hardcontact.config.configuration import combines_bodies, study_contact
-from hardcontact.config.patterns import SCAN_KEYS, SMOOTH, Patterns, values_of_keys
+from hardcontact.config.patterns import SMOOTH, Patterns
 from hardcontact.config.selected_surfaces import Selection
 from hardcontact.contact.geometry import CONTACTS_A_PLACE, SPHERE_PLACES
 
@@ -33,13 +33,7 @@ class SurfaceFiles:
             "range": f"rho{path_token(configuration['scales']['range'], 'nm')}",
             "sphere_sources": selection.sources.get(selection.sphere, SMOOTH),
         }
-        keys = (*SCAN_KEYS, "contact.window", "sphere.surface")
-        self._filter_values = values_of_keys(configuration, keys)
         self._combines_bodies = combines_bodies(configuration)
-        is_rough = configuration["scales"]["sphere_roughness"]
-        self._probe = "rough" if is_rough else "smooth"
-        if is_rough or self._combines_bodies:
-            self._filter_values["sphere"] = self._defaults["sphere_sources"]
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
         """Return the path of a pattern for a surface; wildcards default to values of the study."""

@@ -1,0 +1,75 @@
+"""The purposes of filtered masters: why forces on them are computed, and with which settings."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+from hardcontact.config.configuration import get_key, master_keys, study_contact
+from hardcontact.surfaces.synthesis import SIDES
+
+#: A range of adhesion (nm) that is much shorter than the published range.
+SHORT_RANGE = 1.0
+#: Loads of the scaling relative to the preload. An eighth makes the side of the contact 2.8 times
+#: shorter and leaves some 30 pixels; larger loads move short edges beyond the cutoffs of the sets.
+PRELOAD_SHARES = (1 / 8, 1)
+#: Realizations in one job. A trade: long beside the half second in which a job starts, and enough
+#: jobs to share out among cores.
+MASTERS_CHUNK = 5
+
+
+class Purpose(NamedTuple):
+    """The settings of masters of one purpose. Keys are those of the configuration."""
+
+    section: str  #: Section of the pixels and cutoffs of masters.
+    contacts: str  #: Key of the number of contacts along a side.
+    realizations: str  #: Key of the number of masters of a surface.
+    #: Names the random numbers that masters are made from. None if they are files of the store.
+    generator_name: str | None = "variant"
+    realizations_in_job: int = MASTERS_CHUNK
+    sides: Sequence[str] = SIDES
+
+
+#: By the name in the paths of their forces.
+PURPOSES = {
+    # The band of the study.
+    "scales": Purpose("scales", "contact.count", "scales.realizations", None, 1),
+    # The same with sampled spectra, of measured surfaces only. It shares its random numbers.
+    "sampled": Purpose("scales", "contact.count", "scales.realizations", "master", 1),
+    # The edges of each set of substitutes.
+    "sets": Purpose("sets", "sets.count", "sets.realizations"),
+    # How the edges depend on radius and load, on a smooth sphere.
+    "scaling": Purpose("sets", "sets.count", "scaling.realizations"),
+    # How plasticity and range enhance each other at the short edge.
+    "enhancement": Purpose("sets", "sets.count", "scaling.realizations", sides=("small",)),
+}
+
+
+def contact_grid(configuration: Mapping[str, Any], purpose: str) -> dict[str, list[Any]]:
+    """Return the radii (nm), loads (N, Pa) and ranges (nm) at which forces on masters are computed.
+
+    ``"scaling"`` varies radius and preload, ``"enhancement"`` plasticity and range.
+    """
+    contact = study_contact(configuration)
+    contacts, radii, ranges = [contact], [contact.radius], [contact.rho]
+    if purpose == "scaling":
+        contacts = [replace(contact, preload=share * contact.preload) for share in PRELOAD_SHARES]
+        radii = configuration["scaling"]["radii"]
+    elif purpose == "enhancement":
+        contacts = [contact, replace(contact, plastic=False)]
+        ranges = [SHORT_RANGE, contact.rho]
+    load_keys = ("preload", "hardness", "plastic")
+    loads = [{key: getattr(load, key) for key in load_keys} for load in contacts]
+    return {"radii": radii, "loads": loads, "ranges": ranges}
+
+
+def filter_settings(configuration: Mapping[str, Any], purpose: str) -> dict[str, Any]:
+    """Return the settings of masters and filters on each side, and the contacts along a side."""
+    settings = PURPOSES[purpose]
+    sides = {
+        side: {
+            name: get_key(configuration, key)
+            for name, key in master_keys(configuration, settings.section, side).items()
+        }
+        for side in settings.sides
+    }
+    return {"contacts_per_side": get_key(configuration, settings.contacts), "sides": sides}
