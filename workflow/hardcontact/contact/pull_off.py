@@ -107,13 +107,13 @@ def forces_at_loads(bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[f
 
     The loads are contacts that differ in nothing else; ranges of adhesion are in nm.
     """
-    return _contacts_and_forces(bodies, loads, ranges)[1]
+    return _gaps_and_forces(bodies, loads, ranges)[1]
 
 
-def _contacts_and_forces(
+def _gaps_and_forces(
     bodies: Bodies, loads: Sequence[Contact], ranges: Sequence[float]
-) -> tuple[Contacts, Floats]:
-    """Return the lowest gaps of each contact, and the forces of `pull_off_forces` from them."""
+) -> tuple[GapsByContact, Floats]:
+    """Return the lowest gaps of each contact, and the forces of `forces_at_loads` from them."""
     pixel_size = bodies.geometry.pixel_size
     rhos = np.asarray(ranges, float)
     pixel_counts = [load.pixel_count(pixel_size) for load in loads]
@@ -131,7 +131,7 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """
     pixel_size = bodies.geometry.pixel_size
     loads = [replace(contact, plastic=False), contact]
-    contacts, forces = _contacts_and_forces(bodies, loads, ranges)
+    contacts, forces = _gaps_and_forces(bodies, loads, ranges)
     pixel_counts = [load.pixel_count(pixel_size) for load in loads]
     gaps = _gaps(contacts)
     # At closest approach the largest gap of the touching pixels has become zero.
