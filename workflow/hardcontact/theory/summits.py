@@ -132,7 +132,7 @@ def apex_levels(waves: Spectrum, radius: float, area: float) -> ApexLevels:
     With many clumps it rises from zero to one at the bearing area, B = A.
 
     The waves come from `rough_waves`; the radius is in nm, the area, load over hardness, in nm².
-    The probability of the lowest level is that no point rises above it.
+    The lowest level has the probability that no point rises above it.
     """
     radii, clumps, bearing = clumps_above(waves, radius)
     # No clump rises above the last level; there a clump has its own area.
