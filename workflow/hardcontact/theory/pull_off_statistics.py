@@ -196,7 +196,7 @@ def summit_variation(waves: Spectrum, levels: ApexLevels) -> float:
 def field_variation(waves: Spectrum, contact: Contact) -> float:
     """Return the standard deviation over the mean of ∫ exp((z - y)/rho) over the plane.
 
-    Heights h are normal and s = r²/2R: its square is ∫ [exp(r(d)/rho²) - 1] exp(-d²/4 R rho) over
+    Heights z are normal and y = r²/2R: its square is ∫ [exp(r(d)/rho²) - 1] exp(-d²/4 R rho) over
     all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
     variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
     """
