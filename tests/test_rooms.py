@@ -21,10 +21,10 @@ BUDGET = {
     "contact": 1391,
     "inference": 1601,
     "theory": 647,
-    "paper": 1463,
+    "paper": 1465,
     "config": 2412,
     "own": 650,
-    "report": 3499,
+    "report": 3505,
     "commands": 1521,
     "api": 215,
 }

@@ -15,7 +15,7 @@ rule compute_pull_off:
             places_per_side=FILES.places_per_side,
             contact=STUDY["contact"] | {"count": FILES.contacts_a_place},
             ranges=RANGES,
-            reference_range=STUDY["scales"]["range"],
+            reference_rho=STUDY["scales"]["range"],
             radius=STUDY["sphere"]["radius"],
         ),
     script:

@@ -17,7 +17,7 @@ NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 FILES = Files(STUDY, SELECTION, PATTERNS)
 CONTACT = STUDY["contact"] | {
     "radius": STUDY["sphere"]["radius"],
-    "range": STUDY["scales"]["range"],
+    "rho": STUDY["scales"]["range"],
 }
 
 

@@ -16,7 +16,7 @@ from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as job:
     params = job.parameters
-    contact = Contact(radius=params["radius"], rho=params["reference_range"], **params["contact"])
+    contact = Contact(radius=params["radius"], rho=params["reference_rho"], **params["contact"])
     substrate = read_height_map(job.input.substrate)
     spheres = [
         place

@@ -65,9 +65,9 @@ class ContactPixels:
     ) -> float:
         """Return the sum of exp(-(g + m)/rho) over pixels outside a contact (i, j).
 
-        m is the height of the apex at closest approach. `total` is the sum over all pixels but
-        these, and `terms` (pixels,) are those of these, overwritten, both at the approach where the
-        highest points would meet, whose sum is `highest`.
+        m is the height of the apex at closest approach. `total` sums all pixels but the contact
+        pixels of all contacts, whose `terms` (pixels,) are overwritten. Both are at the approach at
+        which the highest points of both bodies meet; `highest` is the sum of their heights.
         """
         terms[self._own[index]] = 0.0
         largest_gap = self._gaps[index][-1]

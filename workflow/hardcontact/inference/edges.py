@@ -164,7 +164,8 @@ def _curves(
 ) -> Iterator[tuple[RatioCurve, np.ndarray]]:
     """Yield the curve of each side and group, and samples (sample, k) of its values.
 
-    Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. Each curve begins
+    Mean ratios (AXES) and their samples (sample, AXES) come from `_mean_ratios`. The curve of a
+    surface is ln(ratio) with two limits, the pooled one the mean |ratio - 1| with one. Each begins
     at the unfiltered wavelength, where it is zero.
     """
     ratios = np.concatenate([ratio[None], ratio_samples])

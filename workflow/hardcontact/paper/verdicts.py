@@ -15,12 +15,15 @@ from numpy.typing import ArrayLike
 from hardcontact.base.statistics import percentile_interval
 from hardcontact.inference.edges import last_cutoff
 
+REPRODUCED = "reproduced"
 AGREES = "agrees"  # A number without an interval.
+UNDECIDED = "undecided"
+NOT_REPRODUCED = "not reproduced"
 BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable"
 EXPERIMENT = "model beside experiment"
 VERDICTS = (
-    "reproduced", AGREES, "undecided", "not reproduced", BY_CONSTRUCTION, UNTESTABLE,
+    REPRODUCED, AGREES, UNDECIDED, NOT_REPRODUCED, BY_CONSTRUCTION, UNTESTABLE,
     EXPERIMENT,
 )  # fmt: skip
 
@@ -52,8 +55,8 @@ class AcceptedRange:
         """
         share = self.accepts(replicas).mean()
         if share >= REPRODUCED_SHARE:
-            return "reproduced"
-        return "not reproduced" if share <= 1 - REPRODUCED_SHARE else "undecided"
+            return REPRODUCED
+        return NOT_REPRODUCED if share <= 1 - REPRODUCED_SHARE else UNDECIDED
 
     def verdict_of_samples(self, samples: np.ndarray, low: float, high: float) -> str:
         """Judge the samples (sample,) of a single number and its interval.
@@ -62,9 +65,9 @@ class AcceptedRange:
         interval is undecided.
         """
         if self.accepts(samples).mean() >= REPRODUCED_SHARE:
-            return "reproduced"
+            return REPRODUCED
         verdict = self.verdict(float(np.median(samples)), low, high)
-        return verdict if verdict == "not reproduced" else "undecided"
+        return verdict if verdict == NOT_REPRODUCED else UNDECIDED
 
     def verdict(self, computed: float, low: float, high: float) -> str:
         """Judge a number, NaN if none exists, and its interval, NaN if it has none.
@@ -74,16 +77,16 @@ class AcceptedRange:
         without an interval agrees if it is accepted, otherwise it is not reproduced.
         """
         if np.isnan(computed):
-            return "undecided"
+            return UNDECIDED
         if np.isnan(low) or np.isnan(high):
-            return AGREES if self.accepts(computed) else "not reproduced"
+            return AGREES if self.accepts(computed) else NOT_REPRODUCED
         if self.accepts([low, high]).all():
-            return "reproduced"
+            return REPRODUCED
         if self.with_limits:
             overlaps = low <= self.high and self.low <= high
         else:
             overlaps = low < self.high and self.low < high
-        return "undecided" if overlaps else "not reproduced"
+        return UNDECIDED if overlaps else NOT_REPRODUCED
 
 
 def accepted_range(rule: str, published_low: float, published_high: float) -> AcceptedRange:

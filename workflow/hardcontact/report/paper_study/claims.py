@@ -8,7 +8,13 @@ import pandas as pd
 
 from hardcontact.base.formatting import format_as_paper, is_boundless
 from hardcontact.paper.claim_selection import LARGER_PIXELS, WITHOUT_SCAN
-from hardcontact.paper.verdicts import BY_CONSTRUCTION, REPRODUCED_SHARE, summary
+from hardcontact.paper.verdicts import (
+    BY_CONSTRUCTION,
+    NOT_REPRODUCED,
+    REPRODUCED,
+    REPRODUCED_SHARE,
+    summary,
+)
 from hardcontact.report.quantities import NO_INTERVAL
 
 
@@ -32,12 +38,12 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
         "contradicted": [
             row
             for row in facts.values()
-            if (row["kind"], row["verdict"]) == ("independent", "not reproduced")
+            if (row["kind"], row["verdict"]) == ("independent", NOT_REPRODUCED)
         ],
         "counts": summary(claims).to_dict("records"),
         "decisive_share": REPRODUCED_SHARE,
         "without_scan": sum(
-            (row["kind"], row["verdict"]) == ("independent", "reproduced")
+            (row["kind"], row["verdict"]) == ("independent", REPRODUCED)
             and row["basis"] in WITHOUT_SCAN
             for row in facts.values()
         ),
