@@ -217,13 +217,13 @@ def test_the_headline_says_which_edge_is_extrapolated(edge, interval, words_on_e
 @pytest.mark.parametrize(
     ("factor", "begin", "end", "effect"),
     [
-        (1, "Waves", "matter most", "less amplitude raises the force by 0.90 [0.40, 1.4] %."),
+        (1, "Waves", "matter most", "more amplitude lowers the force by 0.90 [0.40, 1.4] %."),
         (-1, "Waves", "matter most", "more amplitude raises the force by 0.90 [0.40, 1.4] %."),
         (
             0.4,
             "Whether waves",
             "matter most is not certain",
-            "less amplitude raises the force by 0.4 [-0.1, 0.9] %.",
+            "more amplitude lowers the force by 0.4 [-0.1, 0.9] %.",
         ),
     ],
 )

@@ -40,6 +40,11 @@ def plain(text):
     return " ".join(text.replace("\N{NO-BREAK SPACE}", " ").split())
 
 
+def answer_words(page):
+    """The words of the page's answer, which follows the notice of substitutes."""
+    return plain(page.texts["div"][1])
+
+
 def test_the_page_needs_nothing_else(page):
     assert not {"link", "iframe", "object", "embed", "base"} & page.attributes.keys()
     assert all(source.startswith("data:image/svg+xml;base64,") for source in page.values("src"))
@@ -56,7 +61,7 @@ def test_links_lead_within_the_study_or_to_the_paper(page):
 
 
 def test_the_page_says_first_what_came_out(page):
-    first_words = plain(page.texts["div"][0])
+    first_words = answer_words(page)
     assert "% (640 to 1280 nm), " in first_words and "% (320 to 640 nm) or " in first_words
     numbers = numbers_by_name(answer())
     for name in ("first_short_edge", "first_long_edge"):
@@ -68,7 +73,7 @@ def test_the_page_says_first_what_came_out(page):
 
 def test_the_page_warns_of_coarse_grids_first():
     coarse_page = Page(make_page(**datasets(pixels=128)))
-    assert plain(coarse_page.texts["div"][0]).startswith("Coarse grids: ")
+    assert answer_words(coarse_page).startswith("Coarse grids: ")
 
 
 def test_findings_that_only_larger_pixels_leave_untested_are_told_apart():
@@ -90,7 +95,7 @@ def test_a_verdict_on_an_edge_from_artificial_roughness_says_so():
     for transition, is_artificial in ((20.0, False), (80.0, True)):
         scales = datasets()["scales"].assign(transition=("side", [transition, 1e6]))
         page = Page(make_page(table, scales=scales))
-        (line,) = re.findall("Short waves:.*Long waves:", plain(page.texts["div"][0]))
+        (line,) = re.findall("Short waves:.*Long waves:", answer_words(page))
         assert ("from artificial roughness" in line) == is_artificial, line
         (row,) = [
             row
